@@ -24,6 +24,7 @@ chapters! {
     found = "src/found.md",
     errata = "src/errata.md",
     errata_small = "src/errata-small.md",
+    errata_elsewhere = "src/errata-elsewhere.md",
     open = "src/open.md",
     method = "src/method.md",
     about = "src/about.md",

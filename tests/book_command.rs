@@ -84,3 +84,23 @@ fn outside_of_a_workspace_nothing_is_built() {
     assert!(said.contains("no book found") && page.lines().count() > 5 && !page.contains("The book is in"), "{said}");
     assert!(names(elsewhere.path()).is_empty());
 }
+
+#[test]
+fn printing_says_what_it_lacks() {
+    let workspace = small_workspace();
+    let printing = |browser: &str, output: &str| {
+        let mut command = inside(workspace.path(), &["book", "print", "--output", output]);
+        command.env("CHROMIUM", browser).env("PATH", "");
+        refusal(command)
+    };
+    let said = printing("", "book.pdf");
+    assert!(said.contains("printing needs Chromium or Chrome") && said.contains("$CHROMIUM"), "{said}");
+    for output in ["nowhere/book.pdf", "book"] {
+        let said = printing("any", output);
+        assert!(said.contains("name a file in a folder that is there with --output"), "{said}");
+    }
+    // A book without our chapters.
+    let said = printing("any", "book.pdf");
+    assert!(said.contains("has no page to be printed"), "{said}");
+    assert_eq!(names(workspace.path()), ["book", "crates"]);
+}

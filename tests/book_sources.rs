@@ -2,7 +2,7 @@
 
 use geneva_ledger::{Consequence, Decimal, Places, Verdict, numeric_tokens, slips, verdicts};
 use geneva_press::pages::{self, PAGES, Page, Records};
-use geneva_press::{computed, fences, figures};
+use geneva_press::{address, bibliography, computed, fences, figures};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
 /// The pages by file name, with their Markdown.
@@ -31,14 +31,8 @@ fn what_the_list_of_pages_writes_is_written() {
     let library = std::fs::read_to_string(crate::path("book/lib.rs")).expect("the chapters' library");
     let (before, _) = library.split_once("\nchapters! {\n").expect("the list of chapters");
     files.push(("book/lib.rs".to_owned(), format!("{before}\nchapters! {{\n{}}}\n", pages::chapters_to_test())));
-    let mut readme = std::fs::read_to_string(crate::path("README.md")).expect("the README");
-    for heading in geneva_press::readme::SECTIONS {
-        let head = format!("## {heading}\n");
-        let (before, rest) = readme.split_once(&head).expect("the section");
-        let (_, after) = rest.split_once("\n## ").expect("what follows");
-        let section = geneva_press::readme::section(heading).expect("the section");
-        readme = format!("{before}{head}\n{section}\n\n## {after}");
-    }
+    let readme = std::fs::read_to_string(crate::path("README.md")).expect("the README");
+    let readme = geneva_press::readme::written(&readme, address::settled()).expect("the README anew");
     files.push(("README.md".to_owned(), readme));
     files.retain(|(file, text)| !stood_written(file, text));
     let changed: Vec<_> = files.iter().map(|(file, _)| file.as_str()).collect();
@@ -128,6 +122,13 @@ fn every_number_of_the_lists_is_said_in_some_chapter() {
     for name in computed::names() {
         assert!(all.contains(&format!("{{{{computed:{name}}}}}")), "{name} is computed and not said");
     }
+}
+
+#[test]
+fn every_work_on_the_list_is_cited_and_every_citation_is_on_it() {
+    let chapters = chapters();
+    let cited = bibliography::check(chapters.iter().map(|(_, text)| text.as_str()));
+    assert!(cited.is_ok(), "{cited:?}");
 }
 
 #[test]

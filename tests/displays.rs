@@ -9,6 +9,7 @@ mod escapement;
 mod joints;
 mod letters;
 mod mechanisms;
+mod notation;
 mod proofs;
 
 use geneva_ledger::tex::{Class, Misprint, misprints};

@@ -7,11 +7,13 @@
 mod book_pages;
 mod book_sources;
 mod browser;
+mod citing;
 mod coverage;
 mod displays;
 mod live;
 mod mimic_decks;
 mod pin_over_the_engagement;
+mod printed;
 mod prose;
 mod records;
 mod snapshots;

@@ -208,6 +208,16 @@ impl Browser {
         answer["result"]["value"].take()
     }
 
+    /// The page that is open as a PDF, by the size and margins that its style asks for, with an outline of its headings.
+    #[track_caller]
+    pub fn print(&mut self) -> Vec<u8> {
+        let wanted = json!({
+            "preferCSSPageSize": true, "printBackground": true, "generateDocumentOutline": true, "generateTaggedPDF": true,
+        });
+        let printed = self.command("Page.printToPDF", wanted);
+        bytes(printed["data"].as_str().unwrap_or_default())
+    }
+
     /// Where the browser is. While it goes from one page to another, there is none.
     pub fn address(&mut self) -> Option<String> {
         let history = self.ask("Page.getNavigationHistory", json!({})).ok()?;
@@ -227,6 +237,21 @@ impl Browser {
     pub fn events(&mut self) -> Vec<Value> {
         self.events.drain(..).collect()
     }
+}
+
+/// What stands in a text of base 64.
+fn bytes(text: &str) -> Vec<u8> {
+    const SIGNS: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let (mut out, mut bits, mut count) = (Vec::new(), 0_u32, 0);
+    for value in text.bytes().filter_map(|sign| SIGNS.iter().position(|of| *of == sign)) {
+        bits = bits << 6 | value as u32;
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            out.push((bits >> count & 0xff) as u8);
+        }
+    }
+    out
 }
 
 impl Drop for Browser {

@@ -26,14 +26,16 @@ const UNDER_CONDITIONS: &[Condition] = &[
         Moment::default().with([("k", [1.0, -1.0, 2f64.sqrt(), -(2f64.sqrt())][number % 4])])
     }),
     // Four stations at a third of a right angle from the line of centres, and on it.
-    ("pin", r"\frac{\omega_S}{\omega_D} = \frac{\tfrac12", at_the_instant),
-    ("pin", r"\frac{\alpha_S}{\omega_D^2} = \frac{\tfrac12", at_the_instant),
-    ("pin", r"\frac{\omega_S}{\omega_D} = \frac{k - 1}{(k-1)^2}", |number| pin(number, Some(2f64.sqrt()), Some(0.0))),
+    ("pin", r"\frac{\dot\varphi}{\dot\theta} = \frac{\tfrac12", at_the_instant),
+    ("pin", r"\frac{\ddot\varphi}{\dot\theta^2} = \frac{\tfrac12", at_the_instant),
+    ("pin", r"\frac{\dot\varphi}{\dot\theta} = \frac{k - 1}{(k-1)^2}", |number| {
+        pin(number, Some(2f64.sqrt()), Some(0.0))
+    }),
     // With an acceleration of the crank, which the other displays do without.
     ("quick-return", r"\vec{a}_2^\mathrm{n} +", |number| quick_return(number, 1.5)),
     ("jazar", r"\cos^2\theta + \gamma\cos\theta", |number| wheel(number, None, When::AtPeak)),
     // Any numbers of pins and slots, as one pin takes over from the next.
-    ("escapement", r"a = \frac{\sin(\pi/m + \pi/n)}", escapement::taking_over),
+    ("escapement", r"k = \frac{\sin(\pi/m + \pi/N)}", escapement::taking_over),
     ("escapement", r"\frac{\dot\varphi}{\dot\theta} = \cos", escapement::taking_over),
 ];
 

@@ -32,7 +32,7 @@ pub fn taking_over(number: usize) -> Moment {
     let (ratio, speed) = (pair.centre_distance_ratio(), 0.2 + 4.0 * spread(number, 5));
     let follower = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(pair.engagement_half_angle())) * speed;
     Moment::default()
-        .with([("a", ratio), ("m", f64::from(pair.pins())), ("n", f64::from(pair.slots()))])
+        .with([("k", ratio), ("m", f64::from(pair.pins())), ("N", f64::from(pair.slots()))])
         .with([(r"\dot\theta", speed), (r"\dot\varphi", follower)])
 }
 
@@ -74,12 +74,12 @@ pub fn state(number: usize, wanted: &Wanted) -> Moment {
     approx::assert_abs_diff_eq!(factors.residual(&speed, &found.value, found.sign), 0.0, epsilon = 1e-9);
 
     Moment::default()
-        .with([("a", ratio), ("n", f64::from(count)), ("m", f64::from(pins)), ("r", radius), ("c", ratio * radius)])
+        .with([("k", ratio), ("N", f64::from(count)), ("m", f64::from(pins)), ("R", radius), ("l", ratio * radius)])
         .with([(r"\theta", angle), (r"\dot\theta", speed), (r"\ddot\theta", found.value)])
         .with([(r"\varphi", follower), (r"\dot\varphi", velocity)])
-        .with([(r"\ddot\varphi", forces.follower_acceleration), ("R", pin.norm())])
+        .with([(r"\ddot\varphi", forces.follower_acceleration), ("r", pin.norm())])
         .with([(r"\theta_0", half), (r"\varphi_0", libm::atan2(libm::sin(half), ratio - libm::cos(half)))])
-        .with([("N", forces.normal_force(radius)), (r"\tau_2", -forces.friction_torque)])
+        .with([("F", forces.normal_force(radius)), (r"\tau_2", -forces.friction_torque)])
         .with([("I_D", inertias.driver()), ("I_f", inertias.follower()), ("K", torque), (r"\mu", friction)])
         .with([("A", factors.a), ("B", factors.b), ("C", factors.c), ("D", factors.d), ("E", factors.e)])
         .with([("S", if found.sign == Sign::Plus { 1.0 } else { -1.0 }), (r"\ddot\theta_0", start.value)])

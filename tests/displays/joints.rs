@@ -48,14 +48,15 @@ fn state(number: usize) -> Moment {
     let sign = |sign: Sign| if sign == Sign::Plus { 1.0 } else { -1.0 };
 
     Moment::default()
-        .with([("R", radius), (r"\dot R", slide * speed), (r"\frac{dR}{d\theta}", slide)])
+        .with([("r", radius), (r"\dot r", slide * speed), (r"\frac{dr}{d\theta}", slide)])
+        .with([("k", ratio), (r"\theta", angle)])
         .with([("q", q), ("p", parameters.pose(angle).acceleration_ratio()), (r"\dot\varphi", q * speed)])
         .with([
             (r"\dot\theta", speed),
             (r"\ddot\theta", motion.angular_acceleration),
             (r"\ddot\varphi", motion.follower_acceleration),
         ])
-        .with([("w", motion.sliding * speed), ("N", motion.normal_moment), ("M", moment)])
+        .with([("w", motion.sliding * speed), ("F", motion.normal_moment), ("M", moment)])
         .with([("s", sign(motion.flank)), (r"\sigma", sign(Sign::from_number(motion.sliding)))])
         .with([(r"\kappa_f", follower_arm), (r"\kappa_D", driver_arm), (r"\kappa", driver_arm / follower_arm)])
         .with([("I_D", inertias.driver()), ("I_f", inertias.follower()), ("K", torque), (r"\mu", friction)])

@@ -14,9 +14,9 @@ const DOTS: &[(&str, &str)] = &[
     ("pin.angle-at-driver", r"\theta"),
     ("pin.angle-at-pivot", "b"),
     ("quick-return.ground", "l"),
-    ("quick-return.lever-angle", r"\psi"),
+    ("quick-return.lever-angle", r"\varphi"),
     ("quick-return.crank", "l_2"),
-    ("quick-return.crank-angle", r"\varphi"),
+    ("quick-return.crank-angle", r"\psi"),
     ("quick-return.angle-at-pin", r"\beta"),
 ];
 
@@ -36,7 +36,7 @@ fn at_the_dots(of: &Claim) -> Vec<&'static str> {
 /// What a claim is about that prints one side of an equation alone.
 const MEANT: &[(&str, &str)] = &[
     ("quick-return.rate-conversion", r"\frac{\text{rev}}{\text{min}}"),
-    ("quick-return.supplement", r"\varphi"),
+    ("quick-return.supplement", r"\psi"),
     ("quick-return.coriolis-equation", r"a_\mathrm{Cor}"),
     ("jazar.centre-distance", "l"),
     ("jazar.cutout-centres", r"\text{arcs}"),
@@ -82,16 +82,24 @@ pub fn states(claim: &Claim) -> Vec<Moment> {
 fn of_pin(id: &str, number: usize) -> Moment {
     let four = id == "pin.centre-distance";
     let angle = (id == "pin.law-of-sines").then_some(30f64.to_radians());
-    let state = pin(number, four.then_some(2f64.sqrt()), angle).called([("b", r"\beta"), ("g", r"\gamma")]);
+    let state = pin(number, four.then_some(2f64.sqrt()), angle).called([("g", r"\gamma")]);
+    // The angles of the triangle, which have no sign.
+    let state = [("b", "varphi"), (r"\theta", "theta")].iter().fold(state, |state, (theirs, ours)| {
+        let angle = state.letters()[*ours].abs();
+        state.with([(*theirs, angle)])
+    });
     if id == "pin.velocity-equation" {
         return state.called([("v_P", r"\vec{v}_P"), ("v_{P'}", r"\vec{v}_{P'}"), ("v_{P/S}", r"\vec{v}_{P/S}")]);
     }
     // With the index of a disk the letter is an angular velocity.
-    state.called([(r"\mathrm{v}_{D}", r"\omega_D"), (r"\mathrm{v}_{S}", r"\omega_S")])
+    state.called([(r"\mathrm{v}_{D}", r"\dot\theta"), (r"\mathrm{v}_{S}", r"\dot\varphi")])
 }
 
 fn of_quick_return(id: &str, number: usize) -> Moment {
-    let state = quick_return(number, 0.0);
+    // The lever's acceleration is a length, and the crank's angle ψ is from the direction to the crank's axis.
+    let state = quick_return(number, 0.0).called([(r"\omega_2", r"\dot\theta"), (r"\omega_4", r"\dot\varphi")]);
+    let [acceleration, crank] = ["varphi''", "theta"].map(|name| state.letters()[name]);
+    let state = state.with([(r"\alpha_4", acceleration.abs()), (r"\psi", PI + crank)]);
     match id {
         "quick-return.sum-of-places" | "quick-return.velocity-in-a-frame" | "quick-return.acceleration-in-a-frame" => {
             frame(number, 1.0)
@@ -169,6 +177,7 @@ fn of_meyer(id: &str, number: usize) -> Moment {
     let mechanism = mechanism.iter().find(|(part, _)| id.contains(part)).map(|(_, mechanism)| *mechanism);
     let crank_radius = id.starts_with("meyer.app-a.").then_some(1.0);
     escapement::state(number, &Wanted { mechanism, crank_radius, handing_over })
+        .called([("r", "R"), ("R", "r"), ("c", "l"), ("a", "k"), ("n", "N"), ("N", "F")])
         .called([(r"\phi", r"\varphi"), (r"\dot\phi", r"\dot\varphi"), (r"\ddot\phi", r"\ddot\varphi")])
         .called([(r"\phi_0", r"\varphi_0"), (r"\phi_o", r"\varphi_0"), (r"\theta_o", r"\theta_0")])
 }

@@ -21,7 +21,8 @@ fn between(number: usize, which: usize, least: f64, most: f64) -> f64 {
     least + (most - least) * spread(number, which)
 }
 
-/// A pin in a slot, its angle θ decreasing as the driver turns; at a given ratio of lengths or at many, and so of θ.
+/// A pin in a slot before the line of centres, where θ and φ are negative; at a given ratio of lengths or at many, and at
+/// a given size of θ or at many.
 pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
     let radius = between(number, 0, 0.5, 2.0);
     let ratio = ratio.unwrap_or(between(number, 1, 1.1, 4.0));
@@ -34,11 +35,20 @@ pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
     // The driver turns counter-clockwise, the wheel clockwise.
     let rates = polar_rates(&(ratio * radius), &radius, &phi, &Drive::steady(speed)).expect("off the pivot");
     Moment::default()
-        .with([("R", radius), ("l", ratio * radius), ("k", ratio), (r"\theta", angle), (r"\varphi", PI - angle)])
-        .with([("r", triangle.slot_radius), (r"\beta", triangle.angle_at_pivot), (r"\gamma", triangle.velocity_angle)])
+        .with([
+            ("R", radius),
+            ("l", ratio * radius),
+            ("k", ratio),
+            (r"\theta", -angle),
+            (r"\varphi", -triangle.angle_at_pivot),
+        ])
+        .with([("r", triangle.slot_radius), (r"\gamma", triangle.velocity_angle)])
         .with([("v_P", triangle.pin_speed), ("v_{P'}", triangle.slot_point_speed), ("v_{P/S}", triangle.sliding_speed)])
-        .with([(r"\omega_D", speed), (r"\omega_S", triangle.follower_speed), (r"\alpha_S", -rates.turning_rate)])
-        .with([(r"\dot\theta", -speed), (r"\dot\beta", vectors.follower_speed)])
+        .with([
+            (r"\dot\theta", speed),
+            (r"\dot\varphi", triangle.follower_speed),
+            (r"\ddot\varphi", -rates.turning_rate),
+        ])
         .with([("x", vectors.position.x), ("y", vectors.position.y)])
         .with([(r"\dot x", vectors.pin_velocity.x), (r"\dot y", vectors.pin_velocity.y)])
         .with([(r"\vec{v}_P", vectors.pin_velocity), (r"\vec{v}_{P'}", vectors.slot_point_velocity)])
@@ -64,20 +74,17 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     let distance = rates.position.norm();
     Moment::default()
         .with([(r"\dot r", rates.sliding * distance), (r"\ddot r", rates.sliding_rate * distance)])
-        .with([(r"\dot\psi", rates.turning), (r"\ddot\psi", rates.turning_rate)])
-        .with([("l", ground), ("R", crank), ("r", position.pin_distance), (r"\psi", lever)])
-        .with([(r"\varphi", position.crank.radians()), (r"\beta", position.angle_at_pin())])
-        .with([(r"\omega_2", speed), (r"\omega_4", turning), ("v_2", velocities.pin_velocity.norm())])
+        .with([(r"\dot\theta", speed), (r"\dot\varphi", turning), (r"\ddot\varphi", rates.turning_rate)])
+        .with([("l", ground), ("R", crank), ("r", position.pin_distance), (r"\varphi", lever)])
+        .with([(r"\theta", position.crank.radians() - PI), (r"\beta", position.angle_at_pin())])
+        .with([("v_2", velocities.pin_velocity.norm())])
         .with([("v_4", velocities.slot_point_velocity.norm()), (r"v_\mathrm{rel}", velocities.sliding_velocity.norm())])
         .with([(r"a_2^\mathrm{n}", motion.pin_normal.norm()), (r"a_4^\mathrm{n}", terms.follower_normal.norm())])
         .with([(r"a_2^\mathrm{t}", motion.pin_tangential.norm()), (r"a_\mathrm{Cor}", terms.coriolis.norm())])
         .with([(r"a_\mathrm{rel}^\mathrm{t}", -along.dot(&terms.sliding_tangential))])
-        .with([
-            (r"a_4^\mathrm{t}", -across.dot(&terms.follower_tangential)),
-            (r"\alpha_4", -terms.follower_acceleration),
-        ])
+        .with([(r"a_4^\mathrm{t}", -across.dot(&terms.follower_tangential))])
         .with([(r"t_\mathrm{slow}", strokes.slow / speed), (r"t_\mathrm{fast}", strokes.fast / speed)])
-        .with([(r"\psi_\mathrm{max}", limit)])
+        .with([(r"\varphi_\mathrm{max}", limit)])
         .with([(r"\vec{v}_2", velocities.pin_velocity), (r"\vec{v}_4", velocities.slot_point_velocity)])
         .with([(r"\vec{v}_\mathrm{rel}", velocities.sliding_velocity), (r"\vec{a}_2^\mathrm{n}", motion.pin_normal)])
         .with([(r"\vec{a}_2^\mathrm{t}", motion.pin_tangential), (r"\vec{a}_4^\mathrm{n}", terms.follower_normal)])
@@ -166,7 +173,7 @@ pub fn making(number: usize) -> Moment {
     let entry = sizes.entry(0.0).expect("meets the slot");
     let ratio = wheel.dwell_time(speed).expect("a speed") / wheel.indexing_time(speed).expect("a speed");
     Moment::default()
-        .with([("N", f64::from(wheel.stations())), ("P", f64::from(wheel.pins())), ("q", ratio)])
+        .with([("N", f64::from(wheel.stations())), ("m", f64::from(wheel.pins())), ("q", ratio)])
         .with([("T", load.wheel_torque), ("J", inertia), ("M", friction), ("F", force), ("r", arm)])
         .with([(r"\text{crank torque}", load.crank_torque), (r"\dot\theta", speed)])
         .with([(r"\dot\varphi", motion.velocity * speed), (r"\ddot\varphi", motion.acceleration * speed * speed)])

@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::timer::runaway::{Drag, Runaway, foliot_power};
 use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
 use geneva_dynamics::{Error, Inertias, Parameters, existence};
 use geneva_kinematics::Mechanism;
@@ -127,4 +128,94 @@ fn the_count_of_engagements_is_that_of_a_start_near_the_steady_speed() {
         count += 1;
     }
     assert_eq!(f64::from(count), settling.engagements(0.01).ceil());
+}
+
+/// A wheel of unit inertia that turns by half a radian from blow to blow.
+fn runaway(pallet: f64, drag: Drag) -> Runaway {
+    Runaway::new(1.0, pallet, 0.5, drag).expect("a runaway escapement")
+}
+
+#[test]
+fn blows_alone_or_with_a_fly_make_the_rate_go_as_the_root_of_the_torque() {
+    for (pallet, square) in [(0.01, 0.0), (0.3, 0.0), (0.9, 0.0), (0.3, 0.2), (0.0, 0.2), (0.05, 7.0)] {
+        let of = runaway(pallet, Drag { square, ..Drag::default() });
+        let speed = |torque: f64| of.steady(torque).expect("steady").mean_speed;
+        for torque in [0.01, 1.0, 700.0] {
+            assert_relative_eq!(speed(2.0 * torque) / speed(torque), 2.0_f64.sqrt(), max_relative = 1e-12);
+            assert_relative_eq!(of.power(torque).expect("steady"), 0.5, epsilon = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn a_blow_takes_what_the_torque_has_given_and_the_closed_form_agrees() {
+    let (pallet, torque, beat) = (0.3, 2.0, 0.5);
+    let of = runaway(pallet, Drag::default());
+    let steady = of.steady(torque).expect("steady");
+    let energy = |speed: f64| (1.0 + pallet) / 2.0 * speed * speed;
+    assert_relative_eq!(energy(steady.before_blow) - energy(steady.after_blow), torque * beat, max_relative = 1e-12);
+    // The impulse on the wheel is that on the pallet, which turns round.
+    let (before, after) = (steady.before_blow, steady.after_blow);
+    assert_relative_eq!(before - after, pallet * (before + after), max_relative = 1e-12);
+    // Under a constant torque the time is twice the angle over the sum of the speeds.
+    assert_relative_eq!(steady.period, 2.0 * beat / (before + after), max_relative = 1e-9);
+    let path = of.between_blows(torque, after);
+    assert_relative_eq!(path[path.len() - 1].1, before, max_relative = 1e-12);
+    assert_relative_eq!(steady.mean_speed, beat / steady.period, max_relative = 1e-15);
+}
+
+#[test]
+fn a_constant_drag_makes_the_rate_follow_the_torque_more_and_oil_up_to_its_first_power() {
+    let power = |drag: Drag| runaway(0.3, drag).power(1.0).expect("steady");
+    let constant = power(Drag { constant: 0.5, ..Drag::default() });
+    // The root of what is left of the torque: 1/2 × K / (K − C).
+    assert_relative_eq!(constant, 1.0, epsilon = 1e-6);
+    let oiled = [0.1, 1.0, 10.0, 30.0].map(|linear| power(Drag { linear, ..Drag::default() }));
+    assert!(oiled.is_sorted() && oiled[0] > 0.5 && oiled[3] < 1.0 && oiled[3] > 0.95, "{oiled:?}");
+}
+
+#[test]
+fn what_has_no_steady_motion_is_refused() {
+    let drag = |constant| Drag { constant, ..Drag::default() };
+    assert!(matches!(runaway(0.3, drag(1.0)).steady(1.0), Err(Error::DragTorque { .. })));
+    assert!(matches!(runaway(0.0, drag(0.0)).steady(1.0), Err(Error::NoTerminalSpeed { .. })));
+    assert!(matches!(runaway(0.3, drag(0.0)).steady(f64::NAN), Err(Error::NotPositive { .. })));
+    for pallet in [-0.1, 1.0, f64::NAN] {
+        assert!(matches!(Runaway::new(1.0, pallet, 0.5, Drag::default()), Err(Error::OutOfRange { .. })));
+    }
+    assert!(Runaway::new(0.0, 0.0, 0.5, Drag::default()).is_err() && Runaway::new(1.0, 0.1, -1.0, drag(0.0)).is_err());
+    assert!(Runaway::new(1.0, 0.1, 0.5, drag(-1.0)).is_err());
+}
+
+#[test]
+fn a_verge_with_oil_goes_between_the_cube_root_and_the_first_power_of_the_torque() {
+    let power = |half_period: f64| foliot_power(half_period).expect("a power");
+    assert_relative_eq!(power(1e-3), 1.0 / 3.0, epsilon = 1e-6);
+    assert_relative_eq!(power(0.02 - 1e-12), power(0.02), epsilon = 1e-6);
+    assert_relative_eq!(power(1e4), 1.0, epsilon = 1e-3);
+    let all = [0.01, 0.1, 1.0, 3.0, 10.0, 100.0].map(power);
+    assert!(all.is_sorted() && all[0] > 1.0 / 3.0 && all[5] < 1.0, "{all:?}");
+    assert!(foliot_power(0.0).is_err());
+    // By steps in time, from one change of the torque's sign to the next: half the swing is one radian, and the drag one.
+    let half_period = |torque: f64| {
+        let (step, mut entry) = (5e-4, 0.0);
+        loop {
+            let (mut angle, mut speed, mut time): (f64, f64, f64) = (1.0, entry, 0.0);
+            while angle > -1.0 {
+                // The middle of the step, with the drag in it.
+                let next = (speed * (1.0 - step / 2.0) - torque * step) / (1.0 + step / 2.0);
+                (angle, speed, time) = (angle + step * (speed + next) / 2.0, next, time + step);
+            }
+            if (-speed - entry).abs() < 1e-4 {
+                return time;
+            }
+            entry = -speed;
+        }
+    };
+    for torque in [0.1, 1.0, 10.0] {
+        let by_steps = -libm::log(half_period(1.1 * torque) / half_period(torque / 1.1)) / (2.0 * libm::log(1.1));
+        let time = half_period(torque);
+        assert_relative_eq!(torque * (time - 2.0 * libm::tanh(time / 2.0)), 2.0, max_relative = 2e-3);
+        assert_relative_eq!(by_steps, power(time), max_relative = 5e-3);
+    }
 }

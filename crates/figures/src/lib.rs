@@ -22,12 +22,14 @@ mod svg;
 mod theme;
 
 pub mod escapement;
+pub mod notation;
 pub mod pin;
 pub mod printed;
 pub mod quick_return;
 pub mod runs;
 pub mod stations;
 pub mod steady;
+pub mod timer;
 
 pub use error::FigureError;
 pub use figure::Figure;

@@ -20,6 +20,20 @@ pub const NEAR: [f64; 6] = [8.0, 13.0, 20.0, 30.0, 44.0, 62.0];
 const HALF_SENSE: f64 = 34.0;
 const TO_LABEL: f64 = 7.0;
 
+/// Draws the part of the drawing that a letter of the book stands for: a page finds it by the letter and lights it up.
+/// The label that names it is a [`Label::part`].
+pub fn part(canvas: &mut Canvas, letter: &str, draw: impl FnOnce(&mut Canvas)) {
+    canvas.group(&format!("data-letter=\"{letter}\""), draw);
+}
+
+/// Draws the part that a label names, if it names one.
+pub fn of_label(canvas: &mut Canvas, label: &Label, draw: impl FnOnce(&mut Canvas)) {
+    match label.names() {
+        Some(letter) => part(canvas, letter, draw),
+        None => draw(canvas),
+    }
+}
+
 /// A straight arrow whose tip is exactly at `to`: a shaft and a head, both of the class `name`.
 ///
 /// The shaft's path begins at the tail, the head's at the tip.
@@ -44,7 +58,7 @@ pub fn vector(
     label: &Label,
     name: &str,
 ) {
-    arrow(canvas, from, to, label.colour(), width, name);
+    of_label(canvas, label, |canvas| arrow(canvas, from, to, label.colour(), width, name));
     placing.avoid(from, to, 2.5);
     placing.put(canvas, label, beside_line(&from.lerp(to, 0.45), to, &NEAR));
 }
@@ -135,10 +149,11 @@ pub fn construction(canvas: &mut Canvas, from: &Pixels, to: &Pixels, class: &str
     canvas.draw(Shape::line(from, to).stroke(INK, 1.2).dashed(DASHED).class(class));
 }
 
-/// The sides of a triangle, each from one point to another, in a colour and of a class.
+/// The sides of a triangle, each from one point to another, in a colour, by the letter of its length.
 pub fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Shade, &str); N]) {
-    for (from, to, shade, name) in sides {
-        canvas.draw(Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
+    for (from, to, shade, letter) in sides {
+        let side = Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round");
+        canvas.draw(side.class(&format!("side-{letter}")).with("data-letter", letter));
     }
 }
 
@@ -159,7 +174,9 @@ pub fn link(from: &Pixels, to: &Pixels, half_width: f64) -> Path {
 pub fn sense(canvas: &mut Canvas, axis: &Pixels, radius: f64, middle: f64, sense: f64, label: &Label) {
     if sense != 0.0 {
         let half = HALF_SENSE / radius * sense.signum();
-        arc_arrow(canvas, axis, radius, middle - half, middle + half, label.colour(), 2.5);
+        of_label(canvas, label, |canvas| {
+            arc_arrow(canvas, axis, radius, middle - half, middle + half, label.colour(), 2.5);
+        });
         canvas.label(&(axis + heading(middle) * radius), &heading(middle), TO_LABEL, label);
     }
 }
@@ -186,7 +203,7 @@ pub fn angle(
     if (to - from).abs() * radius < 3.0 {
         return;
     }
-    arc(canvas, corner, radius, from, to, INK, 1.6);
+    of_label(canvas, label, |canvas| arc(canvas, corner, radius, from, to, INK, 1.6));
     placing.avoid_arc(corner, radius, from, to, 1.5);
     let middle = (from + to) / 2.0;
     let elsewhere = around(&(corner + heading(middle) * radius), middle, &NEAR);

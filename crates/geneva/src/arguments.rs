@@ -303,6 +303,14 @@ pub enum BookAction {
 Example:
   geneva book build --output public --open")]
     Build(BuildArguments),
+    /// Print the whole book into one PDF, with Chromium or Chrome
+    ///
+    /// The contents get the numbers of their pages, and the PDF an outline. The browser is the program that $CHROMIUM names,
+    /// or the first that is installed.
+    #[command(after_help = "\
+Example:
+  geneva book print --output geneva-verified.pdf")]
+    Print(PrintArguments),
     /// Compile and run every Rust block in every chapter
     #[command(after_help = "\
 Example:
@@ -320,6 +328,15 @@ pub struct BuildArguments {
     /// Open the book once it is built
     #[arg(long)]
     pub open: bool,
+}
+
+/// Options of `geneva book print`.
+#[derive(Args, Debug, Default)]
+pub struct PrintArguments {
+    /// Write this file; one that is there is replaced once the new one is complete
+    /// [default: target/geneva-verified.pdf in the workspace]
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }
 
 /// Options of `geneva preprocess`, as mdBook gives them.

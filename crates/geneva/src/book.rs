@@ -2,7 +2,7 @@
 
 use crate::arguments::{BookAction, BookArguments, BuildArguments};
 use crate::output::{Outcome, Streams};
-use crate::{progress, signals, workspace};
+use crate::{print, progress, signals, workspace};
 use anyhow::Context;
 use geneva_press::Geneva;
 use geneva_press::building::{self, Built};
@@ -12,6 +12,7 @@ pub fn run(wanted: BookArguments, streams: &mut dyn Streams) -> anyhow::Result<O
     match wanted.action {
         None => build(&wanted.build, streams)?,
         Some(BookAction::Build(wanted)) => build(&wanted, streams)?,
+        Some(BookAction::Print(wanted)) => print::run(&wanted, streams)?,
         Some(BookAction::Test) => test(streams)?,
     }
     Ok(Outcome::AsRecorded)

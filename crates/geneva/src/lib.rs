@@ -24,6 +24,7 @@ mod input;
 mod mimic;
 mod output;
 mod preprocess;
+mod print;
 mod printable;
 mod progress;
 mod proofread;

@@ -54,7 +54,7 @@ pub struct Symbol {
     pub printed: &'static str,
     /// The book's symbol, in TeX.
     pub ours: &'static str,
-    /// What it means.
+    /// What it means, or of a letter of the whole book what else is to be said; may be empty.
     pub meaning: &'static str,
 }
 

@@ -14,8 +14,8 @@ pub const LIVE: Live = Live {
     hint: "Count the Coriolis acceleration once, or three times: the polygon stays open, but where there is no such \
            acceleration. With two it closes at every angle.",
     controls: &[
-        Control::slider("crank", "crank angle φ", "°", [0.0, 360.0], 0.5, 60.0).typed(TURNS).playing(30.0),
-        Control::slider("factor", "times ω₄ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
+        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -120.0).typed(TURNS).playing(30.0),
+        Control::slider("factor", "times φ′ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },
@@ -26,13 +26,13 @@ pub const LIVE: Live = Live {
     given: &["ground", "radius", "speed", "unit"],
     quantities: &[
         Quantity { name: "gap", label: "gap of the acceleration polygon" },
-        Quantity { name: "lever-speed", label: "lever's angular velocity ω₄" },
-        Quantity { name: "lever-acceleration", label: "lever's angular acceleration α₄" },
+        Quantity { name: "lever-speed", label: "lever's angular velocity φ′" },
+        Quantity { name: "lever-acceleration", label: "lever's angular acceleration φ″" },
         Quantity { name: "sliding", label: "sliding velocity vᵣₑₗ" },
-        Quantity { name: "coriolis", label: "Coriolis acceleration 2 ω₄ vᵣₑₗ" },
+        Quantity { name: "coriolis", label: "Coriolis acceleration 2 φ′ vᵣₑₗ" },
     ],
     others: &[],
-    drag: Some(Drag { control: "crank", at_right: 0.0, sense: 1.0 }),
+    drag: Some(Drag { control: "crank", at_right: -180.0, sense: 1.0 }),
     files: &[],
     draw,
 };
@@ -43,7 +43,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let (ground, radius, drive, unit) = (ground?, radius?, Drive::steady(speed?), given.given_word("unit", UNITS)?);
     let linkage = QuickReturn::new(ground, radius).map_err(|error| error.to_string())?;
     let (crank, factor) = (settings.value("crank")?, settings.value("factor")?);
-    let position = linkage.at_crank_degrees(crank).map_err(|error| error.to_string())?;
+    let position = linkage.at_crank_degrees(crank + 180.0).map_err(|error| error.to_string())?;
     let motion = Motion::at(&ground, &radius, &position.crank, &drive)
         .ok_or_else(|| format!("crank {crank}: the pin is on the lever's pivot; give another angle"))?;
     let figure = quick_return::polygons(&linkage, &position, &drive, factor, unit);
@@ -70,6 +70,6 @@ mod tests {
     fn indices_are_set_as_indices() {
         let labels = LIVE.controls.iter().map(|control| control.label).chain(LIVE.quantities.iter().map(|of| of.label));
         let with_index: Vec<&str> = labels.filter(|label| label.contains("rel") || label.contains("ᵣₑₗ")).collect();
-        assert_eq!(with_index, ["times ω₄ vᵣₑₗ", "sliding velocity vᵣₑₗ", "Coriolis acceleration 2 ω₄ vᵣₑₗ"]);
+        assert_eq!(with_index, ["times φ′ vᵣₑₗ", "sliding velocity vᵣₑₗ", "Coriolis acceleration 2 φ′ vᵣₑₗ"]);
     }
 }

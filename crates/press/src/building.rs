@@ -15,7 +15,8 @@ use anyhow::Context;
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
 
-use crate::{cards, libraries, minify, policy, search};
+use crate::edition::Edition;
+use crate::{address, cards, libraries, minify, policy, print, search};
 use site::Site;
 pub use site::abandon;
 
@@ -49,6 +50,7 @@ fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
     book.config.build.build_dir = new.to_owned();
     book.build()?;
     search::index(new)?;
+    print::write(new, &Edition::of(&book.root), address::known())?;
     finish(new)?;
     list::write(new)
 }

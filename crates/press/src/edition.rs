@@ -1,27 +1,54 @@
 //! Which edition of the book this is: at the foot of every page.
 
+use crate::address::Address;
+use crate::citing::{TITLE, VERSION};
 use crate::html::escape;
 use std::path::Path;
 use std::process::Command;
 
-/// Version, and commit with its date where the book is made from a repository.
-pub fn footer(book: &Path) -> String {
-    let commit = commit(book).map_or_else(String::new, |commit| format!(", {}", escape(&commit)));
-    format!(
-        "\n<footer class=\"edition\">Geneva, verified, version {}{commit}. <a href=\"about.html\">Sources, data, how to \
-         cite</a>.</footer>\n",
-        env!("CARGO_PKG_VERSION")
-    )
+/// The commit that a book is made from, and its date. A book that is not made from a repository has neither.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Edition {
+    /// Seven digits of the commit's name.
+    pub commit: Option<String>,
+    /// The commit's date, as in 2026-11-26.
+    pub date: Option<String>,
 }
 
-/// The commit that the book is made from, and its date. The reader's own settings of git do not change what it says.
-fn commit(book: &Path) -> Option<String> {
-    let mut git = Command::new("git");
-    git.args(["--no-pager", "-c", "core.abbrev=7", "-c", "log.showSignature=false", "-c", "color.ui=false", "-C"]);
-    git.arg(book).args(["log", "-1", "--abbrev=7", "--no-show-signature", "--no-color", "--no-patch"]);
-    let git = git.arg("--format=commit %h of %cs").output().ok()?;
-    let said = String::from_utf8(git.stdout).ok()?;
-    Some(said.trim().to_owned()).filter(|said| git.status.success() && !said.is_empty())
+impl Edition {
+    /// That of a book that is not made from a repository.
+    pub const NONE: Self = Self { commit: None, date: None };
+
+    /// The edition of the book in this folder. The reader's own settings of git do not change what it says.
+    pub fn of(book: &Path) -> Self {
+        let mut git = Command::new("git");
+        git.args(["--no-pager", "-c", "core.abbrev=7", "-c", "log.showSignature=false", "-c", "color.ui=false", "-C"]);
+        git.arg(book).args(["log", "-1", "--abbrev=7", "--no-show-signature", "--no-color", "--no-patch"]);
+        let answered = git.arg("--format=%h %cs").output().ok().filter(|git| git.status.success());
+        let said = answered.and_then(|git| String::from_utf8(git.stdout).ok()).unwrap_or_default();
+        let (commit, date) = said.trim().split_once(' ').unzip();
+        Self { commit: commit.map(str::to_owned), date: date.map(str::to_owned) }
+    }
+
+    /// Version, and commit with its date if there is one.
+    pub fn said(&self) -> String {
+        let mut said = format!("version {VERSION}");
+        if let (Some(commit), Some(date)) = (&self.commit, &self.date) {
+            said.push_str(&format!(", commit {commit} of {date}"));
+        }
+        said
+    }
+
+    /// The foot of every page.
+    pub fn footer(&self, address: Option<&Address>) -> String {
+        let read = address
+            .map_or_else(String::new, |address| format!(" Read it at <a href=\"{0}\">{0}</a>.", escape(&address.book)));
+        format!(
+            "\n<footer class=\"edition\">{}, {}.{read} <a href=\"about.html\">Sources, data, how to cite</a>.</footer>\n",
+            escape(TITLE),
+            escape(&self.said())
+        )
+    }
 }
 
 #[cfg(test)]
@@ -51,7 +78,7 @@ mod tests {
         let repository = TempDir::new().unwrap();
         let folder = repository.path();
         git(folder, &["init", "--quiet"], "");
-        assert_eq!(commit(folder), None);
+        assert_eq!(Edition::of(folder), Edition::default());
 
         // A commit with a signature, and a program that has something to say about it.
         let tree = git(folder, &["hash-object", "-t", "tree", "-w", "--stdin"], "");
@@ -62,8 +89,9 @@ mod tests {
         );
         let id = git(folder, &["hash-object", "-t", "commit", "-w", "--stdin"], &text);
         git(folder, &["update-ref", "HEAD", &id], "");
-        let expected = Some(format!("commit {} of 2023-11-14", &id[..7]));
-        assert_eq!(commit(folder), expected);
+        let expected = Edition { commit: Some(id[..7].to_owned()), date: Some("2023-11-14".to_owned()) };
+        assert_eq!(Edition::of(folder), expected);
+        assert_eq!(expected.said(), format!("version {VERSION}, commit {} of 2023-11-14", &id[..7]));
 
         let checker = folder.join("checker");
         fs::write(&checker, "#!/bin/sh\necho 'no such key' >&2\nexit 1\n").unwrap();
@@ -79,7 +107,19 @@ mod tests {
             ("format.pretty", "fuller"),
         ] {
             git(folder, &["config", setting, value], "");
-            assert_eq!(commit(folder), expected, "{setting} {value}");
+            assert_eq!(Edition::of(folder), expected, "{setting} {value}");
+        }
+    }
+
+    #[test]
+    fn the_foot_of_a_page_names_an_address_only_if_there_is_one() {
+        let address = Address::of("https://example.org/geneva/", "").expect("an address");
+        let edition = Edition { commit: Some("abcdef0".to_owned()), date: Some("2026-11-26".to_owned()) };
+        let (without, with) = (edition.footer(None), edition.footer(Some(&address)));
+        assert!(with.contains(" Read it at <a href=\"https://example.org/geneva/\">https://example.org/geneva/</a>."));
+        assert!(!without.contains("http") && !without.contains("Read it"), "{without}");
+        for footer in [without, with] {
+            assert!(footer.contains(&format!("version {VERSION}, commit abcdef0 of 2026-11-26.")), "{footer}");
         }
     }
 }

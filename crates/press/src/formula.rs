@@ -78,7 +78,8 @@ pub fn broken(markup: &str) -> String {
     let pieces = starts.zip(ends).map(|(from, to)| {
         let piece = &inner[from..to];
         // At the beginning of a row a sign would be taken for that of a number.
-        let piece = if from == 0 { piece.to_owned() } else { piece.replacen("<mo", "<mo form=\"infix\"", 1) };
+        let begins_with_sign = from > 0 && (piece.starts_with("<mo>") || piece.starts_with("<mo "));
+        let piece = if begins_with_sign { piece.replacen("<mo", "<mo form=\"infix\"", 1) } else { piece.to_owned() };
         format!("<math>{piece}</math>")
     });
     pieces.collect::<String>() + behind
@@ -258,6 +259,11 @@ mod tests {
             pieces[2].starts_with("<mo form=\"infix\"") && pieces[3].starts_with("<mo form=\"infix\">+"),
             "{broken}"
         );
+        // A dotted letter behind a wide space is no sign.
+        let dotted =
+            formula(r"\dot r = R\dot\theta\sin\beta, \qquad r\dot\varphi = R\dot\theta\cos\beta", true).unwrap();
+        assert_eq!(dotted.matches("<mover accent=\"true\">").count(), 4, "{dotted}");
+        assert_eq!(dotted.matches("form=\"infix\"").count(), 2, "{dotted}");
         let whole = formula("\\frac{a_1 a_2 a_3 a_4 + b_1 b_2 b_3 b_4}{c = d}", true).unwrap();
         assert_eq!(whole.matches("<math").count(), 1, "{whole}");
         let display = formula(" a ", true).unwrap();

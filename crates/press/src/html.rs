@@ -25,6 +25,11 @@ pub fn escape(text: &str) -> String {
     out
 }
 
+/// Several lines of text for a program, as a block.
+pub fn code(text: &str) -> String {
+    format!("<pre><code class=\"language-text\">{}</code></pre>", escape(text))
+}
+
 /// A piece of TeX as markup if it is TeX, else as text.
 pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
     // Dots between words are no formula.

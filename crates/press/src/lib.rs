@@ -5,13 +5,16 @@
 //! Nothing here prints a line, and nothing derives a formula: a table or a figure calls the solvers for what it shows.
 
 // The book.
+pub mod address;
 pub mod building;
 mod cards;
-mod edition;
+pub mod citing;
+pub mod edition;
 mod libraries;
 mod minify;
 pub mod pages;
 mod policy;
+pub mod print;
 pub mod readme;
 mod search;
 
@@ -28,6 +31,7 @@ pub mod fields;
 pub mod records;
 
 // What stands for a placeholder.
+pub mod bibliography;
 pub mod computed;
 pub mod figures;
 mod ledger_pages;

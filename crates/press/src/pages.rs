@@ -67,8 +67,8 @@ const CASE: &str = "The case of 1973";
 const WILD: &str = "Elsewhere";
 const RECORDS: &str = "Records";
 
-/// The page of what is said elsewhere.
-const ELSEWHERE: &str = "wild";
+/// The page of the wrong statements that are no document's, each with its proof.
+const ELSEWHERE: &str = "errata-elsewhere";
 /// The page that lists all claims.
 pub const LEDGER: &str = "ledger";
 /// The page of the claims that are open, which says again what the chapters say of them.
@@ -102,7 +102,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "terminal-speed", "Why it reaches a steady speed"),
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
         chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
-        chapter(WILD, ELSEWHERE, "Geneva formulas on the web, checked"),
+        chapter(WILD, "wild", "Geneva formulas on the web, checked"),
         chapter(WILD, "found", "What proofreading found"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
@@ -122,6 +122,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             ]),
             ..below("errata-small", "In displays and words")
         },
+        below(ELSEWHERE, "On pages elsewhere"),
         chapter(RECORDS, OPEN, "Open questions"),
         chapter(RECORDS, "method", "How it is checked"),
         chapter(RECORDS, "about", "Sources, data, how to cite"),
@@ -176,7 +177,7 @@ pub fn page_of_slip(slip: &Slip) -> &'static str {
 /// Whether a page is one to look things up in, by its name: what it says of a thing stands behind what a chapter says.
 pub fn is_looked_up(name: &str) -> bool {
     let is_record =
-        |page: &Page| page.place == Place::Behind || page.name == OPEN || !matches!(page.records, Records::None);
+        |page: &Page| page.place == Place::Behind || [OPEN, ELSEWHERE].contains(&page.name) || !matches!(page.records, Records::None);
     PAGES.iter().any(|page| page.name == name && is_record(page))
 }
 

@@ -4,9 +4,10 @@
 //! `{{#include}}`, are left alone.
 
 use crate::data::File;
-use crate::html::{Table, escape};
+use crate::edition::Edition;
+use crate::html::{Table, code, escape};
 use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
-use crate::{computed, figures, live, maths, measurements, tables};
+use crate::{address, bibliography, citing, computed, figures, live, maths, measurements, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -20,6 +21,10 @@ enum Put {
     Of(fn(&str) -> anyhow::Result<String>),
     /// What bears the mark of a claim, whose note is put at the end of the page.
     Marked(fn(&str) -> anyhow::Result<String>),
+    /// What says which edition of the book this is.
+    Dated(fn(&Edition) -> anyhow::Result<String>),
+    /// The same, about something that the argument names.
+    DatedOf(fn(&str, &Edition) -> anyhow::Result<String>),
     /// A figure with its number in the chapter.
     Figure,
     /// The same, with what a reader may move.
@@ -29,11 +34,15 @@ enum Put {
     /// The number of a figure or a table, as a link.
     Reference,
 }
-use Put::{Alone, Marked, Numbered, Of};
+use Put::{Alone, Dated, DatedOf, Marked, Numbered, Of};
 
 /// Every key, what it says or shows, and how that is made.
 const KEYS: &[(&str, &str, Put)] = &[
+    ("bibtex", "how to cite the book, as BibTeX", Dated(|of| Ok(code(&citing::bibtex(of, address::known()))))),
     ("citation", "what the source is", Of(inline::citation)),
+    ("cite", "a work of others, by its key, and after a semicolon where in it", Of(bibliography::cite)),
+    ("cite-book", "how to cite the book, in words", Dated(|of| Ok(citing::in_words(of, address::known())))),
+    ("cite-claim", "how to cite a claim, in words", DatedOf(|id, of| citing::claim(id, of, address::known()))),
     ("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
     (
         "compare",
@@ -57,6 +66,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("figure", "a numbered figure", Put::Figure),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
     ("live", "a numbered figure that a reader moves", Put::Live),
+    ("notation", "the letters of the triangle in the whole book", Alone(|| Ok(lists::notation()?.html()))),
     ("open", "the open claims of a group, with what each lacks", Of(open::list)),
     ("open-count", "how many open claims a group has", Of(open::count)),
     ("picture", "a figure without number and caption", Of(figures::picture)),
@@ -76,6 +86,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("value", "a claim's computed number", Of(inline::value)),
     ("verdict", "a claim's mark", Marked(inline::mark)),
     ("verdicts", "the classes of verdict and how many claims have each", Alone(|| Ok(lists::verdicts()?.html()))),
+    ("works", "all works of others that the chapters cite", Alone(bibliography::list)),
     ("wheels", "a table of wheels, from one number of stations to another", Numbered(tables::wheels)),
 ];
 
@@ -96,6 +107,8 @@ pub struct Page<'a> {
     pub name: &'a str,
     /// The chapter's number, with a point behind it, or nothing.
     pub number: &'a str,
+    /// The edition of the book.
+    pub edition: &'a Edition,
 }
 
 /// A figure or a table where it stands in the book.
@@ -213,6 +226,9 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         (Alone(put), None) => put(),
         (Alone(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
         (Of(put) | Marked(put), Some(argument)) => put(argument),
+        (Dated(put), None) => put(page.edition),
+        (Dated(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
+        (DatedOf(put), Some(argument)) => put(argument, page.edition),
         (Put::Figure, Some(name)) => {
             let figure = figures::by_name(name)?;
             let svg = figure.svg.trim_end();
@@ -254,7 +270,7 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
 mod tests {
     use super::*;
 
-    const PAGE: Page<'_> = Page { name: "pin", number: "1." };
+    const PAGE: Page<'_> = Page { name: "pin", number: "1.", edition: &Edition::NONE };
 
     fn put(chapter: &str) -> anyhow::Result<String> {
         Ok(put_in(chapter, PAGE, &shown(chapter, PAGE))?.0)
@@ -270,7 +286,7 @@ mod tests {
     fn every_key_is_drawn_or_asks_for_its_argument() {
         for (key, _, kind) in KEYS {
             let bare = put(&format!("{{{{{key}}}}}"));
-            assert_eq!(bare.is_ok(), matches!(kind, Alone(_)), "{key}: {bare:?}");
+            assert_eq!(bare.is_ok(), matches!(kind, Alone(_) | Dated(_)), "{key}: {bare:?}");
         }
     }
 
@@ -291,7 +307,11 @@ mod tests {
         assert!(page.contains("<a href=\"#fig-pin-velocity\">Figure&nbsp;1.2</a>"), "{page}");
         assert!(page.contains("Figure&nbsp;1.1") && page.contains("Table&nbsp;1.1"));
         assert!(put("{{ref:pin-position}}").is_err());
-        let other = put_in("{{ref:wheels}}", Page { name: "other", number: "2." }, &shown(chapter, PAGE));
+        let other = put_in(
+            "{{ref:wheels}}",
+            Page { name: "other", number: "2.", edition: &Edition::NONE },
+            &shown(chapter, PAGE),
+        );
         assert_eq!(other.expect("known").0, "<a href=\"pin.html#table-wheels\">Table&nbsp;1.1</a>");
     }
 

@@ -1,8 +1,9 @@
 //! The preprocessor that mdBook calls, in process or as a program.
 
+use crate::edition::Edition;
 use crate::html::escape;
 use crate::placeholders::Page;
-use crate::{data, edition, fences, live, maths, placeholders};
+use crate::{address, data, fences, live, maths, placeholders};
 use anyhow::{Context, bail};
 use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::Result;
@@ -32,17 +33,18 @@ impl Preprocessor for Geneva {
             Ok(content) => chapter.content = fences::fold(&content),
             Err(error) => errors.push(format!("{error:#}")),
         });
+        let edition = Edition::of(&context.root);
         let shown: Vec<_> = book
             .chapters()
-            .flat_map(|chapter| placeholders::shown(&chapter.content, Place::of(chapter).page()))
+            .flat_map(|chapter| placeholders::shown(&chapter.content, Place::of(chapter).page(&edition)))
             .collect();
         let titles: Vec<_> = book.chapters().map(|chapter| (Place::of(chapter).name, chapter.name.clone())).collect();
-        let footer = edition::footer(&context.root);
+        let footer = edition.footer(address::known());
         let mut files = Vec::new();
         book.for_each_chapter_mut(|chapter| {
             let place = Place::of(chapter);
             let beside = neighbours(&titles, &place.name);
-            match placeholders::put_in(&chapter.content, place.page(), &shown).with_context(|| file(chapter)) {
+            match placeholders::put_in(&chapter.content, place.page(&edition), &shown).with_context(|| file(chapter)) {
                 Ok((content, led_to)) => {
                     chapter.content = content + &beside + &footer;
                     files.extend(led_to);
@@ -111,7 +113,7 @@ impl Place {
         Self { name, number: chapter.number.as_ref().map_or_else(String::new, ToString::to_string) }
     }
 
-    fn page(&self) -> Page<'_> {
-        Page { name: &self.name, number: &self.number }
+    fn page<'a>(&'a self, edition: &'a Edition) -> Page<'a> {
+        Page { name: &self.name, number: &self.number, edition }
     }
 }

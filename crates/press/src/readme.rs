@@ -1,7 +1,10 @@
 //! What the README shows of the book: its picture, and what was found.
 
+use crate::address::Address;
+use crate::edition::Edition;
 use crate::figures;
 use crate::html::plain;
+use crate::pages::PAGES;
 use crate::placeholders::{Page, put_in};
 use anyhow::Context;
 
@@ -43,7 +46,8 @@ pub fn section(heading: &str) -> anyhow::Result<String> {
         .split_once(&format!("## {heading}\n"))
         .with_context(|| format!("the first page has no section `{heading}`"))?;
     let (section, _) = rest.split_once("\n## ").with_context(|| format!("the first page ends with `{heading}`"))?;
-    let (drawn, _) = put_in(&with_images(section)?, Page { name: "preface", number: "" }, &[])?;
+    let (drawn, _) =
+        put_in(&with_images(section)?, Page { name: "preface", number: "", edition: &Edition::NONE }, &[])?;
     let parts: Vec<_> = drawn.split("\n\n").map(in_markdown).filter(|part| !part.is_empty()).collect();
     Ok(in_the_project(&parts.join("\n\n")))
 }
@@ -74,4 +78,58 @@ fn with_images(markdown: &str) -> anyhow::Result<String> {
 /// The same with links that lead from the folder of the project.
 fn in_the_project(markdown: &str) -> String {
     markdown.replace("](", "](book/src/")
+}
+
+/// Where the README leads a reader who wants the book: in the first variant to its address, in the second to its chapters.
+const ONLINE: [&str; 2] = ["**Read the book at <", ">.** The links here lead to its pages."];
+const BY_CHAPTERS: &str = "These links lead to the chapters' sources, which have placeholders for numbers and figures. To read the \
+                           book itself,\n[build it](#read-it-check-it).";
+
+/// The README with the sections of the first page as they are now, and with links that lead to the book's pages if its address
+/// is known, or else to the chapters' sources.
+pub fn written(readme: &str, address: Option<&Address>) -> anyhow::Result<String> {
+    let mut out = readme.to_owned();
+    for heading in SECTIONS {
+        let head = format!("## {heading}\n");
+        let (before, rest) = out.split_once(&head).with_context(|| format!("the README has no section `{heading}`"))?;
+        let (_, after) = rest.split_once("\n## ").with_context(|| format!("the README ends with `{heading}`"))?;
+        out = format!("{before}{head}\n{}\n\n## {after}", section(heading)?);
+    }
+    let place = match (out.find(BY_CHAPTERS), out.find(ONLINE[0])) {
+        (Some(at), _) => at..at + BY_CHAPTERS.len(),
+        (None, Some(at)) => {
+            let length = out[at..].find(ONLINE[1]).context("the README's line on where to read the book has no end")?;
+            at..at + length + ONLINE[1].len()
+        }
+        (None, None) => anyhow::bail!("the README does not say where to read the book: write `{BY_CHAPTERS}`"),
+    };
+    let line = address.map_or_else(|| BY_CHAPTERS.to_owned(), |at| format!("{}{}{}", ONLINE[0], at.book, ONLINE[1]));
+    out.replace_range(place, &line);
+    for page in PAGES.iter() {
+        let source = format!("](book/src/{}.md", page.name);
+        if let Some(address) = address {
+            out = out.replace(&source, &format!("]({}", address.page(&format!("{}.html", page.name))));
+        }
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const README: &str = include_str!("../../../README.md");
+
+    #[test]
+    fn the_readme_leads_to_the_pages_if_their_address_is_known_and_else_to_the_chapters() {
+        let address = Address::of("https://example.org/geneva/", "").expect("an address");
+        let (without, with) = (written(README, None).expect("text"), written(README, Some(&address)).expect("text"));
+        assert!(without.contains("](book/src/making.md)") && without.contains(BY_CHAPTERS), "{without}");
+        assert!(!without.contains("Read the book at"), "{without}");
+        assert!(with.contains("**Read the book at <https://example.org/geneva/>.**"), "{with}");
+        assert!(with.contains("](https://example.org/geneva/making.html)") && !with.contains("](book/src/"), "{with}");
+        // Written again it stays as it is.
+        assert_eq!(written(&without, None).expect("text"), without);
+        assert_eq!(written(&with, Some(&address)).expect("text"), with);
+    }
 }

@@ -1,6 +1,8 @@
 //! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
 
+use crate::citing::{TITLE, VERSION};
 use crate::fields::{self, Row, Value};
+use crate::{address, bibliography};
 use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
 use std::collections::BTreeSet;
 
@@ -114,6 +116,7 @@ pub fn files() -> anyhow::Result<Vec<(&'static str, String)>> {
     let of_sources = slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
     let copies: Vec<_> = slips_of_copies().map(slip).collect();
     let entries = entries()?;
+    let works: Vec<_> = bibliography::rows().collect();
     Ok(vec![
         ("claims.json", versioned("claims", verdicts().iter().map(claim))?),
         ("errata.json", versioned("errata", of_sources.map(slip))?),
@@ -121,14 +124,16 @@ pub fn files() -> anyhow::Result<Vec<(&'static str, String)>> {
         ("copies.csv", fields::csv(copies.first(), copies.iter().cloned())?),
         ("coverage.json", versioned("entries", entries.iter().cloned())?),
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
+        ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
     ])
 }
 
 /// Rows in a file that says what it belongs to, in which version of the project.
 fn versioned(what: &'static str, rows: impl Iterator<Item = Row>) -> anyhow::Result<String> {
     fields::json(&Row(vec![
-        ("title", "Geneva, verified".into()),
-        ("version", env!("CARGO_PKG_VERSION").into()),
+        ("title", TITLE.into()),
+        ("version", VERSION.into()),
+        ("address", address::known().map(|address| address.book.as_str()).into()),
         (what, Value::List(rows.map(Value::Object).collect())),
     ]))
 }
@@ -325,15 +330,17 @@ mod tests {
         for (name, text) in files().expect("files") {
             let Some(of) = name.strip_suffix(".json") else { continue };
             let whole: Json = serde_json::from_str(&text).expect("JSON");
-            assert_eq!(whole["version"], env!("CARGO_PKG_VERSION"), "{name}");
-            assert_eq!(whole["title"], "Geneva, verified", "{name}");
+            assert_eq!(whole["version"], VERSION, "{name}");
+            assert_eq!(whole["title"], TITLE, "{name}");
+            let address = address::known().map(|address| address.book.as_str());
+            assert_eq!(whole["address"].as_str(), address, "{name}");
             let (list, fields) = match of {
                 "claims" => ("claims", OF_A_CLAIM),
                 "errata" => ("errata", OF_A_SLIP),
                 "copies" => ("copies", OF_A_SLIP),
                 _ => ("entries", OF_AN_ENTRY),
             };
-            assert_eq!(whole.as_object().expect("an object").len(), 3, "{name}");
+            assert_eq!(whole.as_object().expect("an object").len(), 4, "{name}");
             assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
             let mut found = BTreeSet::new();
             keys(&whole[list], "", &mut found);

@@ -1,7 +1,10 @@
 //! What a clockmaker asks of an escapement.
 //!
 //! How exact the timer is, in [`Sensitivities`]; how hard its members are accelerated, in [`Accelerations`]; and how
-//! fast it settles, in [`Settling`]. All of it is drawn from the steady motion, [`steady`](crate::steady).
+//! fast it settles, in [`Settling`]. All of it is drawn from the steady motion, [`steady`](crate::steady). The escapements
+//! with which it is compared are in [`runaway`].
+
+pub mod runaway;
 
 use crate::steady::Engagement;
 use crate::{Error, Inertias, Parameters};

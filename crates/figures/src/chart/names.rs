@@ -49,7 +49,10 @@ pub fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curve
                     around(at, *first, &NEAR).into_iter().chain(above_and_below(frame, at, label.width()))
                 });
                 if let Some(place) = all.put(canvas, label, spots.collect::<Vec<_>>()) {
-                    leader(canvas, &place);
+                    // A place aside of all points has nothing to which a line could lead.
+                    if places.contains(&place.point) {
+                        leader(canvas, &place);
+                    }
                     off_curves.take(label.extent(label.width(), &place.point, &place.towards, place.distance));
                 }
             }

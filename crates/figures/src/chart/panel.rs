@@ -22,6 +22,11 @@ const NUMBERS: f64 = 34.0;
 /// Room below a frame whose x axis has no numbers: the lowest number of its y axis ends there.
 const UNNUMBERED: f64 = 16.0;
 const TITLE: f64 = 36.0;
+/// More room below numbers that have no title below them: the next panel's title keeps clear of them.
+const APART: f64 = 8.0;
+/// From a frame to the middle of the title above it, and how much higher a title with a subscript is.
+const TITLE_HEIGHT: f64 = 25.0;
+const LIFT: f64 = 6.0;
 /// Length of a tick; the numbers are twice as far from the frame.
 const TICK: f64 = 6.0;
 /// Room of the numbers at the left of a frame, in pixels.
@@ -158,13 +163,28 @@ impl Panel {
 
     /// The room that it takes, from the line above its frame to the end of what stands below.
     pub fn room(&self) -> f64 {
-        let numbers = if self.x.numbered && !self.x.marks.is_empty() { NUMBERS } else { UNNUMBERED };
-        let above = if self.left.title.is_some() { ABOVE } else { ABOVE / 2.0 };
-        above + self.height + numbers + if self.x.title.is_some() { TITLE } else { 0.0 }
+        let below = match (self.x.numbered && !self.x.marks.is_empty(), &self.x.title) {
+            (true, Some(_)) => NUMBERS + TITLE,
+            (true, None) => NUMBERS + APART,
+            (false, Some(_)) => UNNUMBERED + TITLE,
+            (false, None) => UNNUMBERED,
+        };
+        self.above() + self.height + below
+    }
+
+    /// Room above the frame: for the title of the y axis.
+    fn above(&self) -> f64 {
+        if self.left.title.is_some() { ABOVE + self.lift() } else { ABOVE / 2.0 }
+    }
+
+    /// How much higher its titles are, so that no subscript touches the highest number.
+    fn lift(&self) -> f64 {
+        let titles = [&self.left.title, &self.right.title];
+        if titles.into_iter().flatten().any(Label::has_subscript) { LIFT } else { 0.0 }
     }
 
     fn frame(&self, column: &Column, top: f64) -> Frame {
-        let above = if self.left.title.is_some() { ABOVE } else { ABOVE / 2.0 };
+        let above = self.above();
         let [left, right] = column.frame;
         let corner = Vector2::new(left, top + above);
         let end = Vector2::new(right, top + above + self.height);
@@ -259,7 +279,7 @@ impl Panel {
     fn titles(&self, canvas: &mut Canvas, column: &Column, frame: &Frame) {
         let [least, greatest] = frame.corners;
         let [left, end] = column.panel;
-        let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, 25.0));
+        let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, TITLE_HEIGHT + self.lift()));
         if let Some(title) = &self.left.title {
             canvas.label(&Vector2::new(left + INDENT, least.y - up.y), &right, 0.0, &title.clone().bare());
         }

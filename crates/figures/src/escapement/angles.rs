@@ -42,10 +42,10 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
     let series = Series::of_one([
         ("theta", "deg", crank.to_degrees()),
         ("phi", "deg", bodies.phi.to_degrees()),
-        ("c/r", "1", ratio),
-        ("R/r", "1", distance),
-        ("x_P/r", "1", place.x),
-        ("y_P/r", "1", place.y),
+        ("l/R", "1", ratio),
+        ("r/R", "1", distance),
+        ("x_P/R", "1", place.x),
+        ("y_P/R", "1", place.y),
     ]);
     let (theta, phi) = (degrees(crank), degrees(without_noise(bodies.phi, 1.0)));
     let words = Words::new(
@@ -57,15 +57,15 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
         ),
         format!(
             "The driver's axis B at the left, the follower's axis O at the right, {} crank radii away, and the pin P in \
-             a slot of the follower. BP is r; OP is R, {} r; BO is c. The driver angle θ at B is {theta}, the follower \
-             angle φ at O {phi}. The distance of P from the line of centres is both r sin θ and R sin φ.",
+             a slot of the follower. BP is R; OP is r, {} R; BO is l. The driver angle θ at B is {theta}, the follower \
+             angle φ at O {phi}. The distance of P from the line of centres is both R sin θ and r sin φ.",
             significant(ratio, 4),
             significant(distance, 4)
         ),
         format!(
             "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}; both angles are \
-             negative before the line of centres. The pin is as far from the line of centres by either angle: r sin θ = R sin φ. The foot of that \
-             distance divides c into r cos θ and R cos φ.",
+             negative before the line of centres. The pin is as far from the line of centres by either angle: R sin θ = r sin φ. The foot of that \
+             distance divides l into R cos θ and r cos φ.",
             escapement.pins(),
             escapement.slots()
         ),
@@ -82,9 +82,9 @@ fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
         right_angle(canvas, &foot, &(pin - foot), &(at.axis - foot), 11.0);
         placing.avoid(&foot, pin, 1.5);
     }
-    side(canvas, placing, &at.axis, &at.pivot, INK, "side-c");
-    side(canvas, placing, &at.axis, pin, DRIVER, "side-r");
-    side(canvas, placing, &at.pivot, pin, FOLLOWER, "side-R");
+    side(canvas, placing, &at.axis, &at.pivot, INK, "l");
+    side(canvas, placing, &at.axis, pin, DRIVER, "R");
+    side(canvas, placing, &at.pivot, pin, FOLLOWER, "r");
     at.draw_pins(canvas);
     at.draw_axes(canvas);
 }
@@ -92,18 +92,17 @@ fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
 /// Angles, sides and corners.
 fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) {
     let reach = (pin - at.pivot).norm();
-    angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::symbol("θ"));
+    angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::part("θ"));
     let mark = (MARK * reach).max(22.0);
-    angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::symbol("φ"));
-    let sides =
-        [(&at.axis, pin, Label::symbol("r").shade(DRIVER)), (&at.pivot, pin, Label::symbol("R").shade(FOLLOWER))];
+    angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::part("φ"));
+    let sides = [(&at.axis, pin, Label::part("R").shade(DRIVER)), (&at.pivot, pin, Label::part("r").shade(FOLLOWER))];
     for (from, to, label) in sides {
         placing.put(canvas, &label, beside_line(from, to, &NEAR));
     }
     // Away from the pin, where the angles are not.
     let places = beside_line(&at.axis, &at.pivot, &NEAR).into_iter();
     let away = places.filter(|place| place.towards.y * (pin.y - at.axis.y) <= 0.0);
-    placing.put(canvas, &Label::symbol("c"), away);
+    placing.put(canvas, &Label::part("l"), away);
     placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, 0.0, &NEAR));
     placing.put(canvas, &Label::words("P"), around(pin, at.theta, &at.near_pin()));

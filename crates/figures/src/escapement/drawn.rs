@@ -68,7 +68,7 @@ fn the_triangles_close_to_nine_places() {
         }
         for (figure, theta) in drawn {
             let drawing = Drawing::of(&figure);
-            let [c, r, distance] = ["side-c", "side-r", "side-R"].map(|name| drawing.path(name, 0));
+            let [c, r, distance] = ["side-l", "side-R", "side-r"].map(|name| drawing.path(name, 0));
             assert_eq!([c[0], c[1], r[1]], [r[0], distance[0], distance[1]], "{}", figure.id);
             let vector = |ends: Vec<Vector2<f64>>| ends[1] - ends[0];
             let [c, r, distance] = [c, r, distance].map(vector);
@@ -115,7 +115,7 @@ fn at_the_hand_over_both_pins_move_along_their_slots() {
     for one in Mechanism::ALL {
         let figure = hand_over(&one);
         let drawing = Drawing::of(&figure);
-        let (r, pivot) = (drawing.path("side-r", 0), drawing.path("side-R", 0)[0]);
+        let (r, pivot) = (drawing.path("side-R", 0), drawing.path("side-r", 0)[0]);
         let (axis, leaving) = (r[0], r[1]);
         for (name, outward) in [("v-leaving", 1.0), ("v-entering", -1.0)] {
             let [tail, tip] = drawing.arrow(name).expect("an arrow");
@@ -158,7 +158,7 @@ fn forces_point_as_the_equation_of_motion_says() {
                 assert!(moment(pivot, [tail, tip]).abs() < 0.1 * (tip - tail).norm(), "along the slot");
                 // The follower turns clockwise for a positive force.
                 let [tail, tip] = drawing.arrow("normal-on-follower").expect("an arrow");
-                let free = drawing.line("arm-R")[0];
+                let free = drawing.line("arm-r")[0];
                 assert!(moment(free, [tail, tip]) * row[8] < 0.0 && normal * row[8] > 0.0);
                 assert_eq!(figure.title.contains("leading"), normal > 0.0);
                 assert_eq!(drawing.count("bearing-flank"), 1);
@@ -189,7 +189,10 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
             assert!((friction > 0.0) == (lost > 0.0));
             for row in rows {
                 assert!((row[3] - row[4].abs()).abs() < 1e-12 * (1.0 + row[3]), "the torque of friction is |F|");
-                assert!(friction == 0.0 || row[2] * row[0] * row[4] >= 0.0, "F has the sign of N sin θ");
+                assert!(
+                    friction == 0.0 || row[2] * row[0] * row[4] >= 0.0,
+                    "the expression between the bars has the sign of F sin θ"
+                );
             }
             let drawing = Drawing::of(&figure);
             let strips = ["switch", "positive", "negative"].map(|class| drawing.count(class));

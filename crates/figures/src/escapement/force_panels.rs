@@ -31,11 +31,11 @@ fn title(canvas: &mut Canvas, corner: &Pixels, number: usize, words: &str) {
 }
 
 fn normal_label() -> Label {
-    Label::symbol("N").shade(NORMAL)
+    Label::part("F").shade(NORMAL)
 }
 
 fn friction_label() -> Label {
-    Label::symbol("μ").and("\u{2009}|").and_symbol("N").and("|").shade(FRICTION)
+    Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").shade(FRICTION)
 }
 
 /// Panel 1: driver and pin with the forces on the pin; the arm of the friction; the driving torque.
@@ -48,7 +48,7 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
     let foot = at.on_follower(at.star.centre * libm::cos(at.phi), at.phi);
     let end = foot + senses.out * 30.0;
     canvas.draw(Shape::line(&at.pivot, &end).stroke(FOLLOWER, 1.4).dashed("10 4").class("slot-line"));
-    canvas.draw(Shape::line(&at.axis, &pin).stroke(DRIVER, 3.0).class("crank"));
+    canvas.draw(Shape::line(&at.axis, &pin).stroke(DRIVER, 3.0).class("crank").with("data-letter", "R"));
     placing.avoid(&at.pivot, &end, 1.5);
     placing.avoid(&at.axis, &pin, 2.0);
     let has_arm = (foot - at.axis).norm() > 8.0;
@@ -60,7 +60,7 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
     at.draw_pins(canvas);
     at.draw_axes(canvas);
     let mark = (0.5 * (pin - at.pivot).norm()).max(30.0);
-    angle(canvas, &mut placing, &at.pivot, mark, (PI, PI - at.phi), &Label::symbol("φ"));
+    angle(canvas, &mut placing, &at.pivot, mark, (PI, PI - at.phi), &Label::part("φ"));
     if senses.normal != 0.0 {
         let (to, label) = (pin - senses.ahead * (senses.normal * LONG), normal_label().and(" on the pin"));
         vector(canvas, &mut placing, &pin, &to, 4.0, &label, "normal-on-pin");
@@ -70,7 +70,7 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
         vector(canvas, &mut placing, &pin, &to, 4.0, &friction_label(), "friction-on-pin");
     }
     if has_arm {
-        let label = Label::symbol("c").and(" sin ").and_symbol("φ").shade(FRICTION);
+        let label = Label::symbol("l").and(" sin ").and_symbol("φ").shade(FRICTION);
         placing.put(canvas, &label, beside_line(&at.axis, &foot, &NEAR));
     }
     let radius = at.disc() + 14.0;
@@ -141,7 +141,7 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
         Placing::within(corner + Vector2::new(4.0, 44.0), corner + Vector2::new(WIDTH / 2.0 - 6.0, height - 6.0));
     let distance = (at.layout.pins[0] - at.layout.follower_axis).norm() * scale;
     let pin = pivot + senses.out * distance;
-    canvas.draw(Shape::line(&pivot, &pin).stroke(INK, 2.2).class("arm-R"));
+    canvas.draw(Shape::line(&pivot, &pin).stroke(INK, 2.2).class("arm-r").with("data-letter", "r"));
     placing.avoid(&pivot, &pin, 2.0);
     for k in 0..at.star.slots {
         let towards = heading(PI - at.phi + 2.0 * PI / f64::from(at.star.slots) * f64::from(k));
@@ -163,6 +163,6 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
         sense(canvas, &pivot, radius, 0.0, -senses.normal, &Label::symbol("φ").and("″").shade(FOLLOWER));
     }
     axis(canvas, &pivot, FOLLOWER);
-    placing.put(canvas, &Label::symbol("R"), beside_line(&pivot, &pin, &NEAR));
+    placing.put(canvas, &Label::part("r"), beside_line(&pivot, &pin, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&pivot, 0.0, &NEAR));
 }

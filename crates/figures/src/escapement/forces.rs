@@ -55,11 +55,11 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
         ("theta", "deg", crank.to_degrees()),
         ("phi", "deg", bodies.phi.to_degrees()),
         ("theta'", "1/time", speed),
-        ("N r/K", "1", normal),
+        ("F R/K", "1", normal),
         ("mu", "1", parameters.friction()),
         ("tau_2/K", "1", friction),
-        ("arm/r", "1", arm),
-        ("R/r", "1", distance),
+        ("arm/R", "1", arm),
+        ("r/R", "1", distance),
         ("phi'' I_f/K", "1", acceleration),
     ]);
     let words = Words::new(
@@ -72,8 +72,8 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
         ),
         format!(
             "Three panels. 1: the driver with the pin in its slot at θ = {}, φ = {}. {} \
-             2: the contact enlarged: {}. 3: the follower by itself, with N at the distance R = {} r from its axis O; \
-             N R = I_f φ″. N r / K is {}, the friction's torque over K is {}.",
+             2: the contact enlarged: {}. 3: the follower by itself, with F at the distance r = {} R from its axis O; \
+             F r = I_f φ″. F R / K is {}, the friction's torque over K is {}.",
             degrees(crank),
             degrees(without_noise(bodies.phi, 1.0)),
             senses.said(),
@@ -84,9 +84,9 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
         ),
         format!(
             "Forces at θ = {}, with a driver's speed of {} roots of the spring's torque over the follower's moment of \
-             inertia: {}. N counts as positive where the pin drives the follower. N r/K is the moment that N would have \
+             inertia: {}. F counts as positive where the pin drives the follower. F R/K is the moment that F would have \
              at the crank radius, in torques K of the spring; the other two are the moments on the driver and on the \
-             follower in the same unit. The friction acts on the pin against its sliding, with the arm c sin φ about B. \
+             follower in the same unit. The friction acts on the pin against its sliding, with the arm l sin φ about B. \
              Forces through O have no moment about it and are left out; arrows show directions, not sizes. {}",
             degrees(crank),
             significant(speed / parameters.drive().sqrt(), 3),
@@ -109,7 +109,7 @@ fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f
         (
             230.0,
             [
-                over(Label::symbol("N").and("\u{2009}").and_symbol("r")).and(&number(normal)),
+                over(Label::symbol("F").and("\u{2009}").and_symbol("R")).and(&number(normal)),
                 over(Label::words("torque of friction")).and(&number(friction)),
             ],
         ),

@@ -52,9 +52,9 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
         ("theta_0", "deg", theta),
         ("phi_0", "deg", phi),
         ("sum", "deg", theta + phi),
-        ("r/r", "1", 1.0),
-        ("R/r", "1", rim),
-        ("c/r", "1", ratio),
+        ("R/R", "1", 1.0),
+        ("r/R", "1", rim),
+        ("l/R", "1", ratio),
         ("leaving, along", "1", speeds[0][0]),
         ("across", "1", speeds[0][1]),
         ("entering, along", "1", speeds[1][0]),
@@ -65,8 +65,8 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
         format!("The hand-over of the escapement with {n} slots and {m} pins"),
         format!(
             "A right-angled triangle: the driver's axis B, the follower's axis O and the leaving pin P, with the right \
-             angle at P. The angle at B is θ₀ = π/{m}, {}; that at O is φ₀ = π/{n}, {}. BP is r, OP is {} r, BO is c, {} \
-             r. The triangle of the entering pin is its mirror image below the line of centres. \
+             angle at P. The angle at B is θ₀ = π/{m}, {}; that at O is φ₀ = π/{n}, {}. BP is R, OP is {} R, BO is l, {} \
+             R. The triangle of the entering pin is its mirror image below the line of centres. \
              The leaving pin moves straight out along its slot, the entering pin straight in along its own.",
             degrees(angles[0]),
             degrees(angles[1]),
@@ -104,9 +104,9 @@ fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &P
         canvas.draw(Shape::line(centre, entering).stroke(shade, 1.6).dashed("10 4").class("mirror"));
         placing.avoid(centre, entering, 1.0);
     }
-    side(canvas, placing, &at.axis, &at.pivot, INK, "side-c");
-    side(canvas, placing, &at.axis, leaving, DRIVER, "side-r");
-    side(canvas, placing, &at.pivot, leaving, FOLLOWER, "side-R");
+    side(canvas, placing, &at.axis, &at.pivot, INK, "l");
+    side(canvas, placing, &at.axis, leaving, DRIVER, "R");
+    side(canvas, placing, &at.pivot, leaving, FOLLOWER, "r");
     for pin in [leaving, entering] {
         right_angle(canvas, pin, &(at.axis - pin), &(at.pivot - pin), CORNER);
         let corner = pin + ((at.axis - pin).normalize() + (at.pivot - pin).normalize()) * CORNER;
@@ -132,7 +132,7 @@ fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
 /// Angles, sides and corners.
 fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, escapement: &Mechanism) {
     let (n, m) = (escapement.slots(), escapement.pins());
-    let symbol = |letter: &str| Label::symbol(letter).sub("0");
+    let symbol = |letter: &str| Label::symbol(letter).sub("0").of_part(&format!("{letter}_0"));
     let value = |letter: &str, count| symbol(letter).and(&format!(" = {}", half_angle(count)));
     // The values in the corners: the angles have no room for them.
     let (row, right) = (20.0, Vector2::new(1.0, 0.0));
@@ -143,9 +143,9 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixe
     let mark = (MARK * rim).max(34.0);
     angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &symbol("φ"));
     let sides = [
-        (&at.axis, leaving, Label::symbol("r").shade(DRIVER)),
-        (&at.pivot, leaving, Label::symbol("R").shade(FOLLOWER)),
-        (&at.axis, &at.pivot, Label::symbol("c")),
+        (&at.axis, leaving, Label::part("R").shade(DRIVER)),
+        (&at.pivot, leaving, Label::part("r").shade(FOLLOWER)),
+        (&at.axis, &at.pivot, Label::part("l")),
     ];
     for (from, to, label) in sides {
         placing.put(canvas, &label, beside_line(from, to, &NEAR));

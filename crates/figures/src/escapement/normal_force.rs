@@ -37,20 +37,20 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
     let x = Axis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let flank = Label::words("pin bears on");
-    let bars = Label::words("sign of ").and_symbol("F").and(" = ").and_symbol("C\u{2009}").and_symbol("θ");
+    let bars = Label::words("sign of ").and_symbol("C\u{2009}").and_symbol("θ");
     let bars = bars.and("\u{200a}′² + ").and_symbol("D\u{2009}").and_symbol("θ").and("\u{200a}″");
     let panels = [
         forces(&x.clone().titled(angle), &instants, change),
         strip(&x, flank, &ends(-half, &[change], half), 1.0, ["leading flank", "trailing flank"]),
         if parameters.friction() > 0.0 {
-            // Past the line of centres the pin slides outwards, and F changes sign with the force.
+            // Past the line of centres the pin slides outwards, and the sum changes sign with the force.
             strip(&x, bars, &ends(-half, &[Some(0.0), change], half), -1.0, ["+", "−"])
         } else {
             strip(&x, bars.and(": zero, for there is no friction"), &[], 1.0, ["+", "−"])
         },
     ];
 
-    let columns = [("theta", "deg"), ("theta'", "1/time"), ("N r/K", "1"), ("tau_2/K", "1"), ("F/E", "1")];
+    let columns = [("theta", "deg"), ("theta'", "1/time"), ("F R/K", "1"), ("tau_2/K", "1"), ("bars/E", "1")];
     let rows = instants.iter().map(|at| {
         let [normal, friction, bars] = [at.normal, at.friction, at.bars].map(|value| without_noise(value, 1.0));
         [at.theta.to_degrees(), at.speed, normal, friction, bars]
@@ -97,7 +97,7 @@ fn forces(x: &Axis, instants: &[Instant], change: Option<f64>) -> Panel {
     // Where the words about the change of the flank stand: high above the curves there.
     let aloft = 0.75 * y.range.end;
     let mut panel = Panel::new(336.0, x, &y).horizontal(0.0, Stroke::thin("zero"));
-    let normal = Label::symbol("N").and_symbol("\u{2009}r").and(" / ").and_symbol("K");
+    let normal = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
     let friction = Label::words("friction ").and_symbol("τ").sub("2").and(" / ").and_symbol("K");
     let curves: [(Value, Stroke, Label); 2] = [
         (|at| at.normal, Stroke::new(FOLLOWER), normal.shade(FOLLOWER)),

@@ -178,10 +178,11 @@ impl Bodies {
     }
 }
 
-/// A side of a triangle, written to more digits than the rest so that the triangle can be checked from the file.
-pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixels, shade: Shade, name: &str) {
+/// A side of a triangle by the letter of its length, written to more digits than the rest so that the triangle can be checked from the file.
+pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixels, shade: Shade, letter: &str) {
     let path = Path::start_rounded(from, SIDE_DECIMALS).line_to(to);
-    canvas.draw(Shape::path(path).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
+    let side = Shape::path(path).stroke(shade, 3.0).with("stroke-linecap", "round");
+    canvas.draw(side.class(&format!("side-{letter}")).with("data-letter", letter));
     placing.avoid(from, to, 2.0);
 }
 

@@ -120,7 +120,7 @@ fn panels(instants: &[Instant], now: &Instant, starts: &[f64], steady: [f64; 2],
     let x = Axis { range: 0.0..ms(duration), marks, ..steps };
     let y = Axis::from_zero(0.0, most, 4.0).titled(Label::words("driver's speed in rad/s").shade(SPEED.shade));
     let mut speed = Panel::new(FRAMES[0], &x.clone().unnumbered(), &y);
-    let title = Label::words("force ").and_symbol("N\u{2009}r").and(" / ").and_symbol("K");
+    let title = Label::words("force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K");
     let y = Axis::from_zero(least_force, most_force, 3.0).titled(title);
     let mut force = Panel::new(FRAMES[1], &x.titled(Label::words("time from rest in ms")), &y);
     for start in starts.iter().skip(1) {

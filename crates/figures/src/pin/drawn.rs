@@ -64,7 +64,7 @@ fn the_series_of_the_engagement_has_both_ends_and_every_degree_between() {
     assert_eq!(rows.len(), degrees.round() as usize + 1);
     let [first, last] = [&rows[0], &rows[rows.len() - 1]];
     for (row, sign) in [(first, -1.0), (last, 1.0)] {
-        approx::assert_relative_eq!(row[0], 180.0 + sign * degrees / 2.0, max_relative = 1e-14);
+        approx::assert_relative_eq!(row[0], sign * degrees / 2.0, max_relative = 1e-14);
         approx::assert_abs_diff_eq!(row[1], 0.0, epsilon = 1e-13);
         approx::assert_relative_eq!(row[3], -sign * RADIUS * DRIVER, max_relative = 1e-14);
     }

@@ -19,20 +19,20 @@ const STEPS: f64 = 5.0;
 /// The wheel's angular velocity and acceleration and the pin's speed along the slot, from entry to exit.
 ///
 /// The wheel's rates are positive clockwise: the wheel of a driver that turns counter-clockwise has a velocity that is
-/// never negative. The given instant (`crank` is φ, counter-clockwise from the direction O → B) is marked if it is
+/// never negative. The given instant (`crank` is counter-clockwise from the direction O → B) is marked if it is
 /// within the engagement. `driver_speed` is the driver's constant angular velocity in radians per second,
 /// counter-clockwise positive; `length_unit` the unit of the mechanism's lengths. Series, in steps of about a degree
-/// from entry to exit: φ; ω_S; α_S; speed along the slot, positive towards the follower's pivot; r/R.
+/// from entry to exit: θ; φ′; φ″; speed along the slot, positive towards the follower's pivot; r/R.
 pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64, length_unit: &str) -> Figure {
     let speed_unit = format!("{length_unit}/s");
     let rows = rows(mechanism, driver_speed);
     let half = mechanism.engagement_half_angle();
     let now = row(mechanism, crank, driver_speed);
-    let within = (now[0] - 180.0).abs() <= half.to_degrees() + 1e-6;
+    let within = now[0].abs() <= half.to_degrees() + 1e-6;
     let panels = [1, 2, 3].map(|column| panel(&rows, column, within.then_some(&now), &speed_unit));
     let columns =
-        [("phi", "deg"), ("omega_S", "rad/s"), ("alpha_S", "rad/s^2"), ("v_P/S", speed_unit.as_str()), ("r/R", "1")];
-    let [entry, exit] = [PI - half, PI + half].map(degrees);
+        [("theta", "deg"), ("phi'", "rad/s"), ("phi''", "rad/s^2"), ("v_P/S", speed_unit.as_str()), ("r/R", "1")];
+    let [entry, exit] = [-half, half].map(degrees);
     let [_, fastest, ..] = row(mechanism, &Turn::from_radians(PI), driver_speed);
     let [_, _, jump, ..] = rows.first().copied().unwrap_or_default();
     let driver = format!("{} rad/s", short(driver_speed, 3));
@@ -52,7 +52,7 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
             "The whole engagement at a driver speed of {driver}. The wheel starts from rest and comes to rest, but its acceleration jumps at both ends. Where the \
              wheel is fastest, the pin stops in the slot and turns back.{}",
             if within {
-                format!(" The dotted line is the instant φ = {}.", degrees(now[0].to_radians()))
+                format!(" The dotted line is the instant θ = {}.", degrees(now[0].to_radians()))
             } else {
                 String::new()
             }
@@ -61,7 +61,7 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
     Chart::new(panels).figure(words, Series::new(columns, rows))
 }
 
-/// φ in degrees, ω_S, α_S, speed along the slot, r/R; from entry to exit, both included.
+/// θ in degrees, φ′, φ″, speed along the slot, r/R; from entry to exit, both included.
 fn rows(mechanism: &PinSlot, driver_speed: f64) -> Vec<[f64; 5]> {
     let half = mechanism.engagement_half_angle();
     let steps = libm::ceil(2.0 * half.to_degrees() - 1e-9).max(2.0) as u32;
@@ -69,7 +69,7 @@ fn rows(mechanism: &PinSlot, driver_speed: f64) -> Vec<[f64; 5]> {
         // Symmetric about the line of centres to the last bit.
         let before = half * (f64::from(steps) - 2.0 * f64::from(k)) / f64::from(steps);
         let mut row = row(mechanism, &Turn::from_radians(before).supplement(), driver_speed);
-        row[0] = 180.0 - before.to_degrees();
+        row[0] = -before.to_degrees();
         row
     };
     (0..=steps).map(at).collect()
@@ -79,10 +79,10 @@ fn rows(mechanism: &PinSlot, driver_speed: f64) -> Vec<[f64; 5]> {
 fn row(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> [f64; 5] {
     let instant = Instant::new(mechanism, crank, driver_speed);
     let positive = |value: f64| if value == 0.0 { 0.0 } else { value };
-    // θ counts backwards while the driver turns counter-clockwise; its square does not see it, the sine does.
+    // The supplement is −θ: the sine changes its sign.
     let acceleration = acceleration_ratio(&mechanism.ratio(), &crank.supplement()) * driver_speed * driver_speed;
     [
-        instant.crank_angle.to_degrees(),
+        (instant.crank_angle - PI).to_degrees(),
         positive(-instant.speed_ratio * driver_speed),
         positive(-acceleration),
         positive(instant.inward_speed),
@@ -93,8 +93,8 @@ fn row(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> [f64; 5] {
 /// One curve with the instant, if that is within the engagement.
 fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &str) -> Panel {
     let (symbol, unit, way, shade) = match column {
-        1 => (Label::symbol("ω").sub("S"), "rad/s", "clockwise", FOLLOWER),
-        2 => (Label::symbol("α").sub("S"), "rad/s²", "clockwise", FOLLOWER),
+        1 => (Label::symbol("φ").and("\u{200a}′"), "rad/s", "clockwise", FOLLOWER),
+        2 => (Label::symbol("φ").and("\u{200a}″"), "rad/s²", "clockwise", FOLLOWER),
         _ => (Label::symbol("v").sub("P/S"), speed_unit, "towards O", RELATIVE),
     };
     let values = || rows.iter().map(|row| row[column]);
@@ -102,7 +102,7 @@ fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &
     let y = if least == greatest { Axis::symmetric(0.0) } else { Axis::from_zero(least, greatest, STEPS) };
     let title = symbol.and(&format!(" in {unit}, {way} positive")).shade(shade);
     let x = x_axis(rows);
-    let angle = Label::words("crank angle ").and_symbol("φ").and(" in degrees");
+    let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let x = if column == 3 { x.titled(angle) } else { x.unnumbered() };
     let mut panel =
         Panel::new(150.0, &x, &y.titled(title)).curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(shade));
@@ -113,10 +113,10 @@ fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &
 }
 
 fn x_axis(rows: &[[f64; 5]]) -> Axis {
-    let half = rows.last().map_or(0.0, |row| row[0] - 180.0);
+    let half = rows.last().map_or(0.0, |row| row[0]);
     let each = f64::from(((half / MARKS / 4.0).ceil() as u32).max(1)) * MARKS;
     let count = ((half + 1e-9) / each) as i32;
-    Axis::whole(180.0 - half..180.0 + half, (-count..=count).map(|k| 180.0 + each * f64::from(k)))
+    Axis::whole(-half..half, (-count..=count).map(|k| each * f64::from(k)))
 }
 
 /// Marks the instant on a curve, with its value.

@@ -2,7 +2,9 @@
 
 use super::instant::Instant;
 use crate::number::{degrees, significant, without_noise};
-use crate::parts::{self, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, pin, pin_circle, sense};
+use crate::parts::{
+    self, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, part, pin, pin_circle, sense,
+};
 use crate::star::{SLOT_HALF_WIDTH, Star, rim_radius};
 use crate::svg::{Canvas, Kind, Label, Pixels, Shape, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
@@ -61,11 +63,11 @@ impl Layout {
     }
 }
 
-/// The triangle O P B at crank angle φ, to scale, on the follower and the pin's circle.
+/// The triangle O P B at a crank angle, to scale, on the follower and the pin's circle.
 ///
-/// O is the follower's pivot (left), B the driver's axis (right), P the pin. `crank` is φ, counter-clockwise from the
+/// O is the follower's pivot (left), B the driver's axis (right), P the pin. `crank` is counter-clockwise from the
 /// direction O → B, meant to be within the engagement. Lengths are labelled in crank radii R, so no unit is needed;
-/// the driver is shown turning counter-clockwise. Series: φ, l/R, r/R, β, the pin's coordinates in crank radii.
+/// the driver is shown turning counter-clockwise. Series: θ, l/R, r/R, φ, the pin's coordinates in crank radii.
 pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
     let instant = Instant::new(mechanism, crank, 1.0);
     let layout = Layout::new(mechanism, &instant);
@@ -75,29 +77,30 @@ pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
     sides(&mut canvas, &layout, mechanism, &instant);
     senses(&mut canvas, &layout, &instant);
 
-    let (ratio, beta) = (mechanism.ratio(), instant.slot_angle.to_degrees());
+    let ratio = mechanism.ratio();
     let position = instant.position / mechanism.crank_radius();
     let series = Series::of_one([
-        ("phi", "deg", instant.crank_angle.to_degrees()),
+        ("theta", "deg", (instant.crank_angle - PI).to_degrees()),
         ("l/R", "1", ratio),
         ("r/R", "1", instant.radius_ratio),
-        ("beta", "deg", beta),
+        ("phi", "deg", -instant.slot_angle.to_degrees()),
         ("x_P/R", "1", position.x),
         ("y_P/R", "1", position.y),
     ]);
-    let (phi, beta) = (degrees(instant.crank_angle), degrees(instant.slot_angle));
+    let (theta, slot) = (degrees(instant.crank_angle - PI), degrees(instant.slot_angle));
+    let from_extension = degrees(instant.crank_angle);
     let (l, r) = (significant(ratio, 4), significant(instant.radius_ratio, 4));
     let words = Words::new(
         "pin-position",
-        format!("The triangle of the two axes and the pin at a crank angle of {phi}"),
+        format!("The triangle of the two axes and the pin at a crank angle of {theta}"),
         format!(
             "The follower's pivot O on the left, the driver's axis B on the right at a distance of {l} crank radii, and \
-             the pin P on the crank circle about B, at an angle of {phi} from the extension of OB beyond B. \
-             P lies in a slot of the follower: OP is {r} crank radii long and makes an angle of {beta} with OB."
+             the pin P on the crank circle about B, at an angle of {from_extension} from the extension of OB beyond B. \
+             P lies in a slot of the follower: OP is {r} crank radii long and makes an angle of {slot} with OB."
         ),
         format!(
-            "The wheel S turns about O, the driver D about B with the pin P. To scale at φ = {phi}: the crank is \
-             θ = 180° − φ from the line of centres, and one slot lies along OP."
+            "The wheel S turns about O, the driver D about B with the pin P. To scale, with the crank at \
+             {from_extension} from the extension of OB. So its angle from the line of centres is θ = {theta}. One slot lies along OP."
         ),
     );
     words.figure(canvas, Kind::Mechanism, series)
@@ -119,11 +122,8 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     let row = if at.side > 0.0 { at.height - 0.55 * DIMENSION } else { 0.55 * DIMENSION };
     let drop = Vector2::new(0.0, row - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &drop);
-    let triangle = [
-        (&at.pivot, &at.axis, INK, "side-l"),
-        (&at.axis, &at.pin, DRIVER, "side-R"),
-        (&at.pivot, &at.pin, FOLLOWER, "side-r"),
-    ];
+    let triangle =
+        [(&at.pivot, &at.axis, INK, "l"), (&at.axis, &at.pin, DRIVER, "R"), (&at.pivot, &at.pin, FOLLOWER, "r")];
     parts::sides(canvas, triangle);
     fixed_pivot(canvas, &at.pivot, at.side);
     fixed_pivot(canvas, &at.axis, at.side);
@@ -131,17 +131,17 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     pin(canvas, &at.pin, SLOT_HALF_WIDTH * at.crank - OUTLINE / 2.0 - 1.0);
 
     let length =
-        |letter: &str, ratio: f64| Label::symbol(letter).and(&format!(" = {} ", significant(ratio, 4))).and_symbol("R");
+        |letter: &str, ratio: f64| Label::part(letter).and(&format!(" = {} ", significant(ratio, 4))).and_symbol("R");
     // The lengths and the angle that have no room at their places stand in the dimension's row.
     let (right, level) = (Vector2::new(1.0, 0.0), middle + Vector2::new(0.0, -14.0));
     canvas.label(&level, &Pixels::zeros(), 0.0, &length("l", mechanism.ratio()));
     let r = length("r", instant.radius_ratio).shade(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, level.y), &-right, MARGIN, &r);
-    canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("β", instant.slot_angle.abs()));
+    canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("φ", -instant.slot_angle).of_part("φ"));
     let across = heading(instant.slot_angle + at.side * PI / 2.0);
-    canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::symbol("r").shade(FOLLOWER).on(FILL));
+    canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::part("r").shade(FOLLOWER).on(FILL));
     let across = heading(instant.crank_angle - at.side * PI / 2.0);
-    canvas.label(&at.axis.lerp(&at.pin, 0.5), &across, 14.0, &Label::symbol("R").shade(DRIVER));
+    canvas.label(&at.axis.lerp(&at.pin, 0.5), &across, 14.0, &Label::part("R").shade(DRIVER));
     canvas.label(&at.pivot, &at.towards(200.0), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &at.towards(-20.0), 20.0, &Label::words("B"));
     canvas.label(&at.pin, &at.towards(135.0), 16.0, &Label::words("P").on(FILL));
@@ -149,28 +149,32 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
 
 /// The angles at O and at B.
 fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
-    let (beta, phi) = (instant.slot_angle, instant.crank_angle);
+    let (slot, crank) = (instant.slot_angle, instant.crank_angle);
     let half_turn = at.side * PI;
-    let phi = if at.side > 0.0 { phi } else { phi - 2.0 * PI };
-    if beta.abs() > NARROWEST {
-        arc(canvas, &at.pivot, AT_PIVOT, 0.0, beta, INK, 1.5);
-        let middle = heading(beta / 2.0);
-        canvas.label(&(at.pivot + middle * AT_PIVOT), &middle, 6.0, &Label::symbol("β").on(FILL));
+    let crank = if at.side > 0.0 { crank } else { crank - 2.0 * PI };
+    if slot.abs() > NARROWEST {
+        part(canvas, "φ", |canvas| arc(canvas, &at.pivot, AT_PIVOT, 0.0, slot, INK, 1.5));
+        let middle = heading(slot / 2.0);
+        canvas.label(&(at.pivot + middle * AT_PIVOT), &middle, 6.0, &Label::part("φ").on(FILL));
     }
-    arc_arrow(canvas, &at.axis, 40.0, 0.0, phi, INK, 1.5);
+    arc_arrow(canvas, &at.axis, 40.0, 0.0, crank, INK, 1.5);
     let middle = at.towards(58.0);
-    canvas.label(&(at.axis + middle * 40.0), &middle, 10.0, &angle_label("φ", instant.crank_angle));
+    canvas.label(&(at.axis + middle * 40.0), &middle, 10.0, &Label::words(&degrees(instant.crank_angle)));
     // θ is too narrow for its label: the arc leads out of the triangle to it.
     let out = half_turn + at.side * 0.3;
-    arc(canvas, &at.axis, 58.0, phi, out, INK, 1.5);
-    let rest = angle_label("θ", (PI - instant.crank_angle).abs());
+    part(canvas, "θ", |canvas| arc(canvas, &at.axis, 58.0, crank, out, INK, 1.5));
+    let rest = angle_label("θ", instant.crank_angle - PI).of_part("θ");
     canvas.label(&(at.axis + heading(out) * 58.0), &at.towards(-109.0), 20.0, &rest);
 }
 
 /// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.
 fn senses(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
-    let [driver, follower] = [("D", DRIVER), ("S", FOLLOWER)]
-        .map(|(name, shade)| (Label::words(name).shade(shade), Label::symbol("ω").sub(name).shade(shade)));
+    let [driver, follower] = [("D", "θ", DRIVER), ("S", "φ", FOLLOWER)].map(|(name, letter, shade)| {
+        (
+            Label::words(name).shade(shade),
+            Label::symbol(letter).and("\u{200a}′").of_part(&format!("{letter}'")).shade(shade),
+        )
+    });
     let face = at.axis + at.towards(72.0) * 0.78 * at.crank;
     canvas.label(&face, &Pixels::zeros(), 0.0, &driver.0);
     let lobe = at.pivot + heading(instant.slot_angle + at.side * PI / 4.0) * 0.54 * at.crank;

@@ -2,7 +2,7 @@
 
 use super::instant::Instant;
 use crate::number::{degrees, significant};
-use crate::parts::{angle_label, arc, arrow, link, right_angle, scale_bar};
+use crate::parts::{angle_label, arc, arrow, link, part, right_angle, scale_bar};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, View, angle_of, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, GRID, INK, RELATIVE};
 use crate::{Figure, Series, Words};
@@ -59,12 +59,12 @@ impl Layout {
     }
 }
 
-/// The velocity triangle of the pin at crank angle φ, to scale: the pin's velocity is that of the slot under it plus
+/// The velocity triangle of the pin at a crank angle, to scale: the pin's velocity is that of the slot under it plus
 /// that along the slot.
 ///
-/// `crank` is φ, counter-clockwise from the direction O → B; `driver_speed` the driver's angular velocity in radians
-/// per time, counter-clockwise positive; `speed_unit` the unit of the speeds that follow. Series: φ, the three
-/// speeds, γ (acute, between the pin's velocity and the slot) and β (of the slot, from the line of centres).
+/// `crank` is counter-clockwise from the direction O → B; `driver_speed` the driver's angular velocity in radians
+/// per time, counter-clockwise positive; `speed_unit` the unit of the speeds that follow. Series: θ, the three
+/// speeds, γ (acute, between the pin's velocity and the slot) and φ (of the slot, from the line of centres).
 pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64, speed_unit: &str) -> Figure {
     let instant = Instant::new(mechanism, crank, driver_speed);
     let layout = Layout::new(&instant);
@@ -77,27 +77,28 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
     scale_bar(&mut canvas, &start, layout.view.scale, at_right, speed_unit);
 
     let speeds = instant.speeds();
-    let [phi, gamma, beta] = [instant.crank_angle, instant.velocity_angle(), instant.slot_angle].map(f64::to_degrees);
+    let [theta, gamma, phi] =
+        [instant.crank_angle - PI, instant.velocity_angle(), -instant.slot_angle].map(f64::to_degrees);
     let series = Series::of_one([
-        ("phi", "deg", phi),
+        ("theta", "deg", theta),
         ("v_P", speed_unit, speeds[0]),
         ("v_P'", speed_unit, speeds[1]),
         ("v_P/S", speed_unit, speeds[2]),
         ("gamma", "deg", gamma),
-        ("beta", "deg", beta),
+        ("phi", "deg", phi),
     ]);
-    let (phi, gamma) = (degrees(instant.crank_angle), degrees(instant.velocity_angle()));
+    let (theta, gamma) = (degrees(instant.crank_angle - PI), degrees(instant.velocity_angle()));
     let [pin, across, along] = speeds.map(|speed| format!("{} {speed_unit}", significant(speed, 4)));
     let words = Words::new(
         "pin-velocity",
-        format!("Velocity triangle of the pin at a crank angle of {phi}"),
+        format!("Velocity triangle of the pin at a crank angle of {theta}"),
         format!(
             "A right-angled triangle of arrows, to scale. The pin's velocity, {pin}, is the hypotenuse; it is the sum \
              of the velocity of the slot's point under the pin, {across}, and of the pin's velocity along the slot, \
              {along}. The angle between the pin's velocity and the slot is {gamma}."
         ),
         format!(
-            "The velocity triangle at φ = {phi}, to scale. The pin's velocity is the sum of two: the velocity of the wheel's point under it, across the slot, \
+            "The velocity triangle at θ = {theta}, to scale. The pin's velocity is the sum of two: the velocity of the wheel's point under it, across the slot, \
              and the sliding velocity, along the slot."
         ),
     );
@@ -128,9 +129,9 @@ fn directions(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let turn = wrapped(pin - slot);
     let radius = 0.36 * (at.tail - at.tip).norm();
     let out = pin + turn.signum() * 20.0 / radius.max(20.0);
-    arc(canvas, &at.tip, radius, out - wrapped(out - slot), out, INK, 1.5);
+    part(canvas, "γ", |canvas| arc(canvas, &at.tip, radius, out - wrapped(out - slot), out, INK, 1.5));
     let end = at.tip + heading(out) * radius;
-    canvas.label(&end, &at.outwards(&at.tail, &at.tip), 6.0, &angle_label("γ", instant.velocity_angle()));
+    canvas.label(&end, &at.outwards(&at.tail, &at.tip), 6.0, &angle_label("γ", instant.velocity_angle()).of_part("γ"));
 }
 
 /// A reference direction at `corner`, and the angle from it to another, drawn as an arc of so many pixels.
@@ -140,20 +141,28 @@ fn angle_from(canvas: &mut Canvas, corner: &Pixels, reference: f64, angle: f64, 
         return;
     }
     canvas.draw(Shape::line(corner, &(corner + heading(reference) * (radius + 40.0))).stroke(GRID, 1.3).dashed(DASHED));
-    arc(canvas, corner, radius, reference, reference + turn, INK, 1.5);
+    part(canvas, "φ", |canvas| arc(canvas, corner, radius, reference, reference + turn, INK, 1.5));
     let middle = heading(reference + turn / 2.0);
-    let label = if with_value { angle_label("β", turn.abs()) } else { Label::symbol("β") };
-    canvas.label(&(corner + middle * radius), &middle, 8.0, &label);
+    let label = if with_value {
+        Label::words("|").and_symbol("φ").and(&format!("| = {}", degrees(turn.abs())))
+    } else {
+        Label::words("|").and_symbol("φ").and("|")
+    };
+    canvas.label(&(corner + middle * radius), &middle, 8.0, &label.of_part("φ"));
 }
 
 /// The three arrows with their symbols and magnitudes.
 fn vectors(canvas: &mut Canvas, at: &Layout, instant: &Instant, unit: &str) {
-    let magnitude =
-        |index: &str, speed: f64| Label::symbol("v").sub(index).and(&format!(" = {} {unit}", significant(speed, 4)));
+    let magnitude = |index: &str, speed: f64| {
+        Label::symbol("v")
+            .sub(index)
+            .of_part(&format!("v_{index}"))
+            .and(&format!(" = {} {unit}", significant(speed, 4)))
+    };
     let [pin, slot_point, sliding] = instant.speeds();
-    arrow(canvas, &at.tail, &at.tip, DRIVER, 3.5, "v-pin");
-    arrow(canvas, &at.tail, &at.corner, FOLLOWER, 3.5, "v-slot-point");
-    arrow(canvas, &at.corner, &at.tip, RELATIVE, 3.5, "v-sliding");
+    part(canvas, "v_P", |canvas| arrow(canvas, &at.tail, &at.tip, DRIVER, 3.5, "v-pin"));
+    part(canvas, "v_P′", |canvas| arrow(canvas, &at.tail, &at.corner, FOLLOWER, 3.5, "v-slot-point"));
+    part(canvas, "v_P/S", |canvas| arrow(canvas, &at.corner, &at.tip, RELATIVE, 3.5, "v-sliding"));
     for (from, to, share, label) in [
         (&at.tail, &at.tip, 0.36, magnitude("P", pin).shade(DRIVER)),
         (&at.tail, &at.corner, 0.5, magnitude("P′", slot_point).shade(FOLLOWER)),

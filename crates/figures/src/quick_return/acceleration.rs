@@ -1,6 +1,6 @@
 //! The acceleration diagram, step by step.
 
-use super::instant::{Instant, a, alpha, coriolis, omega, row, turning, turning_label, v, written};
+use super::instant::{Instant, a, coriolis, lever_acceleration, rate_of, row, turning, turning_label, v, written};
 use super::order::{Laid, Order};
 use super::steps::{Arrow, Diagram, Step};
 use crate::number::degrees;
@@ -12,7 +12,7 @@ use nalgebra::Vector2;
 
 /// The acceleration diagram in five numbered steps, the last one larger.
 ///
-/// aⁿ_2 + aᵗ_2 = aⁿ_4 + aᵗ_4 + aᵗ_rel + 2 ω₄ × v_rel; aⁿ_rel is zero, for the slot is straight. `drive` is in
+/// aⁿ_2 + aᵗ_2 = aⁿ_4 + aᵗ_4 + aᵗ_rel + 2 φ′ × v_rel; aⁿ_rel is zero, for the slot is straight. `drive` is in
 /// radians per second and its square; `length_unit` the unit of the linkage's lengths. An acceleration of fewer than
 /// one pixel is not drawn but named. Series, a row for each term in the order that the first column's name gives: its
 /// components, along O4 → O2 and across it, its magnitude and its direction, which is zero for a vector of no length;
@@ -81,7 +81,7 @@ pub fn acceleration_diagram(
             turning(alpha_4)
         ),
         format!(
-            "The acceleration diagram at ψ = {}, in five steps. The normal and the Coriolis terms follow from the velocities. Of the last two terms we know only the \
+            "The acceleration diagram at φ = {}, in five steps. The normal and the Coriolis terms follow from the velocities. Of the last two terms we know only the \
              directions, but two directions are enough to close the polygon. The pole is o.",
             degrees(instant.lever_angle)
         ),
@@ -133,22 +133,22 @@ fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
     let line = Label::words;
     let value = |name: &str| line(&format!(" = {}", diagram.value_of(name)));
     let pivot = |link: &str| line("O").sub(link);
-    let square = |link: &str, length: &str| line(" = ").and_label(&omega(link)).and("²\u{2009}").and_symbol(length);
+    let square = |angle: &str, length: &str| line(" = ").and_label(&rate_of(angle)).and("²\u{2009}").and_symbol(length);
     let tangential = if steady { line(" = 0: steady") } else { value("a-pin-tangential") };
     let pin = vec![
         line("Known: the pin. From ").and_symbol("o"),
-        a("n", "2").and_label(&square("2", "R")),
+        a("n", "2").and_label(&square("θ", "R")),
         value("a-pin-normal").and(" to ").and_label(&pivot("2")),
         a("t", "2").and_label(&tangential),
     ];
     let lever = |begin: Label| {
         vec![
             begin.and("the lever:"),
-            a("n", "4").and_label(&square("4", "r")),
+            a("n", "4").and_label(&square("φ", "r")),
             value("a-lever-normal").and(" to ").and_label(&pivot("4")),
         ]
     };
-    let twice = coriolis().and(" = 2").and_label(&omega("4")).and("\u{2009}").and_label(&v("rel"));
+    let twice = coriolis().and(" = 2\u{2009}|").and_label(&rate_of("φ")).and("|\u{2009}").and_label(&v("rel"));
     let turned = |first: Label| vec![first, twice.clone(), line("").and_label(&value("a-coriolis")).and(", ⊥ lever")];
     let (from_pole, then) = (line("From ").and_symbol("o").and(", "), line("Then "));
     let (second, third) = match order {
@@ -174,11 +174,13 @@ fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
 fn closing(alpha_4: f64) -> Vec<Label> {
     vec![
         Label::words("Where they meet the polygon closes."),
-        alpha("4").and(" = ").and_label(&a("t", "4")).and(" / ").and_symbol("r").and(&format!(
-            " = {}{}",
-            written(alpha_4.abs(), "rad/s²"),
-            turning_label(alpha_4)
-        )),
+        Label::words("|")
+            .and_label(&lever_acceleration())
+            .and("| = ")
+            .and_label(&a("t", "4"))
+            .and(" / ")
+            .and_symbol("r")
+            .and(&format!(" = {}{}", written(alpha_4.abs(), "rad/s²"), turning_label(alpha_4))),
         a("n", "rel").and(" = 0: the slot is straight"),
     ]
 }

@@ -6,7 +6,6 @@ use crate::checks::{Drawing, PIXELS, drawn, number, sound};
 use geneva_kinematics::Turn;
 use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
 use nalgebra::Vector2;
-use std::f64::consts::PI;
 
 const STEADY: Drive<f64> = Drive { speed: 4.0, acceleration: 0.0 };
 
@@ -161,7 +160,7 @@ fn the_curves_go_all_around_and_reverse_with_the_lever() {
         let figure = over_a_turn(&linkage, &position, &STEADY);
         let (rows, strokes) = (&figure.series.rows, linkage.strokes());
         assert_eq!(rows.len(), 361);
-        assert!(rows.windows(2).all(|pair| (pair[1][1] - pair[0][1]).abs() < 15.0), "ψ goes on without a jump");
+        assert!(rows.windows(2).all(|pair| (pair[1][1] - pair[0][1]).abs() < 15.0), "φ goes on without a jump");
         assert_eq!(rows[360][1] - rows[0][1], if strokes.swing_limit.is_some() { 0.0 } else { 360.0 });
         // Differences of the angle are the angular velocity, differences of that the angular acceleration.
         for triple in rows.windows(3) {
@@ -172,9 +171,9 @@ fn the_curves_go_all_around_and_reverse_with_the_lever() {
             assert!((rate - triple[1][3]).abs() < 1e-2 * STEADY.speed * STEADY.speed, "at {}", triple[1][0]);
         }
         if strokes.swing_limit.is_some() {
-            let end = (PI - strokes.fast / 2.0).to_degrees();
-            let before = rows.iter().filter(|row| row[0] < end).all(|row| row[2] > 0.0);
-            let after = rows.iter().filter(|row| row[0] > end && row[0] < 360.0 - end).all(|row| row[2] < 0.0);
+            let end = (strokes.fast / 2.0).to_degrees();
+            let before = rows.iter().filter(|row| row[0] < -end).all(|row| row[2] > 0.0);
+            let after = rows.iter().filter(|row| row[0].abs() < end).all(|row| row[2] < 0.0);
             assert!(before && after);
         }
         let drawing = Drawing::of(&figure);

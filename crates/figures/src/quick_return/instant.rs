@@ -14,9 +14,9 @@ const NOTHING: f64 = 1e-7;
 /// Position and motion at one instant. Angles in radians, the rest in the units of the arguments.
 #[derive(Clone, Debug)]
 pub struct Instant {
-    /// φ, in [0, 2π).
+    /// From the direction O4 → O2, in [0, 2π).
     pub crank_angle: f64,
-    /// ψ, in (−π, π].
+    /// φ, in (−π, π].
     pub lever_angle: f64,
     /// β, in [0, π].
     pub angle_at_pin: f64,
@@ -43,12 +43,17 @@ impl Instant {
         }
     }
 
-    /// ω₄, counter-clockwise positive; zero where it is nothing but rounding error beside ω₂.
+    /// θ, from the line of centres O2 → O4, counter-clockwise positive, in [−π, π).
+    pub fn theta(&self) -> f64 {
+        self.crank_angle - PI
+    }
+
+    /// φ′, counter-clockwise positive; zero where it is nothing but rounding error beside θ′.
     pub fn lever_speed(&self, drive: &Drive<f64>) -> f64 {
         cleared(self.motion.velocities.follower_speed, drive.speed)
     }
 
-    /// α₄, counter-clockwise positive; zero where it is nothing but rounding error.
+    /// φ″, counter-clockwise positive; zero where it is nothing but rounding error.
     pub fn lever_acceleration(&self, drive: &Drive<f64>) -> f64 {
         let scale = drive.speed * drive.speed + drive.acceleration.abs();
         cleared(self.motion.accelerations.follower_acceleration, scale)
@@ -112,14 +117,14 @@ pub fn coriolis() -> Label {
     Label::symbol("a").sub("Cor")
 }
 
-/// Angular velocity of a link.
-pub fn omega(link: &str) -> Label {
-    Label::symbol("ω").sub(link)
+/// Rate of the angle of the crank, θ, or of the lever, φ.
+pub fn rate_of(angle: &str) -> Label {
+    Label::symbol(angle).and("\u{200a}′").of_part(&format!("{angle}'"))
 }
 
-/// Angular acceleration of a link.
-pub fn alpha(link: &str) -> Label {
-    Label::symbol("α").sub(link)
+/// Angular acceleration of the lever.
+pub fn lever_acceleration() -> Label {
+    Label::symbol("φ").and("\u{200a}″")
 }
 
 /// The number of a vector in its series, its components, its magnitude and its direction in degrees.

@@ -172,7 +172,9 @@ pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: 
         placing.take([pivot + Vector2::new(-24.0, top), pivot + Vector2::new(24.0, foot)]);
     }
     let crank = Shape::path(link(&at.axis, &at.pin, CRANK)).fill(DRIVER).with("fill-opacity", "0.22");
-    canvas.draw(crank.stroke(DRIVER, 2.0).class("crank"));
+    canvas.draw(crank.stroke(DRIVER, 2.0).class("crank").with("data-letter", "R"));
+    canvas.draw(Shape::line(&at.pivot, &at.pin).stroke(FOLLOWER, 1.0).with("data-letter", "r"));
+    canvas.draw(Shape::line(&at.pivot, &at.axis).stroke(INK, 1.0).with("data-letter", "l"));
     placing.avoid(&at.axis, &at.pin, 2.0);
     axis(canvas, &at.axis, INK);
     pin(canvas, &at.pin, 6.0);

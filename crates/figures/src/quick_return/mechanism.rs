@@ -1,9 +1,9 @@
 //! The mechanism to scale at an instant.
 
-use super::instant::{Instant, alpha, omega, turning, written};
+use super::instant::{Instant, lever_acceleration, rate_of, turning, written};
 use super::linkage::{LEVER, Layout, WIDTH, bodies, length, other_branch, wrapped};
 use crate::number::degrees;
-use crate::parts::{NEAR, along_arc, angle_label, arc, arc_arrow, scale_bar};
+use crate::parts::{NEAR, along_arc, angle_label, arc, arc_arrow, of_label, part, scale_bar};
 use crate::svg::{Canvas, Kind, Label, Pixels, Placing, Sense, Shape, around, beside_line, heading, leader};
 use crate::theme::{DRIVER, FOLLOWER, GRID, INK};
 use crate::{Figure, Series, Words};
@@ -26,8 +26,8 @@ const SCALE_BAR: f64 = 34.0;
 /// The mechanism at an instant, to scale, with its angles, its senses and the ends of the lever's swing.
 ///
 /// `drive` is in radians per second and its square; `length_unit` the unit of the linkage's lengths. If the lever at
-/// its angle has a second place for the pin, the crank's position for it is drawn faintly. Series, one row: φ, ψ, β;
-/// l, R, r; ω₂, α₂, ω₄, α₄; the sliding velocity, outwards positive.
+/// its angle has a second place for the pin, the crank's position for it is drawn faintly. Series, one row: θ, φ, β;
+/// l, R, r; θ′, θ″, φ′, φ″; the sliding velocity, outwards positive.
 pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, length_unit: &str) -> Figure {
     let instant = Instant::new(linkage, position, drive);
     let layout = Layout::new(linkage, &instant, SCALE_BAR);
@@ -42,43 +42,43 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
     let speed_unit = format!("{length_unit}/s");
     let motion = &instant.motion;
     let series = Series::of_one([
-        ("phi", "deg", instant.crank_angle.to_degrees()),
-        ("psi", "deg", instant.lever_angle.to_degrees()),
+        ("theta", "deg", instant.theta().to_degrees()),
+        ("phi", "deg", instant.lever_angle.to_degrees()),
         ("beta", "deg", instant.angle_at_pin.to_degrees()),
         ("l", length_unit, linkage.ground()),
         ("R", length_unit, linkage.crank()),
         ("r", length_unit, instant.pin_distance),
-        ("omega_2", "rad/s", drive.speed),
-        ("alpha_2", "rad/s^2", drive.acceleration),
-        ("omega_4", "rad/s", motion.velocities.follower_speed),
-        ("alpha_4", "rad/s^2", motion.accelerations.follower_acceleration),
+        ("theta'", "rad/s", drive.speed),
+        ("theta''", "rad/s^2", drive.acceleration),
+        ("phi'", "rad/s", motion.velocities.follower_speed),
+        ("phi''", "rad/s^2", motion.accelerations.follower_acceleration),
         ("v_rel", &speed_unit, motion.velocities.sliding_velocity.dot(&instant.along)),
     ]);
-    let [phi, psi, beta] = [instant.crank_angle, instant.lever_angle, instant.angle_at_pin].map(degrees);
-    let (omega_2, omega_4) = (drive.speed, instant.lever_speed(drive));
+    let [crank, phi, beta] = [instant.crank_angle, instant.lever_angle, instant.angle_at_pin].map(degrees);
+    let (driver, lever) = (drive.speed, instant.lever_speed(drive));
     let kind = match linkage.strokes().swing_limit {
         Some(limit) => format!("swings between −{0} and {0}", degrees(limit)),
         None => "turns round and round".to_owned(),
     };
     let words = Words::new(
         "quick-return-mechanism",
-        format!("Quick-return mechanism at a lever angle of {psi}"),
+        format!("Quick-return mechanism at a lever angle of {phi}"),
         format!(
             "A crank of {} turns about O2. Its pin slides in the slot of a lever that turns about O4, {} to the left of \
-             O2. The crank's angle is {phi}, the lever's {psi}, the angle between them at the pin {beta}; the pin is \
+             O2. Counted from the direction O4 to O2, the crank's angle is {crank}, the lever's {phi}, the angle between them at the pin {beta}; the pin is \
              {} from O4. The crank's angular velocity is {}{}; the \
              lever's is {}{}. The lever {kind}.",
             length(linkage.crank(), length_unit),
             length(linkage.ground(), length_unit),
             written(instant.pin_distance, length_unit),
-            written(omega_2.abs(), "rad/s"),
-            turning(omega_2),
-            written(omega_4.abs(), "rad/s"),
-            turning(omega_4)
+            written(driver.abs(), "rad/s"),
+            turning(driver),
+            written(lever.abs(), "rad/s"),
+            turning(lever)
         ),
         format!(
-            "The mechanism to scale at ψ = {psi}. The pin P₂ on the crank slides in the slot of the lever; P₄ is the point of the lever under it, in the same place at this instant. At the “other point” of its circle the pin would be \
-             with the same ψ. Counter-clockwise is positive."
+            "The mechanism to scale at φ = {phi}. The pin P₂ on the crank slides in the slot of the lever; P₄ is the point of the lever under it, in the same place at this instant. At the “other point” of its circle the pin would be \
+             with the same φ. Counter-clockwise is positive, and θ counts from the line from O₂ to O₄."
         ),
     );
     words.figure(canvas, Kind::Mechanism, series)
@@ -93,30 +93,32 @@ fn names(
     instant: &Instant,
     drive: &Drive<f64>,
 ) {
-    let (phi, psi) = (instant.crank_angle, instant.lever_angle);
+    let (crank, phi) = (instant.crank_angle, instant.lever_angle);
     let distance = (at.pin - at.pivot).norm();
     let at_pivot = (0.42 * at.view.place(&Vector2::zeros()).metric_distance(&at.axis)).min(0.7 * distance).max(40.0);
     let at_pin = (0.3 * at.crank.min(distance)).clamp(24.0, 44.0);
-    let swept = wrapped(phi - psi);
-    mark(canvas, placing, &at.pin, at_pin, (psi + PI, psi + PI + swept), false, ("β", instant.angle_at_pin));
-    mark(canvas, placing, &at.pivot, at_pivot, (0.0, psi), false, ("ψ", psi));
-    mark(canvas, placing, &at.axis, (0.42 * at.crank).min(58.0), (0.0, phi), true, ("φ", phi));
+    let swept = wrapped(crank - phi);
+    mark(canvas, placing, &at.pin, at_pin, (phi + PI, phi + PI + swept), false, ("β", instant.angle_at_pin));
+    mark(canvas, placing, &at.pivot, at_pivot, (0.0, phi), false, ("φ", phi));
+    mark(canvas, placing, &at.axis, (0.42 * at.crank).min(58.0), (PI, crank), true, ("θ", instant.theta()));
 
-    let omega_4 = instant.lever_speed(drive);
-    let aside = if linkage.strokes().swing_limit.is_some() { -0.85 * at.side } else { psi - FRAC_PI_2 };
+    let lever = instant.lever_speed(drive);
+    let aside = if linkage.strokes().swing_limit.is_some() { -0.85 * at.side } else { phi - FRAC_PI_2 };
     for (centre, radius, middle, rate, symbol, shade) in [
-        (&at.axis, at.crank + TO_ARROW, aside, drive.speed, omega("2").shade(DRIVER), DRIVER),
-        (&at.pivot, at.lever + LEVER + TO_ARROW, psi, omega_4, omega("4").shade(FOLLOWER), FOLLOWER),
+        (&at.axis, at.crank + TO_ARROW, aside, drive.speed, rate_of("θ").shade(DRIVER), DRIVER),
+        (&at.pivot, at.lever + LEVER + TO_ARROW, phi, lever, rate_of("φ").shade(FOLLOWER), FOLLOWER),
     ] {
         // At rest there is no sense.
         if rate != 0.0 {
             let half = HALF_ARROW / radius * Sense::of(rate).sign();
-            arc_arrow(canvas, centre, radius, middle - half, middle + half, shade, 2.5);
+            of_label(canvas, &symbol, |canvas| {
+                arc_arrow(canvas, centre, radius, middle - half, middle + half, shade, 2.5);
+            });
             placing.avoid_arc(centre, radius, middle - half, middle + half, 2.0);
             placing.put(canvas, &symbol, around(&(centre + heading(middle) * radius), middle, &NEAR));
         }
     }
-    let outwards = psi + FRAC_PI_2 * at.side;
+    let outwards = phi + FRAC_PI_2 * at.side;
     let pin = Label::words("P").sub("2").and(", P").sub("4");
     placing.put(canvas, &pin, around(&at.pin, outwards, &[12.0, 18.0, 26.0, 36.0, 50.0]));
     for (point, name) in [(&at.pivot, "4"), (&at.axis, "2")] {
@@ -154,20 +156,22 @@ fn mark(
     if (to - from).abs() < NARROWEST {
         return;
     }
-    if counted && (to - from).abs() * radius > 24.0 {
-        arc_arrow(canvas, centre, radius, from, to, INK, 1.5);
-    } else {
-        arc(canvas, centre, radius, from, to, INK, 1.5);
-    }
+    part(canvas, symbol, |canvas| {
+        if counted && (to - from).abs() * radius > 24.0 {
+            arc_arrow(canvas, centre, radius, from, to, INK, 1.5);
+        } else {
+            arc(canvas, centre, radius, from, to, INK, 1.5);
+        }
+    });
     placing.avoid_arc(centre, radius, from, to, 1.0);
     let places = |distances: &[f64]| along_arc(centre, radius, (from, to), distances);
-    let whole = angle_label(symbol, angle);
+    let whole = angle_label(symbol, angle).of_part(symbol);
     if placing.has_room(&whole, places(&NEAR[..3])) {
         placing.put(canvas, &whole, places(&NEAR[..3]));
     } else {
         let middle = (from + to) / 2.0;
         let elsewhere = around(&(centre + heading(middle) * radius), middle, &NEAR);
-        placing.put(canvas, &Label::symbol(symbol), places(&NEAR).into_iter().chain(elsewhere));
+        placing.put(canvas, &Label::part(symbol), places(&NEAR).into_iter().chain(elsewhere));
     }
 }
 
@@ -177,17 +181,19 @@ fn values(canvas: &mut Canvas, linkage: &QuickReturn, instant: &Instant, drive: 
     canvas.draw(Shape::line(&rule[0], &rule[1]).stroke(GRID, 1.2));
     let columns = [
         vec![
-            Label::symbol("l").and(&format!(" = {}", length(linkage.ground(), unit))),
-            Label::symbol("R").and(&format!(" = {}", length(linkage.crank(), unit))).shade(DRIVER),
-            angle_label("ψ", instant.lever_angle),
-            angle_label("φ", instant.crank_angle),
+            Label::part("l").and(&format!(" = {}", length(linkage.ground(), unit))),
+            Label::part("R").and(&format!(" = {}", length(linkage.crank(), unit))).shade(DRIVER),
+            angle_label("φ", instant.lever_angle),
+            angle_label("θ", instant.theta()),
             angle_label("β", instant.angle_at_pin),
         ],
         vec![
-            Label::symbol("r").and(&format!(" = {}", written(instant.pin_distance, unit))).shade(FOLLOWER),
-            omega("2").and(&format!(" = {}", written(drive.speed, "rad/s"))).shade(DRIVER),
-            omega("4").and(&format!(" = {}", written(instant.lever_speed(drive), "rad/s"))).shade(FOLLOWER),
-            alpha("4").and(&format!(" = {}", written(instant.lever_acceleration(drive), "rad/s²"))).shade(FOLLOWER),
+            Label::part("r").and(&format!(" = {}", written(instant.pin_distance, unit))).shade(FOLLOWER),
+            rate_of("θ").and(&format!(" = {}", written(drive.speed, "rad/s"))).shade(DRIVER),
+            rate_of("φ").and(&format!(" = {}", written(instant.lever_speed(drive), "rad/s"))).shade(FOLLOWER),
+            lever_acceleration()
+                .and(&format!(" = {}", written(instant.lever_acceleration(drive), "rad/s²")))
+                .shade(FOLLOWER),
         ],
     ];
     for (x, labels) in COLUMNS.into_iter().zip(columns) {

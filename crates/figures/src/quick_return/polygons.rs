@@ -33,7 +33,7 @@ struct Arrow {
 }
 
 /// Mechanism, velocity diagram and acceleration diagram at a position, with the Coriolis acceleration counted
-/// `factor` times ω₄ × v_rel.
+/// `factor` times φ′ × v_rel.
 ///
 /// The lever's and the sliding acceleration are those of the motion. So the polygon closes with a factor of 2 alone; with
 /// another its gap is drawn. The terms follow one another as in the steps of the [acceleration
@@ -62,11 +62,11 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
     let gap = accelerations.last().map_or(0.0, |arrow| arrow.vector.norm());
     let closes =
         if gap == 0.0 { "closes".to_owned() } else { format!("misses by {}", written(gap, &format!("{unit}/s²"))) };
-    let phi = degrees(instant.crank_angle);
+    let theta = degrees(instant.theta());
     let times = trimmed(factor, 3);
     let words = Words::new(
         "live-polygon",
-        format!("Quick-return mechanism at a crank angle of {phi}, and its vector diagrams"),
+        format!("Quick-return mechanism at a crank angle of {theta}, and its vector diagrams"),
         format!(
             "Above, the mechanism to scale. Below it at the left, the velocity of the pin is the sum of the lever's velocity and \
              the sliding velocity. At the right, the acceleration of the pin, and end to end the Coriolis acceleration, counted \
@@ -74,8 +74,8 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
              accelerations, and the sliding acceleration. The polygon {closes}."
         ),
         format!(
-            "The mechanism at φ = {phi}, with its velocities and accelerations. The Coriolis acceleration is counted {times} \
-             times ω₄ vᵣₑₗ. The polygon {closes}."
+            "The mechanism at θ = {theta}, with its velocities and accelerations. The Coriolis acceleration is counted {times} \
+             times φ′ vᵣₑₗ. The polygon {closes}."
         ),
     );
     let columns = [

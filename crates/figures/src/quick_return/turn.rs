@@ -1,6 +1,6 @@
 //! The lever's angle, angular velocity and angular acceleration over a turn of the crank.
 
-use super::instant::{Instant, alpha, omega, written};
+use super::instant::{Instant, lever_acceleration, rate_of, written};
 use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, short, significant};
 use crate::svg::Label;
@@ -15,17 +15,17 @@ const MARKS: usize = 60;
 /// At least so many steps of a y axis.
 const STEPS: f64 = 4.0;
 
-/// ψ, ω₄ and α₄ over a whole turn of the crank at constant speed, one under another, with the instant in all three.
+/// φ, φ′ and φ″ over a whole turn of the crank at constant speed, one under another, with the instant in all three.
 ///
 /// Of `drive` only the speed counts, in radians per second. The fast stroke is on a tinted ground, the slow one on a
-/// plain one. A lever that turns round and round has half turns instead of strokes. Series, each degree: φ, ψ, ω₄, α₄.
+/// plain one. A lever that turns round and round has half turns instead of strokes. Series, each degree: θ, φ, φ′, φ″.
 pub fn over_a_turn(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> Figure {
     let drive = Drive::steady(drive.speed);
     let instant = Instant::new(linkage, position, &drive);
     let (strokes, rows) = (linkage.strokes(), rows(linkage, &drive));
     let panels = [1, 2, 3].map(|column| panel(&rows, column, &instant, &drive, &strokes));
-    let (phi, psi) = (degrees(instant.crank_angle), degrees(instant.lever_angle));
-    let columns = [("phi", "deg"), ("psi", "deg"), ("omega_4", "rad/s"), ("alpha_4", "rad/s^2")];
+    let (theta, phi) = (degrees(instant.theta()), degrees(instant.lever_angle));
+    let columns = [("theta", "deg"), ("phi", "deg"), ("phi'", "rad/s"), ("phi''", "rad/s^2")];
     let (stroke, there) = match strokes.swing_limit {
         Some(limit) => ("stroke", format!("swings between −{0} and {0}", degrees(limit))),
         None => ("half turn", "turns round and round, fast while it points away from the crank's axis".to_owned()),
@@ -34,9 +34,9 @@ pub fn over_a_turn(linkage: &QuickReturn, position: &Position, drive: &Drive<f64
         "quick-return-turn",
         "Motion of the lever over a turn of the crank",
         format!(
-            "Three curves over the crank angle from 0° to 360°: the lever's angle, its angular velocity and its angular \
+            "Three curves over the crank angle from −180° to 180°: the lever's angle, its angular velocity and its angular \
              acceleration, at a constant crank speed of {}. The lever {there}. The slow {stroke} takes {} of the crank's \
-             turn, the fast one {}{}. At a crank angle of {phi} the lever is at {psi}; its \
+             turn, the fast one {}{}. At a crank angle of {theta} the lever is at {phi}; its \
              angular velocity is {}, its angular acceleration {}.",
             written(drive.speed, "rad/s"),
             degrees(strokes.slow),
@@ -46,31 +46,31 @@ pub fn over_a_turn(linkage: &QuickReturn, position: &Position, drive: &Drive<f64
             written(instant.lever_acceleration(&drive), "rad/s²"),
         ),
         format!(
-            "A whole turn of the crank at {}. Tinted: the fast {stroke}. The dashed line marks the instant φ = {phi}, \
-             ψ = {psi}. Counter-clockwise is positive.",
+            "A whole turn of the crank at {}. Tinted: the fast {stroke}. The dashed line marks the instant θ = {theta}, \
+             φ = {phi}. Counter-clockwise is positive.",
             written(drive.speed, "rad/s")
         ),
     );
     Chart::new(panels).key(header(&strokes)).figure(words, Series::new(columns, rows))
 }
 
-/// φ and ψ in degrees, ω₄, α₄, at each degree of a turn at constant crank speed.
+/// θ and φ in degrees, φ′, φ″, at each degree of a turn at constant crank speed.
 ///
-/// ψ goes on without a jump: a lever that turns ends a turn farther on. Where the pin is on the lever's pivot there is
+/// φ goes on without a jump: a lever that turns ends a turn farther on. Where the pin is on the lever's pivot there is
 /// no row.
 fn rows(linkage: &QuickReturn, drive: &Drive<f64>) -> Vec<[f64; 4]> {
     let turns = linkage.strokes().swing_limit.is_none();
     let row = |degrees: u32| {
-        let phi = f64::from(degrees);
-        let position = linkage.at_crank(&Turn::from_degrees(phi)).ok()?;
+        let crank = f64::from(degrees);
+        let position = linkage.at_crank(&Turn::from_degrees(crank)).ok()?;
         let instant = Instant::new(linkage, &position, drive);
-        let psi = match position.lever.degrees() {
+        let phi = match position.lever.degrees() {
             _ if degrees == 0 || (degrees == 360 && !turns) => 0.0,
             _ if degrees == 360 => 360.0,
-            psi if turns && degrees > 180 && psi < 0.0 => psi + 360.0,
-            psi => psi,
+            phi if turns && degrees > 180 && phi < 0.0 => phi + 360.0,
+            phi => phi,
         };
-        Some([phi, psi, instant.lever_speed(drive), instant.lever_acceleration(drive)])
+        Some([crank - 180.0, phi, instant.lever_speed(drive), instant.lever_acceleration(drive)])
     };
     (0..=360).filter_map(row).collect()
 }
@@ -89,29 +89,29 @@ fn header(strokes: &Strokes) -> [Entry; 2] {
     [Entry::curve(Stroke::new(FILL).wide(18.0), Label::words(&fast)), Entry::words(Label::words(&slow))]
 }
 
-/// The panel of a column of the rows: ψ, ω₄ or α₄, with the fast stroke and the instant.
+/// The panel of a column of the rows: φ, φ′ or φ″, with the fast stroke and the instant.
 fn panel(rows: &[[f64; 4]], column: usize, instant: &Instant, drive: &Drive<f64>, strokes: &Strokes) -> Panel {
     let turns = strokes.swing_limit.is_none();
-    let psi = instant.lever_angle.to_degrees();
-    let psi = if turns && instant.crank_angle > PI && psi < 0.0 { psi + 360.0 } else { psi };
+    let phi = instant.lever_angle.to_degrees();
+    let phi = if turns && instant.crank_angle > PI && phi < 0.0 { phi + 360.0 } else { phi };
     let (speed, rate) = (instant.lever_speed(drive), instant.lever_acceleration(drive));
     // Beside the mark the value alone: a longer label would stand on the line of the instant.
     let (symbol, unit, value, text) = match column {
-        1 => (Label::symbol("ψ"), "degrees", psi, degrees(psi.to_radians())),
-        2 => (omega("4"), "rad/s", speed, short(speed, 4)),
-        _ => (alpha("4"), "rad/s²", rate, short(rate, 4)),
+        1 => (Label::symbol("φ"), "degrees", phi, degrees(phi.to_radians())),
+        2 => (rate_of("φ").of_part(""), "rad/s", speed, short(speed, 4)),
+        _ => (lever_acceleration(), "rad/s²", rate, short(rate, 4)),
     };
     let values = || rows.iter().map(|row| row[column]);
     let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     // Angles end on the frame: their ends are known.
     let axis = if column == 1 { Axis::of_angles } else { Axis::from_zero };
     let y = axis(least, greatest, STEPS).titled(symbol.and(&format!(" in {unit}")).shade(FOLLOWER));
-    let x = Axis::whole(0.0..360.0, (0..=360).step_by(MARKS).map(f64::from));
-    let angle = Label::words("crank angle ").and_symbol("φ").and(" in degrees");
+    let x = Axis::whole(-180.0..180.0, (-180..=180).step_by(MARKS).map(f64::from));
+    let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let x = if column == 3 { x.titled(angle) } else { x.unnumbered() };
     let half = strokes.fast.to_degrees() / 2.0;
-    let [begin, end] = [180.0 - half, 180.0 + half];
-    let now = instant.crank_angle.to_degrees();
+    let [begin, end] = [-half, half];
+    let now = instant.theta().to_degrees();
     let reversal = Stroke::thin("reversal").wide(1.0).dashed("1 4");
     Panel::new(150.0, &x, &y)
         .band(begin..end, FILL, "fast")

@@ -1,6 +1,6 @@
 //! The velocity diagram, step by step.
 
-use super::instant::{Instant, omega, row, turning, turning_label, v, written};
+use super::instant::{Instant, rate_of, row, turning, turning_label, v, written};
 use super::steps::{Arrow, Diagram, Direction, Step};
 use crate::number::degrees;
 use crate::svg::{Kind, Label};
@@ -39,7 +39,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     let line = Label::words;
     let known = vec![
         line("Known: the pin. From ").and_symbol("o"),
-        v("2").and(" = ").and_label(&omega("2")).and("\u{2009}").and_symbol("R"),
+        v("2").and(" = ").and_label(&rate_of("θ")).and("\u{2009}").and_symbol("R"),
         line(&format!("= {}, ⊥ crank", written(pin.norm(), &unit))),
     ];
     let unknown = vec![
@@ -49,11 +49,13 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     ];
     let closing = vec![
         line("Where they meet the triangle closes: ").and_label(&sum()),
-        omega("4").and(" = ").and_label(&v("4")).and(" / ").and_symbol("r").and(&format!(
-            " = {}{}",
-            written(omega_4.abs(), "rad/s"),
-            turning_label(omega_4)
-        )),
+        Label::words("|")
+            .and_label(&rate_of("φ"))
+            .and("| = ")
+            .and_label(&v("4"))
+            .and(" / ")
+            .and_symbol("r")
+            .and(&format!(" = {}{}", written(omega_4.abs(), "rad/s"), turning_label(omega_4))),
     ];
     let diagram = Diagram {
         arrows,
@@ -77,10 +79,10 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         ("direction", "deg"),
     ];
     let [pin, slot, sliding] = ["v-pin", "v-lever", "v-sliding"].map(|name| diagram.value_of(name));
-    let psi = degrees(instant.lever_angle);
+    let phi = degrees(instant.lever_angle);
     let words = Words::new(
         "quick-return-velocity",
-        format!("Velocity diagram of the quick-return mechanism at a lever angle of {psi}"),
+        format!("Velocity diagram of the quick-return mechanism at a lever angle of {phi}"),
         format!(
             "Three steps, to scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
              direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
@@ -90,7 +92,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
             turning(omega_4)
         ),
         format!(
-            "The velocity diagram at ψ = {psi}, in three steps. We know one vector completely and only the directions of the other two, but two directions are \
+            "The velocity diagram at φ = {phi}, in three steps. We know one vector completely and only the directions of the other two, but two directions are \
              enough to close the triangle. The pole is o."
         ),
     );

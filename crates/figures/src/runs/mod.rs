@@ -4,7 +4,9 @@
 
 mod agreement;
 mod aliasing;
+mod columns;
 mod deviations;
+mod lags;
 mod over_torque;
 mod reset_angle;
 mod speeds;
@@ -13,7 +15,9 @@ mod tests;
 
 pub use agreement::{Cell, Compared, agreement, one_agreement};
 pub use aliasing::aliasing;
+pub use columns::{Count, columns};
 pub use deviations::deviations;
+pub use lags::{Lag, lags};
 pub use over_torque::over_torque;
 pub use reset_angle::{Scan, reset_angle};
 pub use speeds::{first_minimum, speeds};

@@ -42,7 +42,7 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
         return Err(FigureError::Nothing);
     }
     let room = room(least, greatest);
-    let x = Axis::spanning(least - room, greatest + room, 5.0);
+    let x = Axis::spanning(least - room, greatest + room, 3.0);
     let unit = ((greatest + room) / group.inertias.follower()).sqrt();
     let ends = families.iter().flat_map(|one| [Some(one.as_run), one.as_is]).flatten().map(|scaled| scaled * unit);
     let y = Axis::from_zero(0.0, group.runs.iter().map(mean).chain(ends).fold(0.0, f64::max), 3.0);

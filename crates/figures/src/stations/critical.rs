@@ -2,7 +2,7 @@
 
 use super::pose::{Bodies, Margins};
 use crate::number::{degrees, significant};
-use crate::parts::{self, WIDTH, arc, dimension, pin_circle, right_angle};
+use crate::parts::{self, WIDTH, arc, dimension, part, pin_circle, right_angle};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
@@ -65,11 +65,7 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
 fn triangle(canvas: &mut Canvas, at: &Bodies, alpha: f64, pin: &Pixels) {
     let next = at.on_wheel(at.star.rim + 14.0 / at.view.scale, alpha);
     canvas.draw(Shape::line(&at.pivot, &next).stroke(FOLLOWER, 1.5).dashed(DASHED).class("next-slot"));
-    let sides = [
-        (&at.pivot, &at.axis, INK, "side-l"),
-        (&at.axis, pin, DRIVER, "side-1"),
-        (&at.pivot, pin, FOLLOWER, "side-rim"),
-    ];
+    let sides = [(&at.pivot, &at.axis, INK, "l"), (&at.axis, pin, DRIVER, "R"), (&at.pivot, pin, FOLLOWER, "r")];
     parts::sides(canvas, sides);
     for (centre, shade) in [(&at.pivot, FOLLOWER), (&at.axis, DRIVER)] {
         parts::axis(canvas, centre, shade);
@@ -82,18 +78,18 @@ fn angles(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixels
     let side = 0.1 * scale + at.driver.pin * scale;
     right_angle(canvas, pin, &(at.pivot - pin), &(at.axis - pin), side);
     let (near, far) = (0.3 * at.star.rim * scale, 0.5 * at.star.rim * scale);
-    arc(canvas, &at.pivot, near, -alpha, 0.0, INK, 1.5);
+    part(canvas, "α", |canvas| arc(canvas, &at.pivot, near, -alpha, 0.0, INK, 1.5));
     arc(canvas, &at.pivot, far, -alpha, alpha, INK, 1.5);
     // Beyond the arcs, or across the slots' lines where those are too close together.
     let narrow = alpha * near < 24.0;
     let (one, both) = if narrow { (-alpha - 26.0 / near, alpha + 20.0 / far) } else { (-alpha / 2.0, alpha / 2.0) };
     let beyond = if narrow { 0.0 } else { 8.0 };
-    let label = Label::symbol("α").on(FILL);
+    let label = Label::part("α").on(FILL);
     canvas.label(&(at.pivot + heading(one) * near), &heading(one), beyond, &label);
     let label = Label::words("2").and_symbol("α").on(FILL);
     canvas.label(&(at.pivot + heading(both) * far), &heading(both), beyond, &label);
     let radius = 0.28 * scale;
-    arc(canvas, &at.axis, radius, PI, PI + theta, INK, 1.5);
+    part(canvas, "θ", |canvas| arc(canvas, &at.axis, radius, PI, PI + theta, INK, 1.5));
     let label = Label::words("π/2 − ").and_symbol("α");
     if scale > SMALL {
         let middle = heading(PI + 0.6 * theta);

@@ -110,7 +110,12 @@ struct Dimension {
 
 impl Dimension {
     fn label(&self) -> Label {
-        Label::words(&format!("{} {}", self.name, trimmed(self.to - self.from, DIGITS)))
+        let letter = match self.name {
+            "crank radius" => "R",
+            "centre distance" => "l",
+            _ => "",
+        };
+        Label::words(&format!("{} {}", self.name, trimmed(self.to - self.from, DIGITS))).of_part(letter)
     }
 }
 
@@ -176,8 +181,11 @@ impl Rows {
         for (row, dimension) in &self.dimensions {
             let at = |x: f64| view.place(&Vector2::new(x, 0.0));
             let offset = Pixels::new(0.0, edge + side * (TO_FIRST + ROW * *row as f64));
-            let middle = parts::dimension(canvas, &at(dimension.from), &at(dimension.to), &offset);
-            canvas.label(&middle, &Pixels::new(0.0, -1.0), 7.0, &dimension.label());
+            let (label, mut middle) = (dimension.label(), Pixels::zeros());
+            parts::of_label(canvas, &label, |canvas| {
+                middle = parts::dimension(canvas, &at(dimension.from), &at(dimension.to), &offset);
+            });
+            canvas.label(&middle, &Pixels::new(0.0, -1.0), 7.0, &label);
         }
     }
 }

@@ -34,13 +34,13 @@ fn the_triangles_are_to_scale() {
         let figure = model(&wheel, 0.6 * wheel.engagement_half_angle()).expect("engaged");
         let drawing = Drawing::of(&figure);
         let crank = drawing.number("pin-circle", "r");
-        assert!((drawing.length("side-r") - crank).abs() < PIXELS);
+        assert!((drawing.length("side-R") - crank).abs() < PIXELS);
         assert!((drawing.length("side-l") - l * crank).abs() < PIXELS + 0.01 * l);
-        assert!((drawing.length("side-x") - figure.series.rows[0][2] * crank).abs() < PIXELS + 0.01 * l);
+        assert!((drawing.length("side-r") - figure.series.rows[0][2] * crank).abs() < PIXELS + 0.01 * l);
 
         let figure = critical_geometry(&wheel);
         let drawing = Drawing::of(&figure);
-        let [a, b, c] = ["side-1", "side-rim", "side-l"].map(|side| drawing.length(side));
+        let [a, b, c] = ["side-R", "side-r", "side-l"].map(|side| drawing.length(side));
         assert!((a.hypot(b) - c).abs() < 2.0 * PIXELS, "a right angle at the pin");
         assert!((b / a - rim).abs() < PIXELS / a * (1.0 + rim) && (c / a - l).abs() < PIXELS / a * (1.0 + l));
         assert!((drawing.number("rim", "r") - b).abs() < PIXELS);

@@ -53,7 +53,7 @@ fn row(sizes: &Sizes, disc: LockingDisc) -> Result<[f64; 3], FigureError> {
     Ok([f64::from(sizes.wheel.stations()), of_wheel?, of_edges?])
 }
 
-/// How near the tips of the wheel's horns come to the locking disc, for two customary cuts in it and a disc of this radius
+/// How near the tips of the wheel's horns come to the locking disc, for two cuts in it that are in use and a disc of this radius
 /// in crank radii, between 0 and 1, without any play. For numbers of slots that a wheel can have, as far as the disc
 /// reaches into the wheel.
 ///

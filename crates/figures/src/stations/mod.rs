@@ -5,6 +5,7 @@
 //! measured clockwise from B → O, the wheel's angle φ counter-clockwise from O → B: both are zero where a pin is on
 //! the line of centres, and both grow. Lengths are in crank radii.
 
+mod choice;
 #[cfg(test)]
 mod clearance;
 mod crescent;
@@ -28,6 +29,7 @@ mod running;
 mod spherical;
 mod wrong_formulas;
 
+pub use choice::choice;
 pub use crescent::crescent;
 pub use critical::critical_geometry;
 pub use dimensions::{dimensions, dimensions_on_a_page};

@@ -2,7 +2,7 @@
 
 use super::pose::{Bodies, Margins};
 use crate::number::{degrees, significant, without_noise};
-use crate::parts::{self, WIDTH, arc_arrow, construction, dimension, fixed_pivot, pin_circle};
+use crate::parts::{self, WIDTH, arc_arrow, construction, dimension, fixed_pivot, part, pin_circle};
 use crate::svg::{Canvas, Kind, Label, Pixels, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
@@ -63,8 +63,7 @@ pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, FigureError> {
 }
 
 fn triangle(canvas: &mut Canvas, at: &Bodies, pin: &Pixels) {
-    let triangle =
-        [(&at.pivot, &at.axis, INK, "side-l"), (&at.axis, pin, DRIVER, "side-r"), (&at.pivot, pin, FOLLOWER, "side-x")];
+    let triangle = [(&at.pivot, &at.axis, INK, "l"), (&at.axis, pin, DRIVER, "R"), (&at.pivot, pin, FOLLOWER, "r")];
     parts::sides(canvas, triangle);
     construction(canvas, &at.axis, &(at.axis + Vector2::new(at.view.scale + 14.0, 0.0)), "line-of-centres");
     fixed_pivot(canvas, &at.pivot, 1.0);
@@ -77,7 +76,7 @@ fn angles(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, x: f64) {
         [(&at.pivot, MARK * x * at.view.scale, 0.0, phi, "φ"), (&at.axis, MARK * at.view.scale, PI, -theta, "θ")]
     {
         if turn.abs() > NARROWEST {
-            arc_arrow(canvas, centre, radius, from, from + turn, INK, 1.6);
+            part(canvas, letter, |canvas| arc_arrow(canvas, centre, radius, from, from + turn, INK, 1.6));
         }
         let middle = heading(from + turn / 2.0);
         // Inside the arc, beyond it, or across the line of centres, as there is room.
@@ -88,7 +87,7 @@ fn angles(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, x: f64) {
         } else {
             (centre + heading(from) * radius.max(44.0), Vector2::new(0.0, if theta < 0.0 { -1.0 } else { 1.0 }), 18.0)
         };
-        canvas.label(&point, &towards, distance, &Label::symbol(letter));
+        canvas.label(&point, &towards, distance, &Label::part(letter));
     }
 }
 
@@ -96,12 +95,12 @@ fn sides(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, pin: &Pixels) {
     let down = Vector2::new(0.0, at.height - DIMENSION - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &down);
     let side = if theta < 0.0 { -1.0 } else { 1.0 };
-    let length = Label::symbol("l");
+    let length = Label::part("l");
     canvas.label(&middle, &Vector2::new(0.0, 1.0), 18.0, &length);
     let across = heading(phi + side * PI / 2.0);
-    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::symbol("r").shade(FOLLOWER).on(FILL));
+    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::part("r").shade(FOLLOWER).on(FILL));
     let across = heading(PI - theta - side * PI / 2.0);
-    canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::symbol("R").shade(DRIVER));
+    canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::part("R").shade(DRIVER));
     canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &heading(0.6), 16.0, &Label::words("B"));
     canvas.label(pin, &heading(side * PI / 2.0), 8.0 + at.driver.arm * at.view.scale, &Label::words("P"));

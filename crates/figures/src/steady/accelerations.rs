@@ -138,7 +138,7 @@ fn jumping(panel: Panel, rows: &[Row]) -> Panel {
 fn force(x: &Axis, rows: &[Row]) -> Panel {
     let values = || rows.iter().map(|row| row[5]);
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
-    let symbol = Label::symbol("N").and_symbol("\u{2009}r").and(" / ").and_symbol("K");
+    let symbol = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
     let title = Label::words("force on the pin ").and_label(&symbol);
     Panel::new(190.0, x, &y.titled(title))
         .horizontal(0.0, Stroke::thin("zero"))

@@ -55,10 +55,8 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     let x = frictions(&rows)?;
     let curves = groups.iter().map(|group| both(group, &x)).collect::<Result<Vec<_>, FigureError>>()?;
     let panels = [0, 1, 2].map(|k| panel(groups, &rows, &curves, &x, k));
-    let printed = groups.iter().map(|group| {
-        let marker = of_mechanism(group.mechanism.slots()).1;
-        Entry::marks([marker], Label::words(&format!("{} pins", group.mechanism.pins())).shade(marker.shade))
-    });
+    let markers = groups.iter().map(|group| of_mechanism(group.mechanism.slots()).1);
+    let printed = std::iter::once(Entry::marks(markers, Label::words("printed")));
     let [own, as_run] = [Stroke::new(INK).wide(2.2), Stroke::new(INK).wide(1.6).dashed(DASHES)];
     let lines = [(own, "the mechanism"), (as_run, "the program as run")];
     let key = printed.chain(lines.map(|(stroke, name)| Entry::curve(stroke, Label::words(name))));
@@ -94,7 +92,7 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
         format!(
             "The law of similarity: torque and inertias set the scales. Divided by them, the printed rows of all \
              torques coincide (marks). The solid curves are for the mechanisms, the broken curves for the program \
-             of 1973, which resets the driver's angle after 90°. For four pins both are the same. The rows for six and three pins are on the broken curves, so they \
+             of 1973, which resets the driver's angle after 90°; beside each curve is its number of pins. For four pins both are the same. The rows for six and three pins are on the broken curves, so they \
              are runs of the program and not of the mechanisms. Driver's moment of inertia \
          over the follower's: {inertias}."
         ),

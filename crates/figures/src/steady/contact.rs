@@ -1,7 +1,7 @@
 //! A pin of finite radius in its slot: where it touches, what it rubs with, and how fast its surface slides.
 
 use crate::number::{degrees, fixed, with_minus_sign};
-use crate::parts::{WIDTH, arc_arrow, arrow, numbered};
+use crate::parts::{WIDTH, arc_arrow, arrow, numbered, part};
 use crate::svg::{Canvas, DASHED, Kind, Label, Path, Pixels, Shape};
 use crate::theme::{CORIOLIS, DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -56,7 +56,7 @@ pub fn contact(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Fig
     }
     let (parameters, joints) = (escapement.parameters(), escapement.joints());
     let series = Series::new(
-        [("theta", "deg"), ("side", "1"), ("dR/dtheta", "1"), ("s rho (1+q)", "1"), ("w/theta'", "1")],
+        [("theta", "deg"), ("side", "1"), ("dr/dtheta", "1"), ("s rho (1+q)", "1"), ("w/theta'", "1")],
         instants.iter().map(|at| [at.theta.to_degrees(), at.side, at.slide, at.turning, at.sliding]),
     );
     let said = instants.iter().map(|at| {
@@ -80,7 +80,7 @@ pub fn contact(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Fig
         format!(
             "The pin in its slot, enlarged, seen from the follower, whose axis O is far to the left: 1 while the pin \
              drives, 2 while it holds the follower back. Seen so, the pin turns clockwise, and at the flank its surface \
-             slides more slowly than its centre moves. N and μ|N| act on the follower; these two arrows show directions \
+             slides more slowly than its centre moves. F and μ|F| act on the follower; these two arrows show directions \
              only. Lengths are in crank radii. Shown: {} pins, ρ = {}, μ = {}, steady state.",
             parameters.mechanism().pins(),
             joints.pin_radius,
@@ -112,11 +112,11 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     let corner = Vector2::new(20.0, top + 24.0);
     numbered(canvas, &corner, count);
     let title = if at.side > 0.0 { "Pin drives: leading flank, " } else { "Pin holds back: trailing flank, " };
-    let title = Label::words(title).and_symbol("N").and(if at.side > 0.0 { " > 0, " } else { " < 0, " });
+    let title = Label::words(title).and_symbol("F").and(if at.side > 0.0 { " > 0, " } else { " < 0, " });
     let title = title.and_symbol("θ").and(&format!(" = {}", degrees(at.theta)));
     canvas.label(&(corner + right * 22.0), &right, 0.0, &title.bare());
 
-    // Room above for the arrow of N where the leading flank bears, else for the wall alone.
+    // Room above for the arrow of F where the leading flank bears, else for the wall alone.
     let above = if at.side > 0.0 { NORMAL } else { WALL };
     let outward = at.sliding.signum();
     let centre = Vector2::new(WIDTH / 2.0 - outward * ASIDE, top + HEAD + above + PIN);
@@ -143,33 +143,33 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     canvas.draw(Shape::circle(&centre, PIN).fill(PAPER).stroke(INK, 2.2).class("enlarged-pin"));
 
     let touch = place(0.0, at.side * PIN);
-    canvas.draw(Shape::line(&centre, &touch).stroke(DRIVER, 2.2).class("radius"));
-    canvas.label(&place(0.0, at.side * 0.5 * PIN), &(right * -outward), 9.0, &Label::symbol("ρ").shade(DRIVER));
+    canvas.draw(Shape::line(&centre, &touch).stroke(DRIVER, 2.2).class("radius").with("data-letter", "ρ"));
+    canvas.label(&place(0.0, at.side * 0.5 * PIN), &(right * -outward), 9.0, &Label::part("ρ").shade(DRIVER));
     turning(canvas, at, &centre);
     canvas.draw(Shape::circle(&centre, 3.5).fill(INK));
     // Velocities: of the centre, and of the surface where it touches.
     let tip = place(at.slide * SPEED, 0.0);
-    arrow(canvas, &centre, &tip, RELATIVE, 4.0, "sliding-of-centre");
+    part(canvas, "r'", |canvas| arrow(canvas, &centre, &tip, RELATIVE, 4.0, "sliding-of-centre"));
     // Beside the arrow's tip, on the side that does not rub.
     let beside = tip - right * (outward * 20.0);
-    let label = Label::symbol("R").and("′ of the centre").shade(RELATIVE);
+    let label = Label::symbol("r").and("′ of the centre").shade(RELATIVE).of_part("r'");
     canvas.label(&beside, &(up * -at.side), 18.0, &label);
     let inside = at.side * (PIN - BESIDE);
     let tip = place(at.sliding * SPEED, inside);
-    arrow(canvas, &place(0.0, inside), &tip, DRIVER, 4.0, "sliding-of-surface");
-    canvas.label(&tip, &(right * outward), 8.0, &Label::symbol("w").and(" of the surface").shade(DRIVER));
+    part(canvas, "w", |canvas| arrow(canvas, &place(0.0, inside), &tip, DRIVER, 4.0, "sliding-of-surface"));
+    canvas.label(&tip, &(right * outward), 8.0, &Label::part("w").and(" of the surface").shade(DRIVER));
     // Forces on the follower.
     let end = touch + up * (at.side * NORMAL);
-    arrow(canvas, &touch, &end, INK, 4.0, "normal-force");
-    canvas.label(&end.lerp(&touch, 0.15), &(right * -outward), 10.0, &Label::symbol("N"));
+    part(canvas, "F", |canvas| arrow(canvas, &touch, &end, INK, 4.0, "normal-force"));
+    canvas.label(&end.lerp(&touch, 0.15), &(right * -outward), 10.0, &Label::part("F"));
     let from = touch + up * (at.side * WALL / 2.0);
     let end = from + right * (outward * FRICTION);
     arrow(canvas, &from, &end, CORIOLIS, 4.0, "friction");
-    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("N").and("|").shade(CORIOLIS).on(FILL);
+    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").shade(CORIOLIS).on(FILL);
     canvas.label(&end, &(right * outward), 8.0, &label);
 
     let values = [
-        Label::symbol("R").and("′/").and_symbol("θ").and("\u{200a}′ = ").and(&number(at.slide)).shade(RELATIVE),
+        Label::symbol("r").and("′/").and_symbol("θ").and("\u{200a}′ = ").and(&number(at.slide)).shade(RELATIVE),
         Label::symbol("s").and_symbol("ρ").and("(1 + ").and_symbol("q").and(") = ").and(&number(at.turning)),
         Label::symbol("w").and("/").and_symbol("θ").and("\u{200a}′ = ").and(&number(at.sliding)).shade(DRIVER),
     ];

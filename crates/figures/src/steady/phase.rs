@@ -1,10 +1,10 @@
 //! The driver's speed over its angle, engagement by engagement, from rest and from above.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Spot, Stroke};
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Spot, Stroke};
 use crate::escapement::speeds;
 use crate::number::{degrees, shown, significant, trimmed};
 use crate::svg::Label;
-use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
+use crate::theme::{CORIOLIS, DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::{Engagement, SteadyState};
@@ -24,6 +24,9 @@ const STROKES: [Stroke; 3] = [
     Stroke::new(FOLLOWER).wide(2.0).dashed("8 4").class("from-above"),
     Stroke::new(CORIOLIS).wide(3.4).dashed("2 4").class("cycle"),
 ];
+
+/// What they are called.
+const NAMES: [&str; 3] = ["from rest", "from twice the steady speed", "steady cycle"];
 
 /// One engagement: angle in degrees and speed, and the switch.
 struct Round {
@@ -71,13 +74,8 @@ pub fn phase(parameters: &Parameters) -> Result<Figure, FigureError> {
     let cycle = round(steady.entry_speed)?;
 
     let panel = panel(half, [&from_rest, &from_above, std::slice::from_ref(&cycle)]);
-    let names = ["from rest", "from twice the steady speed", "steady cycle"];
-    let curves = STROKES.into_iter().zip(names);
-    let mut key: Vec<Entry> =
-        curves.map(|(stroke, name)| Entry::curve(stroke, Label::words(name).shade(stroke.shade))).collect();
-    key.push(Entry::marks([Marker::new(INK, Mark::Diamond)], Label::words("contact changes flank")));
     let series = series(&from_rest, &from_above, &cycle);
-    Ok(Chart::new([panel]).key(key).figure(words(parameters, &steady, unit, &cycle), series))
+    Ok(Chart::new([panel]).figure(words(parameters, &steady, unit, &cycle), series))
 }
 
 /// All engagements over angles of ±`half` degrees, the first two of each kind numbered.
@@ -92,13 +90,21 @@ fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
     for (rounds, stroke) in groups.iter().zip(STROKES) {
         panel = rounds.iter().fold(panel, |panel, round| panel.curve(round.points.iter().copied(), stroke));
     }
-    for (rounds, stroke) in groups.iter().zip(STROKES) {
+    for ((rounds, stroke), name) in groups.iter().zip(STROKES).zip(NAMES) {
         let marker = Marker::new(stroke.shade, Mark::Diamond).sized(10.0);
         panel = panel.marks(rounds.first().and_then(|round| round.switch), marker);
         for (number, round) in rounds.iter().take(2).enumerate().filter(|_| rounds.len() > 1) {
-            let label = Label::words(&(number + 1).to_string()).shade(stroke.shade);
+            let words = if number == 0 { format!("1, {name}") } else { (number + 1).to_string() };
+            let label = Label::words(&words).shade(stroke.shade);
             panel = panel.near(round.points.get(round.points.len() / 10).copied(), FRAC_PI_4, label);
         }
+    }
+    let [from_rest, _, cycle] = groups;
+    let switch = from_rest.first().and_then(|round| round.switch);
+    panel = panel.near(switch, -FRAC_PI_4, Label::words("contact changes flank"));
+    for round in cycle {
+        let middle = round.points.iter().copied().skip(round.points.len() * 3 / 4);
+        panel = panel.near(middle, FRAC_PI_4 * 3.0, Label::words(NAMES[2]).shade(STROKES[2].shade));
     }
     let shares = [0.72, 0.28].into_iter().flat_map(|x| [0.94, 0.06, 0.88, 0.12].map(|y| [x, y]));
     panel.name(Label::words("line of centres"), Spot::Free(shares.collect()))

@@ -1,9 +1,10 @@
 //! How much work a solver needs for how small an error.
 
-use crate::chart::{Axis, Chart, Entry, Panel, kind};
+use crate::chart::{Axis, Chart, Panel, kind};
 use crate::number::{significant, with_hyphens};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
+use std::f64::consts::PI;
 
 /// At most so many marks of an axis.
 const MARKS: usize = 7;
@@ -64,16 +65,23 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         let work = Label::words(&with_hyphens(works[k]));
         let error = Label::words("largest relative error");
         let panel = Panel::new(290.0, &axis(k + 1).titled(work), &axis(0).titled(error));
-        families.iter().enumerate().fold(panel, |panel, (number, points)| {
+        let panel = families.iter().enumerate().fold(panel, |panel, (number, points)| {
             let points = points.iter().map(|point| (point[k + 1], point[0])).filter(|(work, _)| work.is_finite());
             let (stroke, marker) = kind(number);
             panel.curve(points.clone(), stroke.wide(1.8).class("contestant")).marks(points, marker)
+        });
+        // Named at their ends, once: the looks are the same in both panels.
+        let first = |number: usize| (0..=k).find(|k| families[number].iter().any(|point| point[k + 1].is_finite()));
+        names.iter().enumerate().filter(|(number, _)| first(*number) == Some(k)).fold(panel, |panel, (number, name)| {
+            let points = || families[number].iter().map(|point| (point[k + 1], point[0]));
+            let ends = points().take(1).chain(points().last());
+            panel.near(
+                ends,
+                if number % 2 == 0 { PI } else { 0.0 },
+                Label::words(&with_hyphens(name)).shade(kind(number).0.shade),
+            )
         })
     });
-    let key = names
-        .iter()
-        .enumerate()
-        .map(|(k, name)| Entry::both(kind(k), Label::words(&with_hyphens(name)).shade(kind(k).0.shade)));
     let best = names.iter().zip(&families).filter_map(|(name, points)| {
         let point = points.iter().min_by(|a, b| a[0].total_cmp(&b[0]))?;
         let [error, work, time] = [0, 1, 2].map(|k| significant(point[k], 2));
@@ -98,7 +106,7 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         ),
         "The largest relative error in the speeds of all runs, of all three mechanisms, over the work that was done. A lower curve needs less work for the same error, and a steeper curve gains more from further work.",
     );
-    Chart::new(panels).key(key).figure(words, Series::new(columns, rows).to_decimals(DECIMALS))
+    Chart::new(panels).figure(words, Series::new(columns, rows).to_decimals(DECIMALS))
 }
 
 #[cfg(test)]

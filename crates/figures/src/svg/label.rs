@@ -33,6 +33,7 @@ pub struct Label {
     shade: Shade,
     halo: Shade,
     haloed: bool,
+    part: String,
 }
 
 impl Label {
@@ -41,9 +42,25 @@ impl Label {
         Self::words("").and_symbol(letter)
     }
 
+    /// The symbol of a part of the drawing, as [`parts::part`](crate::parts::part) names it: the two light up together.
+    pub fn part(letter: &str) -> Self {
+        Self::symbol(letter).of_part(letter)
+    }
+
+    /// Says which part of the drawing the label names.
+    pub fn of_part(mut self, letter: &str) -> Self {
+        self.part = letter.to_owned();
+        self
+    }
+
+    /// The part of the drawing that the label names.
+    pub fn names(&self) -> Option<&str> {
+        (!self.part.is_empty()).then_some(&self.part)
+    }
+
     /// A label that begins with upright text.
     pub fn words(text: &str) -> Self {
-        Self { runs: Vec::new(), shade: INK, halo: PAPER, haloed: true }.and(text)
+        Self { runs: Vec::new(), shade: INK, halo: PAPER, haloed: true, part: String::new() }.and(text)
     }
 
     /// Adds upright text; hyphens become minus signs.
@@ -68,6 +85,11 @@ impl Label {
     /// Adds a superscript; a subscript that follows stands under it.
     pub fn sup(self, index: &str) -> Self {
         self.index(Style::Superscript, index)
+    }
+
+    /// Whether a part of it stands below the line.
+    pub fn has_subscript(&self) -> bool {
+        self.runs.iter().any(|(style, _)| *style == Style::Subscript)
     }
 
     /// Adds an index. An empty one is left out: browsers ignore the shift of an empty span, and what follows would drop.
@@ -135,7 +157,7 @@ impl Label {
             "end" => x - width,
             _ => x - width / 2.0,
         };
-        let lowered = self.runs.iter().any(|(style, _)| *style == Style::Subscript);
+        let lowered = self.has_subscript();
         let below = DESCENT * TEXT_SIZE + if lowered { DROP - 2.0 } else { 0.0 };
         let raised = self.runs.iter().any(|(style, _)| *style == Style::Superscript);
         let above = if raised { RISE + ASCENT * SUBSCRIPT * TEXT_SIZE } else { ASCENT * TEXT_SIZE };
@@ -183,8 +205,10 @@ impl Label {
         } else {
             String::new()
         };
+        let part =
+            if self.part.is_empty() { String::new() } else { format!(" data-letter=\"{}\"", escape(&self.part)) };
         format!(
-            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{}\"{halo}>{spans}</text>",
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{}\"{halo}{part}>{spans}</text>",
             trimmed(x, 2),
             trimmed(base, 2),
             self.shade.0,

@@ -32,7 +32,7 @@ pub fn claims() -> Vec<Claim> {
                 let needed = needed.map_or("not rational".to_owned(), |needed| needed.to_string());
                 Finding::new(
                     holds,
-                    format!("the wheel stands still where tan² β is {found}, and the pin enters where it is {needed}"),
+                    format!("the wheel stands still where tan² φ is {found}, and the pin enters where it is {needed}"),
                 )
             })
             .by(Jet, |stated| {
@@ -44,7 +44,10 @@ pub fn claims() -> Vec<Claim> {
                 let still =
                     speeds.as_ref().is_some_and(|speeds| speeds.iter().all(|speed| *speed == Roots::integer(0)));
                 let which = if still { "zero at both, exactly" } else { "not zero" };
-                Finding::new(still, format!("power series at entry and exit, with √2 exact: ω_S is {which}"))
+                Finding::new(
+                    still,
+                    format!("power series at entry and exit, with √2 exact: the wheel's speed is {which}"),
+                )
             })
             .but_not("six slots, with the same distance"),
         STATEMENT

@@ -55,7 +55,7 @@ pub fn claims() -> Vec<Claim> {
                 })
             }),
         COSINES
-            .value("pin.angle-at-driver", "30", "°", "angle of the triangle at B, 180° − φ")
+            .value("pin.angle-at-driver", "30", "°", "angle of the triangle at B")
             .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))
             .by(Vectors, || {
                 Instant::printed().map_or(f64::NAN, |instant| {
@@ -105,7 +105,7 @@ pub fn claims() -> Vec<Claim> {
             })
             .but_not("the same formula with the last digit of the denominator one larger"),
         SINES
-            .value("pin.angle-at-pivot", "42.4", "°", "β, angle of the slot at O from the line of centres")
+            .value("pin.angle-at-pivot", "42.4", "°", "angle of the slot at O from the line of centres")
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
             .by(Vectors, || vectors(|motion| Turn { cos: motion.position.x, sin: motion.position.y }.degrees()))
             .rounded(|| {

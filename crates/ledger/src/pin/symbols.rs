@@ -4,10 +4,19 @@ use crate::Symbol;
 
 /// Each printed letter and the book's symbol. A letter that is listed twice has two meanings in the source.
 pub const SYMBOLS: &[Symbol] = &[
-    Symbol { printed: "f", ours: r"\varphi", meaning: "crank angle, from the direction OB" },
-    Symbol { printed: "b", ours: r"\beta", meaning: "angle of the slot at O" },
+    Symbol { printed: "R", ours: "R", meaning: "" },
+    Symbol { printed: "r", ours: "r", meaning: "" },
+    Symbol { printed: "l", ours: "l", meaning: "" },
+    Symbol { printed: "O, B, P", ours: "O, B, P", meaning: "axis of the wheel, axis of the driver, the pin" },
+    Symbol { printed: "P′", ours: "P'", meaning: "the point of the wheel under the pin" },
+    Symbol { printed: "f", ours: r"180^\circ + \theta", meaning: "angle of the crank, from the direction OB" },
+    Symbol { printed: "b", ours: r"|\varphi|", meaning: "angle of the slot at O" },
     Symbol { printed: "g", ours: r"\gamma", meaning: "angle between the pin's velocity and the slot" },
-    Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity, with the index of a disk (also printed V)" },
+    Symbol {
+        printed: "v",
+        ours: r"\dot\theta, \dot\varphi",
+        meaning: "angular velocity, with the index of a disk (also printed V)",
+    },
     Symbol { printed: "v", ours: r"v", meaning: "speed, with the index of a point" },
     Symbol { printed: "v", ours: r"\vec{v}", meaning: "velocity, printed upright" },
     Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow before an angle that is measured from the horizontal" },

@@ -16,7 +16,7 @@ mod quick_return;
 mod runs;
 mod solver;
 mod terminal_speed;
-mod timer;
+pub mod timer;
 mod wild;
 
 use crate::{lookup, numbers};

@@ -2,14 +2,14 @@
 
 use super::{Number, least, most};
 use crate::numbers::{fixed, signed};
-use crate::rows::{engagement, example, parameters};
+use crate::rows::{self, engagement, example, parameters};
 use crate::tables::timer::{DAY, lighter_times, oiled, settling_times};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::{Accelerations, Sensitivities};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::Hypothesis;
-use geneva_ledger::meyer::runs::choice::{strongest, weakest};
+use geneva_ledger::meyer::runs::choice::{least_braked, strongest, weakest};
+use geneva_ledger::meyer::runs::{Hypothesis, Row};
 use geneva_ledger::meyer::terms::MISSING;
 
 /// The numbers of this chapter.
@@ -21,6 +21,21 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.minutes.friction.most", || Ok(fixed(most(&frictions()?) * DAY / 6000.0, 0))),
     ("timer.power.least", || Ok(signed(-least(&frictions()?), 2))),
     ("timer.power.most", || Ok(signed(-most(&frictions()?), 2))),
+    ("timer.minutes.torque", || Ok(fixed(Sensitivities::new(&parameters(example()?)?)?.torque * DAY / 6000.0, 1))),
+    ("timer.two-thirds", || Ok(fixed(HOURS * (1.0 - (2.0_f64 / 3.0).sqrt()), 1))),
+    ("timer.brass.castor", || Ok(fixed(STEEL_ON_BRASS[0].0, 2))),
+    ("timer.brass.mineral", || Ok(fixed(STEEL_ON_BRASS[1].0, 2))),
+    ("timer.brass.dry", || Ok(fixed(STEEL_ON_BRASS[2].0, 2))),
+    ("timer.friction.least", || Ok(fixed(least(&run_with()), 2))),
+    ("timer.friction.most", || Ok(fixed(most(&run_with()), 2))),
+    ("timer.dry.least", || Ok(fixed(-most(&hours_from_mineral_oil(2)?), 1))),
+    ("timer.dry.most", || Ok(fixed(-least(&hours_from_mineral_oil(2)?), 1))),
+    ("timer.castor.least", || Ok(fixed(least(&hours_from_mineral_oil(0)?), 1))),
+    ("timer.castor.most", || Ok(fixed(most(&hours_from_mineral_oil(0)?), 1))),
+    ("timer.reported.foliot", || Ok(REPORTED[0].to_owned())),
+    ("timer.reported.verge", || Ok(REPORTED[1].to_owned())),
+    ("timer.reported.pendulum", || Ok(REPORTED[2].to_owned())),
+    ("timer.reported.lever", || Ok(REPORTED[3].to_owned())),
     ("timer.oil.least", || Ok(fixed(100.0 * (least(&oil()?) - 1.0), 0))),
     ("timer.oil.most", || Ok(per_cent(most(&oil()?)))),
     ("timer.settling.least", || Ok(fixed(1e3 * least(&settling_times()?), 0))),
@@ -41,6 +56,45 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.average.least", || Ok(fixed(least(&averages()?), 1))),
     ("timer.average.most", || Ok(fixed(most(&averages()?), 1))),
 ];
+
+/// Friction at which the plot over the friction is set right: one that the thesis ran with all three mechanisms.
+pub const SET: f64 = 0.25;
+
+/// Static coefficients of friction of steel on brass, from the CRC Handbook as E. Hahn quotes it for watchmakers
+/// (Coefficients of Friction for Various Horological Materials, TimeZone, 31 January 2000,
+/// people.timezone.com/library/tmachine/tmachine631687701628067249).
+pub const STEEL_ON_BRASS: [(f64, &str); 3] = [(0.11, "castor oil"), (0.19, "mineral oil"), (0.35, "dry")];
+
+/// What is reported of other timekeepers: verge and foliot (Wikipedia, Verge escapement); clocks and watches about 1600
+/// (Canter, Worn & Wound); the factor that the pendulum gained (Blumenthal and Nosonovsky 2020); the mean daily rate of a
+/// chronometer (ISO 3159).
+const REPORTED: [&str; 4] = [
+    "1 to 2 hours by some estimates, minutes in modern experiments with carefully kept clocks",
+    "15 to 30 minutes",
+    "30",
+    "−4 to +6 seconds",
+];
+
+/// Hours of a day.
+const HOURS: f64 = 24.0;
+
+/// The frictions of the runs.
+fn run_with() -> Vec<f64> {
+    weakest().map(Row::friction).collect()
+}
+
+/// The hours that each mechanism, set right with mineral oil, gains in a day with another of the frictions of steel on brass.
+fn hours_from_mineral_oil(other: usize) -> anyhow::Result<Vec<f64>> {
+    let speed = |own: &Parameters, friction: f64| {
+        let of = Parameters::new(own.mechanism(), own.inertias(), own.torque(), friction)?;
+        Ok::<_, anyhow::Error>(Engagement::new(&of)?.steady_state()?.mean_speed)
+    };
+    let of = |mechanism| {
+        let own = parameters(rows::weakest(least_braked(mechanism))?)?;
+        Ok(HOURS * (speed(&own, STEEL_ON_BRASS[other].0)? / speed(&own, STEEL_ON_BRASS[1].0)? - 1.0))
+    };
+    Mechanism::ALL.into_iter().map(of).collect()
+}
 
 fn seconds(power: f64) -> String {
     format!("{}&nbsp;s", fixed(DAY * power / 100.0, 0))

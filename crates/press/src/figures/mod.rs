@@ -1,6 +1,7 @@
 //! The figures of the book: the ledger says for which mechanism, `geneva_figures` draws it.
 
 mod runs;
+mod timer;
 mod wild;
 
 use crate::computed::making;
@@ -40,6 +41,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("quick-return-bead", || Ok(quick_return::bead_on_a_lever())),
     ("live-polygon", || live::figure("polygon")),
     ("quick-return-turn", || of_lever(|linkage, at, drive, _| quick_return::over_a_turn(linkage, at, drive))),
+    ("wheel-choice", || Ok(stations::choice(3..=18)?)),
     ("wheel-mechanism", || Ok(stations::mechanism(&four_stations()?))),
     ("wheel-model", || Ok(stations::model(&four_stations()?, MODEL_ANGLE)?)),
     ("wheel-critical", || Ok(stations::critical_geometry(&jazar::example().context(NO_WHEEL)?))),
@@ -71,6 +73,8 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("runs-reset-angle", runs::reset_angle),
     ("runs-aliasing", runs::printed_too_seldom),
     ("runs-hypotheses", runs::hypotheses),
+    ("runs-columns", runs::columns),
+    ("runs-lags", runs::lags),
     ("runs-speeds", runs::of_fig_8),
     ("runs-four-pin", || runs::over_torque(Mechanism::FOUR_PIN)),
     ("runs-six-pin", || runs::over_torque(Mechanism::SIX_PIN)),
@@ -83,7 +87,13 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
     ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
     ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
+    ("timer-torque", || Ok(geneva_figures::timer::torque())),
+    ("timer-runaway", || Ok(geneva_figures::timer::runaway()?)),
+    ("timer-friction", timer::friction),
+    ("timer-sensitivity", timer::sensitivity),
+    ("timer-settling", timer::settling),
     ("timer-accelerations", runs::accelerations),
+    ("timer-strongest", timer::strongest),
     ("joints-contact", runs::contact),
     ("joints-losses", runs::losses),
     ("wrong-formulas", wild::formulas),

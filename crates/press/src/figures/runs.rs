@@ -9,11 +9,13 @@ use anyhow::Context;
 use geneva_dynamics::joints::{Escapement, Joints, Varied, series};
 use geneva_dynamics::steady::Engagement;
 use geneva_figures::Figure;
-use geneva_figures::runs::{self, Cell, Compared, Group, Run, Scan};
+use geneva_figures::runs::{self, Cell, Compared, Count, Group, Lag, Run, Scan};
 use geneva_figures::steady::{self, Line, Measurement};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
-use geneva_ledger::meyer::runs::{Column, EXPLAINED, Hypothesis, Row, Score, duration, interval, rows, scores};
+use geneva_ledger::meyer::runs::{
+    Column, EXPLAINED, Hypothesis, Row, Score, delay, delays, duration, interval, rows, scores,
+};
 
 /// Printed against computed numbers of all cells: of the mechanisms as they are, and of the program as listed.
 pub fn agreement() -> anyhow::Result<Figure> {
@@ -64,6 +66,24 @@ fn within_one(row: &Row, reset: f64) -> anyhow::Result<usize> {
 pub fn hypotheses() -> anyhow::Result<Figure> {
     let all = scores().iter().map(compared).collect::<anyhow::Result<Vec<_>>>()?;
     Ok(runs::deviations(&all))
+}
+
+/// How many cells of each column each of the compared hypotheses gives.
+pub fn columns() -> anyhow::Result<Figure> {
+    let count = |score: &Score| score.fits.each_ref().map(|fit| Count { exact: fit.exact, within_one: fit.within_one });
+    Ok(runs::columns(&scores().iter().map(count).collect::<Vec<_>>(), rows().len()))
+}
+
+/// How likely the tables are, over the lag of the friction's sign.
+pub fn lags() -> anyhow::Result<Figure> {
+    const MILLISECONDS: f64 = 1e3;
+    let lag = |(lag, score): &(f64, Score)| Lag {
+        lag: MILLISECONDS * lag,
+        likelihoods: score.likelihoods(),
+        peaks: score.fits[0].within_one,
+    };
+    let all: Vec<Lag> = delays().iter().map(lag).collect();
+    Ok(runs::lags(&all, MILLISECONDS * delay(), rows().len()))
 }
 
 /// The cells of the tables that a hypothesis is to explain, in units of the last printed place.

@@ -3,7 +3,8 @@
 use super::inline::badge;
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::{lookup, maths};
-use geneva_ledger::{Evidence, Judged, TOLERANCES, Verdict};
+use geneva_figures::notation::NOTATION;
+use geneva_ledger::{Evidence, Judged, Symbol, TOLERANCES, Verdict};
 
 /// The classes of verdict with their meaning and how many claims of the documents have each.
 pub fn verdicts() -> anyhow::Result<Table> {
@@ -32,11 +33,24 @@ pub fn tolerances() -> anyhow::Result<Table> {
     table("Tolerances", Cells::Words, &["Tolerance", "Relative", "Why"], rows)
 }
 
-/// The letters of a source and the book's.
+/// The letters of the triangle, which are the same in the whole book.
+pub fn notation() -> anyhow::Result<Table> {
+    let rows = NOTATION
+        .iter()
+        .map(|letter| Ok(vec![maths::formula(letter.tex, false)?, escape(letter.meaning), escape(letter.counted)]));
+    table("Letters of this book", Cells::Words, &["Letter", "What it stands for", "How it counts"], rows)
+}
+
+/// The letters of a source and the book's: first those of the triangle, in the same order for each source.
 pub fn symbols(slug: &str) -> anyhow::Result<Table> {
-    let rows = lookup::work(slug)?.symbols().iter().map(|symbol| {
-        let ours = maths::formula(symbol.ours, false)?;
-        Ok(vec![tex_or_text(symbol.printed)?, ours, escape(symbol.meaning)])
+    let symbols = lookup::work(slug)?.symbols();
+    let of_triangle = |of: &&Symbol| NOTATION.iter().find(|letter| letter.tex == of.ours);
+    let triangle = NOTATION.iter().flat_map(|letter| symbols.iter().filter(|symbol| symbol.ours == letter.tex));
+    let others = symbols.iter().filter(|symbol| of_triangle(symbol).is_none());
+    let rows = triangle.chain(others).map(|symbol| {
+        let parts = [of_triangle(&symbol).map_or("", |letter| letter.meaning), symbol.meaning];
+        let meaning = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
+        Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), tex_or_text(symbol.printed)?])
     });
-    table("Letters", Cells::Words, &["In the source", "In this book", "What it stands for"], rows)
+    table("Letters", Cells::Words, &["In this book", "What it stands for", "In the source"], rows)
 }

@@ -72,12 +72,12 @@ pub fn branches() -> anyhow::Result<Table> {
         (r"\beta", "in degrees"),
         ("v_4", "in m/s, across"),
         (r"v_\mathrm{rel}", "in m/s, along"),
-        (r"\omega_4", "in rad/s"),
+        (r"\dot\varphi", "in rad/s"),
         (r"a_4^\mathrm{n}", "in m/s², along"),
         (r"a_\mathrm{Cor}", "in m/s², across"),
         (r"a_\mathrm{rel}^\mathrm{t}", "in m/s², along"),
         (r"a_4^\mathrm{t}", "in m/s², across"),
-        (r"\alpha_4", "in rad/s²"),
+        (r"\ddot\varphi", "in rad/s²"),
     ];
     let rows = names.into_iter().enumerate().map(|(at, (symbol, unit))| {
         let mut row = vec![format!("{} {unit}", formula(symbol, false)?)];

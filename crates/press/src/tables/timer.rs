@@ -6,6 +6,7 @@ use crate::rows::{engagement, example, parameters};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
 use geneva_dynamics::{Inertias, Parameters};
+use geneva_figures::timer::Settled;
 use geneva_ledger::meyer::runs::choice::{strongest, weakest};
 use geneva_ledger::meyer::runs::{Column, Hypothesis, Row};
 
@@ -27,6 +28,16 @@ fn lighter(row: &Row, part: f64) -> anyhow::Result<(Inertias, Settling)> {
 /// How long each of the compared followers takes to settle, in seconds.
 pub fn settling_times() -> anyhow::Result<Vec<f64>> {
     PARTS.iter().map(|part| Ok(lighter(example()?, *part)?.1.time(SETTLED))).collect()
+}
+
+/// What each of the compared followers does, for a drawing.
+pub fn settled() -> anyhow::Result<Vec<Settled>> {
+    let of = |part: &f64| {
+        let found = lighter(example()?, *part)?.1;
+        let time = found.time(SETTLED);
+        Ok(Settled { part: 1.0 / part, engagements: found.engagements(SETTLED), period: found.period, time })
+    };
+    PARTS.iter().map(of).collect()
 }
 
 /// How long each of the lighter followers takes to settle over the one as run, with every mechanism and friction.

@@ -10,7 +10,6 @@ use clap::builder::styling::AnsiColor;
 /// Longest line of the text that is shown around a place, in characters.
 const WIDTH: usize = 100;
 
-#[derive(Default)]
 pub(crate) struct Text;
 
 impl Writer for Text {

@@ -141,23 +141,16 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     Kind::Operator('√')
                 } else if let Some(function) = Function::named(&word).filter(|_| word != "sec") {
                     Kind::Function(function)
-                } else if follows_unit && unit(&word).is_some() && !(PROSE.contains(&word.as_str()) && !touching) {
+                } else if follows_unit && unit(&word).is_some() && (touching || !PROSE.contains(&word.as_str())) {
                     Kind::Word(word)
-                } else if follows_number && touching && word.chars().all(|c| c.is_ascii_alphabetic()) && single {
-                    Kind::Name(word)
                 } else if single
                     && !(PROSE.contains(&word.as_str()) && next.as_ref().is_some_and(|next| next.word().is_some()))
                 {
                     Kind::Name(word)
-                } else if unit(&word).is_some() && follows_unit {
-                    Kind::Operator(';')
-                } else if next.as_ref().is_some_and(|next| next.is('=')) || calls {
+                } else if (next.as_ref().is_some_and(|next| next.is('=')) || calls) && !follows_unit {
                     Kind::Name(word)
-                } else if follows_unit {
-                    // Prose behind a result, or a unit that is not known.
-                    out.push(Token::new(Kind::Operator(';'), span));
-                    continue;
                 } else {
+                    // Prose, or a unit that is not known.
                     Kind::Operator(';')
                 };
                 out.push(Token::new(kind, span));

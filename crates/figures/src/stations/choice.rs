@@ -1,0 +1,89 @@
+//! What the number of stations decides: the times of moving and dwelling, and the size.
+
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
+use crate::svg::Label;
+use crate::theme::{DRIVER, FOLLOWER, RELATIVE, Shade};
+use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::wheel::Wheel;
+use std::f64::consts::FRAC_PI_2;
+use std::ops::RangeInclusive;
+
+/// The curves of a panel: column of the series, colour, mark, side of the name, name.
+type Curves = [(usize, Shade, Mark, f64, &'static str); 2];
+
+const TIMES: Curves =
+    [(1, DRIVER, Mark::Disc, -FRAC_PI_2, "the wheel moves"), (2, FOLLOWER, Mark::Square, 0.8, "the wheel dwells")];
+const SIZES: Curves = [
+    (3, RELATIVE, Mark::Diamond, FRAC_PI_2, "centre distance"),
+    (4, FOLLOWER, Mark::Square, -FRAC_PI_2, "wheel radius"),
+];
+
+/// The parts of a turn for which the wheel moves and dwells, and its centre distance and radius in crank radii, over the
+/// number of stations, with one pin.
+///
+/// Series: N, parts of motion and of dwell, centre distance, wheel radius.
+///
+/// # Errors
+///
+/// [`FigureError::Wheel`] for a number of stations that no wheel has.
+pub fn choice(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
+    let (first, last) = (*stations.start(), *stations.end());
+    let row = |n: u32| {
+        let wheel = Wheel::new(n)?;
+        Ok([
+            f64::from(n),
+            wheel.motion_fraction(),
+            wheel.dwell_fraction(),
+            wheel.centre_distance_ratio(),
+            wheel.wheel_radius_ratio(),
+        ])
+    };
+    let rows = stations.map(row).collect::<Result<Vec<_>, FigureError>>()?;
+    let marks = (first..=last).filter(|n| n.is_multiple_of(3)).map(f64::from);
+    let x = Axis::whole(f64::from(first) - 0.7..f64::from(last) + 0.7, marks);
+    let panel = |curves: &Curves, x: &Axis, title: &str| {
+        let values = || curves.iter().flat_map(|(column, ..)| rows.iter().map(|row| row[*column]));
+        let y = Axis::from_zero(0.0, values().fold(0.0, f64::max), 4.0).titled(Label::words(title));
+        curves.iter().fold(Panel::new(230.0, x, &y), |panel, (column, shade, mark, side, name)| {
+            let points = || rows.iter().map(|row| (row[0], row[*column]));
+            panel
+                .curve(points(), Stroke::new(*shade).wide(2.0).dashed("8 6"))
+                .marks(points(), Marker::new(*shade, *mark).class("point"))
+                .near(points().skip(rows.len() / 6), *side, Label::words(name).shade(*shade))
+        })
+    };
+    let title = Label::words("number of stations ").and_symbol("N");
+    let panels = [
+        panel(&TIMES, &x.clone().unnumbered(), "part of a turn of the driver"),
+        panel(&SIZES, &x.titled(title), "in crank radii"),
+    ];
+    let words = Words::new(
+        "wheel-choice",
+        format!("Times and sizes of wheels with {first} to {last} stations"),
+        "Two panels against the number of stations. Above, the part of a turn for which the wheel moves rises towards one \
+         half, and the part for which it dwells falls towards one half. Below, centre distance and wheel radius rise nearly in \
+         proportion to the number of stations.",
+        "What the number of stations decides, with one pin: more stations make the dwell shorter and the wheel larger for the \
+         same crank. The number of stations is an integer, so the dashed lines only join the marks.",
+    );
+    let columns = [("N", "1"), ("motion", "1"), ("dwell", "1"), ("l/r", "1"), ("wheel/r", "1")];
+    Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::{Drawing, sound};
+
+    #[test]
+    fn the_wheel_moves_for_the_rest_of_its_dwell_and_a_wheel_of_two_stations_is_refused() {
+        for stations in [3..=18, 4..=9] {
+            let figure = choice(stations.clone()).expect("wheels");
+            sound(&figure);
+            assert_eq!(Drawing::of(&figure).count("point"), 4);
+            assert_eq!(figure.series.rows.len(), stations.count());
+            assert!(figure.series.rows.iter().all(|row| (row[1] + row[2] - 1.0).abs() < 1e-12 && row[3] > row[4]));
+        }
+        assert!(choice(2..=4).is_err());
+    }
+}

@@ -1,0 +1,93 @@
+//! The escapement as a timekeeper: what changes its rate, how hard its members are driven, and a runaway escapement beside
+//! it.
+
+mod friction;
+mod runaway;
+mod sensitivity;
+mod settling;
+mod strongest;
+#[cfg(test)]
+mod tests;
+mod torque;
+
+pub use friction::friction;
+pub use runaway::runaway;
+pub use sensitivity::sensitivity;
+pub use settling::{Settled, settling};
+pub use strongest::strongest;
+pub use torque::torque;
+
+use crate::FigureError;
+use crate::chart::{Axis, Entry, of_mechanism};
+use crate::svg::Label;
+use geneva_dynamics::Parameters;
+use geneva_dynamics::existence::critical_friction;
+
+/// Hours and minutes of a day.
+const HOURS: f64 = 24.0;
+const MINUTES: f64 = 1440.0;
+/// How near to the critical friction a curve goes, as a part of it.
+const NEAREST: f64 = 0.995;
+
+/// An escapement and the frictions with which it was run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tested {
+    /// The escapement with one of the frictions.
+    pub parameters: Parameters,
+    /// The frictions, rising.
+    pub frictions: Vec<f64>,
+}
+
+impl Tested {
+    /// The escapement with another friction.
+    fn with(&self, friction: f64) -> Result<Parameters, FigureError> {
+        let of = &self.parameters;
+        Ok(Parameters::new(of.mechanism(), of.inertias(), of.torque(), friction)?)
+    }
+
+    /// So many steps of friction from one to another, or to where the escapement jams.
+    fn steps(&self, from: f64, to: f64, steps: u32) -> Result<Vec<f64>, FigureError> {
+        let critical = critical_friction(self.parameters.mechanism(), self.parameters.inertias().ratio())?.friction;
+        let end = to.min(NEAREST * critical);
+        Ok((0..=steps).map(|k| from + (end - from) * f64::from(k) / f64::from(steps)).collect())
+    }
+}
+
+/// The least and the greatest friction of all runs.
+fn frictions(all: &[Tested]) -> Result<[f64; 2], FigureError> {
+    let frictions = || all.iter().flat_map(|one| one.frictions.iter().copied());
+    let ends = [frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max)];
+    if ends[0] < ends[1] { Ok(ends) } else { Err(FigureError::Nothing) }
+}
+
+/// The axis of the frictions of all runs, with some room at both ends.
+fn axis(all: &[Tested]) -> Result<Axis, FigureError> {
+    let [least, most] = frictions(all)?;
+    let room = 0.06 * (most - least);
+    let steps = Axis::spanning(least, most, 3.0);
+    let range = least - room..most + room;
+    Ok(Axis { marks: steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
+}
+
+/// The title of an axis of frictions.
+fn of_friction() -> Label {
+    Label::words("coefficient of friction ").and_symbol("μ")
+}
+
+/// What the colours stand for: the mechanisms.
+fn key(all: &[Tested]) -> Vec<Entry> {
+    let entry = |one: &Tested| {
+        let look = of_mechanism(one.parameters.mechanism().slots());
+        Entry::both(look, Label::words(&format!("{} pins", one.parameters.mechanism().pins())).shade(look.1.shade))
+    };
+    all.iter().map(entry).collect()
+}
+
+/// The ratios of the inertias, as a caption ends.
+fn inertias(all: &[Tested]) -> String {
+    let of = |one: &Tested| {
+        let ratio = crate::number::significant(one.parameters.inertias().ratio(), 2);
+        format!("{ratio} with {} pins", one.parameters.mechanism().pins())
+    };
+    format!("Driver's moment of inertia over the follower's: {}.", all.iter().map(of).collect::<Vec<_>>().join(", "))
+}

@@ -1,0 +1,78 @@
+//! How long an escapement takes to settle, over the inertia of its follower.
+
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
+use crate::number::{significant, trimmed};
+use crate::svg::Label;
+use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
+use crate::{Figure, FigureError, Series, Words};
+
+/// What one follower does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settled {
+    /// The follower's inertia over that of the run, dimensionless.
+    pub part: f64,
+    /// Engagements until a small difference is down to one per cent, dimensionless.
+    pub engagements: f64,
+    /// Time that one engagement takes, in seconds.
+    pub period: f64,
+    /// Time until the difference is down to one per cent, in seconds.
+    pub time: f64,
+}
+
+const MILLISECONDS: f64 = 1000.0;
+
+/// Engagements to one per cent, the time of each, and their product, over the follower's inertia, on logarithmic axes.
+///
+/// `run` says which run is changed. Series: part of the inertia, engagements, period and time in milliseconds.
+///
+/// # Errors
+///
+/// [`FigureError::Nothing`] if there is no follower.
+pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
+    if all.is_empty() {
+        return Err(FigureError::Nothing);
+    }
+    let rows: Vec<[f64; 4]> =
+        all.iter().map(|one| [one.part, one.engagements, MILLISECONDS * one.period, MILLISECONDS * one.time]).collect();
+    let least = rows.iter().map(|row| row[0]).fold(1.0, f64::min);
+    let marks: Vec<f64> = rows.iter().map(|row| row[0]).collect();
+    let names =
+        rows.iter().map(|row| if row[0] < 1.0 { format!("1/{}", trimmed(1.0 / row[0], 0)) } else { "1".to_owned() });
+    let x =
+        Axis { names: names.collect(), ..Axis::new(crate::chart::Scale::Logarithmic, 0.85 * least..1.18, marks, 3) };
+    let looks = [
+        (1, "engagements to 1 %", Marker::new(FOLLOWER, Mark::Square)),
+        (2, "time of an engagement, ms", Marker::new(RELATIVE, Mark::Diamond)),
+        (3, "time to 1 %, ms", Marker::new(DRIVER, Mark::Disc)),
+    ];
+    let panels = looks.map(|(column, title, marker)| {
+        let points = || rows.iter().map(move |row| (row[0], row[column]));
+        let most = points().map(|point| point.1).fold(0.0, f64::max);
+        let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).shade(marker.shade));
+        let x = if column == 3 {
+            x.clone().titled(Label::words("follower's inertia over that of the run"))
+        } else {
+            x.clone().unnumbered()
+        };
+        Panel::new(165.0, &x, &y).curve(points(), Stroke::new(marker.shade).wide(2.0)).marks(points(), marker)
+    });
+    let times = || rows.iter().map(|row| row[3]);
+    let (quickest, slowest) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
+    let words = Words::new(
+        "timer-settling",
+        "How long the escapement takes to settle with a lighter follower",
+        format!(
+            "Three panels over the follower's inertia. From the lightest follower to that of the run the number of engagements \
+             falls, the time of each rises, and their product stays between {} and {} ms.",
+            significant(quickest, 3),
+            significant(slowest, 3)
+        ),
+        format!(
+            "A lighter follower shortens each engagement but needs more of them, so the time until a small difference of the \
+             squared speed is down to one per cent hardly changes. Shown: {run}, with the follower's inertia changed and all \
+             else kept."
+        ),
+    );
+    let columns = [("part of I_f", "1"), ("engagements", "1"), ("period", "ms"), ("time to 1 %", "ms")];
+    Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
+}

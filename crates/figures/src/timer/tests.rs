@@ -1,0 +1,118 @@
+//! What must hold of the drawings of the timer.
+
+use super::{Settled, Tested, friction, sensitivity, settling, strongest, torque};
+use crate::FigureError;
+use crate::checks::{Drawing, drawn, sound};
+use geneva_dynamics::existence::critical_friction;
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::timer::{Accelerations, Sensitivities};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
+
+fn tested() -> Vec<Tested> {
+    let of = |mechanism| {
+        let parameters = Parameters::new(mechanism, Inertias::new(3.0, 40.0).expect("sound"), 7.0, 0.2).expect("sound");
+        Tested { parameters, frictions: vec![0.1, 0.15, 0.2] }
+    };
+    Mechanism::ALL.map(of).to_vec()
+}
+
+#[test]
+fn half_the_torque_loses_the_hours_of_the_root() {
+    let figure = torque();
+    sound(&figure);
+    let rows = &figure.series.rows;
+    let (first, set) = (&rows[0], rows.iter().find(|row| row[0] == 100.0).expect("the torque at which it was set"));
+    assert!((first[1] - 24.0 * (0.5_f64.sqrt() - 1.0)).abs() < 1e-12 && first[0] == 50.0);
+    assert!(set[1..].iter().all(|gain| *gain == 0.0));
+    // The root lies between the powers of a verge with a drag, on both sides.
+    assert!(rows.iter().all(|row| (row[1] - row[2]) * (row[1] - row[3]) <= 0.0));
+    let drawing = Drawing::of(&figure);
+    assert_eq!(["root", "verge", "own-period"].map(|class| drawing.count(class)), [2, 2, 2]);
+}
+
+#[test]
+fn the_rate_falls_with_the_friction_through_the_one_at_which_it_was_set() {
+    let pairs = [(0.09, "some oil"), (0.22, "dry")];
+    let figure = friction(&tested(), 0.15, &pairs).expect("drawn");
+    sound(&figure);
+    for pair in figure.series.rows.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
+        assert!(pair[1][1] > pair[0][1] && pair[1][2] < pair[0][2], "{pair:?}");
+    }
+    for row in &figure.series.rows {
+        assert!((row[1] - 0.15) * row[2] <= 0.0, "{row:?}");
+    }
+    let drawing = Drawing::of(&figure);
+    assert_eq!(["rate", "marks", "pair"].map(|class| drawing.count(class)), [3, 3, 2]);
+    let one = tested()[0].clone();
+    let speed = |mu: f64| {
+        Engagement::new(&one.with(mu).expect("sound")).and_then(|of| of.steady_state()).expect("steady").mean_speed
+    };
+    let last =
+        figure.series.rows.iter().rfind(|row| row[0] == f64::from(one.parameters.mechanism().pins())).expect("a row");
+    assert!((last[2] - 24.0 * (speed(last[1]) / speed(0.15) - 1.0)).abs() < 1e-9);
+}
+
+#[test]
+fn a_curve_ends_before_the_escapement_jams() {
+    let all = tested();
+    let figure = friction(&all, 0.15, &[(3.0, "too much")]).expect("drawn");
+    drawn(&figure);
+    for one in &all {
+        let (pins, ratio) = (one.parameters.mechanism().pins(), one.parameters.inertias().ratio());
+        let limit = critical_friction(one.parameters.mechanism(), ratio).expect("a limit").friction;
+        let last = figure.series.rows.iter().rfind(|row| row[0] == f64::from(pins)).expect("a row")[1];
+        assert!(last < limit && last > 0.99 * limit, "{last} {limit}");
+    }
+}
+
+#[test]
+fn the_minutes_are_those_of_the_powers() {
+    let figure = sensitivity(&tested()).expect("drawn");
+    sound(&figure);
+    let one = &tested()[0];
+    let row =
+        figure.series.rows.iter().find(|row| row[0] == f64::from(one.parameters.mechanism().pins())).expect("a row");
+    let found = Sensitivities::new(&one.with(row[1]).expect("sound")).expect("steady");
+    for (minutes, power) in
+        row[2..].iter().zip([found.torque, found.friction, found.driver_inertia, found.follower_inertia])
+    {
+        assert!((minutes - 14.4 * power).abs() < 1e-9);
+    }
+    let drawing = Drawing::of(&figure);
+    assert_eq!(["gain", "of-torque", "marks"].map(|class| drawing.count(class)), [9, 1, 9]);
+}
+
+#[test]
+fn the_greatest_values_hold_for_every_torque() {
+    let figure = strongest(&tested()).expect("drawn");
+    sound(&figure);
+    let mut stronger = tested();
+    for one in &mut stronger {
+        let of = &one.parameters;
+        one.parameters =
+            Parameters::new(of.mechanism(), of.inertias(), 3.0 * of.torque(), of.friction()).expect("sound");
+    }
+    let other = strongest(&stronger).expect("drawn");
+    for (row, same) in figure.series.rows.iter().zip(&other.series.rows) {
+        assert!(row.iter().zip(same).all(|(a, b)| (a - b).abs() < 1e-6 * a.abs()), "{row:?} {same:?}");
+    }
+    let one = &tested()[1];
+    let row =
+        figure.series.rows.iter().find(|row| row[0] == f64::from(one.parameters.mechanism().pins())).expect("a row");
+    let found = Accelerations::new(&one.with(row[1]).expect("sound")).expect("steady");
+    assert!((row[5] - found.normal_moment.value.abs() / one.parameters.torque()).abs() < 1e-9);
+    assert_eq!(Drawing::of(&figure).count("greatest"), 12);
+}
+
+#[test]
+fn what_has_no_runs_is_refused_and_settling_is_drawn() {
+    for figure in [friction(&[], 0.2, &[]), sensitivity(&[]), strongest(&[])] {
+        assert_eq!(figure, Err(FigureError::Nothing));
+    }
+    let all = [1.0, 0.5, 0.25].map(|part| Settled { part, engagements: 1.0 / part, period: 0.01 * part, time: 0.01 });
+    let figure = settling(&all, "an example").expect("drawn");
+    sound(&figure);
+    assert_eq!(Drawing::of(&figure).count("marks"), 3);
+    assert_eq!(settling(&[], "nothing"), Err(FigureError::Nothing));
+}

@@ -1,0 +1,117 @@
+//! Can the whole book be printed? Looks at its one document, and has a browser print it.
+
+use crate::book_pages::{Piece, book, pages, text, within};
+use crate::browser::devtools::{Browser, Medium};
+use geneva_press::pages::{PAGES, Place};
+use geneva_press::print::{FILE, numbers};
+use serde_json::json;
+use std::collections::HashSet;
+
+/// How many sheets of A4 the book may fill.
+const SHEETS: std::ops::RangeInclusive<usize> = 100..=230;
+/// What a sheet of A4 leaves between the margins, in pixels of 1/96 inch: width, and height.
+const BETWEEN_MARGINS: [u32; 2] = [673, 986];
+
+/// The values of an attribute in the document.
+fn values<'a>(document: &'a [Piece], name: &'a str) -> impl Iterator<Item = &'a str> {
+    document.iter().filter_map(move |piece| match piece {
+        Piece::Start { attributes, .. } => attributes.get(name).map(String::as_str),
+        _ => None,
+    })
+}
+
+#[test]
+fn every_chapter_is_in_the_document_and_in_its_contents() {
+    let document = &pages()[FILE];
+    let ids: HashSet<_> = values(document, "id").collect();
+    let contents: Vec<_> = values(document, "data-page-of").collect();
+    let read = PAGES.iter().filter(|page| page.place != Place::Behind).map(|page| page.name);
+    for name in read.chain(["solver", "mimic"]) {
+        assert!(ids.contains(name) && contents.contains(&name), "{name} is not there");
+    }
+    for name in ["ledger", "coverage", "fields", "architecture"] {
+        assert!(!ids.contains(name) && !contents.contains(&name), "{name} is there");
+    }
+    // Each section of a chapter's own page has a line.
+    for (name, page) in pages().iter().filter(|(name, _)| contents.contains(&name.trim_end_matches(".html"))) {
+        for heading in within(page, "h2") {
+            let Some(Piece::Start { attributes, .. }) = heading.first() else { continue };
+            let Some(id) = attributes.get("id") else { continue };
+            let id = format!("{}--{id}", name.trim_end_matches(".html"));
+            assert!(ids.contains(&*id) && contents.contains(&&*id), "{id} has no line in the contents");
+        }
+    }
+    // Nothing is folded, and nothing is left to be pressed.
+    let is =
+        |element: &str| document.iter().any(|of| matches!(of, Piece::Start { element: name, .. } if name == element));
+    assert!(is("details") && !is("button") && !is("input") && !is("script"));
+    let closed = |of: &&Piece| matches!(of, Piece::Start { element, attributes } if element == "details" && !attributes.contains_key("open"));
+    assert_eq!(document.iter().filter(closed).count(), 0);
+}
+
+#[test]
+fn every_figure_and_table_of_a_chapter_is_in_the_document_whole() {
+    let captions = |page: &[Piece]| within(page, "figcaption").into_iter().map(text).collect::<Vec<_>>();
+    let printed = captions(&pages()[FILE]);
+    let mut count = 0;
+    for (name, page) in pages() {
+        let place = PAGES.iter().find(|page| format!("{}.html", page.name) == *name).map(|page| page.place);
+        if place.is_none_or(|place| place == Place::Behind) {
+            continue;
+        }
+        for caption in captions(page) {
+            // Behind it is the link to its numbers.
+            let (said, _) = caption.split_once("Data (CSV)").expect("a link to the numbers");
+            assert!(printed.iter().any(|of| of.trim() == said.trim()), "{name}: {said}");
+            count += 1;
+        }
+    }
+    assert!(count > 80, "{count} figures and tables");
+}
+
+#[test]
+fn a_browser_prints_it_with_the_numbers_of_the_pages_and_cuts_no_figure() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(BETWEEN_MARGINS[0], Medium::Paper);
+    browser.open(&format!("file://{}/{FILE}", book().display()));
+
+    // A figure that is higher than a page would be cut.
+    let tall = format!(
+        "[...document.querySelectorAll('main .fig')].filter(of => of.getBoundingClientRect().height > {}).map(of => of.id)",
+        BETWEEN_MARGINS[1]
+    );
+    assert_eq!(browser.evaluate(&tall), json!([]), "these figures are higher than a page");
+    let broken =
+        "[...document.querySelectorAll('main .fig')].filter(of => getComputedStyle(of).breakInside !== 'avoid').length";
+    assert_eq!(browser.evaluate(broken), json!(0), "figures that may be cut");
+    let wide = "[...document.querySelectorAll('main :is(figure, table, p, math, pre, svg)')].filter(of => of.checkVisibility() && \
+                of.getBoundingClientRect().right > innerWidth + 1).map(of => of.id || of.textContent.slice(0, 60))";
+    assert_eq!(browser.evaluate(wide), json!([]), "these reach over the margin");
+
+    // Twice: the first gives the numbers, the second has them.
+    let first = browser.print();
+    let places = numbers::places(&first).expect("the places of the contents");
+    for id in values(&pages()[FILE], "data-page-of") {
+        assert!(places.contains_key(id), "{id} is on no page");
+    }
+    let count = numbers::pages(&first).expect("pages");
+    assert!(SHEETS.contains(&count), "{count} sheets");
+    let chapters: Vec<_> = PAGES.iter().filter_map(|page| places.get(page.name)).collect();
+    assert!(chapters.is_sorted() && chapters.len() > 20, "chapters are not in their order: {chapters:?}");
+    browser.evaluate(&format!(
+        "{{ const places = {}; for (const of of document.querySelectorAll('[data-page-of]')) {{ of.textContent = \
+         places[of.dataset.pageOf] }} }}",
+        json!(places)
+    ));
+    let second = browser.print();
+    assert_eq!(numbers::places(&second).expect("places"), places, "the numbers move the pages");
+
+    // Every font is in the file: one that is not has a descriptor without a program.
+    let text = String::from_utf8_lossy(&second);
+    let fonts = text.matches("/Type /FontDescriptor").count();
+    let inside =
+        ["/FontFile2 ", "/FontFile3 ", "/FontFile "].map(|key| text.matches(key).count()).iter().sum::<usize>();
+    let drawn = text.matches("/Subtype /Type3").count();
+    assert!(fonts > 0 && inside + drawn >= fonts, "{fonts} fonts, {inside} of them inside and {drawn} drawn");
+    assert!(text.contains("/Outlines "), "no outline");
+}
