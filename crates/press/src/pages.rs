@@ -176,8 +176,9 @@ pub fn page_of_slip(slip: &Slip) -> &'static str {
 
 /// Whether a page is one to look things up in, by its name: what it says of a thing stands behind what a chapter says.
 pub fn is_looked_up(name: &str) -> bool {
-    let is_record =
-        |page: &Page| page.place == Place::Behind || [OPEN, ELSEWHERE].contains(&page.name) || !matches!(page.records, Records::None);
+    let is_record = |page: &Page| {
+        page.place == Place::Behind || [OPEN, ELSEWHERE].contains(&page.name) || !matches!(page.records, Records::None)
+    };
     PAGES.iter().any(|page| page.name == name && is_record(page))
 }
 

@@ -231,9 +231,9 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         (DatedOf(put), Some(argument)) => put(argument, page.edition),
         (Put::Figure, Some(name)) => {
             let figure = figures::by_name(name)?;
-            let svg = figure.svg.trim_end();
+            let svg = figures::on_a_page(&figure);
             let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
-            let (html, file) = here()?.framed("class=\"fig\"", &caption, svg, figure.source, csv);
+            let (html, file) = here()?.framed("class=\"fig\"", &caption, &svg, figure.source, csv);
             files.push(file);
             Ok(html)
         }

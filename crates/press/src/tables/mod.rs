@@ -1,7 +1,7 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
 mod found;
-mod joints;
+pub mod joints;
 mod locking;
 mod mimic;
 mod quick_return;
