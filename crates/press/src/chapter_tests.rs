@@ -7,6 +7,8 @@ const HEADING: &str = "## The tests behind this chapter";
 /// The page that shows the programs of all chapters, and what stands in its source where they go.
 const PAGE: &str = "tests";
 const PLACE: &str = "{{tests}}";
+/// How a sentence that begins with a number says it.
+const IN_WORDS: [&str; 10] = ["No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine"];
 
 /// Takes the programs out of a chapter, by its name and title, and leaves a link. What is taken is their section of the page.
 pub fn take(name: &str, title: &str, content: &mut String) -> String {
@@ -16,7 +18,10 @@ pub fn take(name: &str, title: &str, content: &mut String) -> String {
     let link = format!("({PAGE}.md#{name})");
     let led = match tests.matches("```rust\n").count() {
         1 => format!("A [short program]{link} checks a statement of this chapter."),
-        count => format!("[{count} short programs]{link} check statements of this chapter."),
+        count => {
+            let many = IN_WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned());
+            format!("[{many} short programs]{link} check statements of this chapter.")
+        }
     };
     let section = format!("## {} {{#{name}}}\n\n[To the chapter]({name}.md)\n\n{tests}\n\n", escape(title));
     content.replace_range(behind.., &format!("\n\n{led}\n"));
@@ -54,7 +59,7 @@ mod tests {
     fn several_programs_are_counted_and_a_chapter_without_any_stays() {
         let mut chapter = format!("# A\n\n{HEADING}\n\n{TEST}\n\n{TEST}\n");
         take("a", "A", &mut chapter);
-        assert!(chapter.ends_with("[2 short programs](tests.md#a) check statements of this chapter.\n"));
+        assert!(chapter.ends_with("[Two short programs](tests.md#a) check statements of this chapter.\n"));
         let mut other = "# B\n\nNo tests.\n".to_owned();
         assert_eq!((take("b", "B", &mut other), &*other), (String::new(), "# B\n\nNo tests.\n"));
     }
