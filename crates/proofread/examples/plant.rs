@@ -62,11 +62,20 @@ fn main() {
                     here && of.list != List::Agreeing
                 });
                 if !seen && std::env::var_os("SHOW").is_some() {
-                    let found = after.findings.iter().find(|of| of.left_span == pair.left_span && of.right_span == pair.right_span);
+                    let found = after
+                        .findings
+                        .iter()
+                        .find(|of| of.left_span == pair.left_span && of.right_span == pair.right_span);
                     let [a, b] = [pair.left.as_str(), pair.right.as_str()];
                     match found {
                         None => println!("unread: {a} = {b} -> {new}"),
-                        Some(of) => println!("{}: {a} = {b} -> {} = {} ({:?})", of.verdict.name(), of.left, of.right, of.recomputed),
+                        Some(of) => println!(
+                            "{}: {a} = {b} -> {} = {} ({:?})",
+                            of.verdict.name(),
+                            of.left,
+                            of.right,
+                            of.recomputed
+                        ),
                     }
                 }
                 counts[which][0] += 1;

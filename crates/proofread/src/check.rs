@@ -71,6 +71,9 @@ pub struct Report {
 /// Most findings that are kept of one document; the tally counts all.
 const MOST_FINDINGS: usize = 10_000;
 
+/// Most findings of one document for which a hint is searched.
+const MOST_HINTS: usize = 300;
+
 /// Recomputes every chain of numbers that a text prints.
 ///
 /// # Errors
@@ -199,7 +202,8 @@ impl Check<'_> {
         if self.report.findings.len() >= MOST_FINDINGS {
             return;
         }
-        let hint = (list == List::Numbers).then(|| hint::hint(left, right, relation)).flatten();
+        let wanted = list == List::Numbers && self.report.findings.len() < MOST_HINTS;
+        let hint = wanted.then(|| hint::hint(left, right, relation)).flatten();
         self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
     }
 }

@@ -26,7 +26,11 @@ impl List {
     pub(crate) fn of(verdict: Verdict, bound: bool) -> Self {
         match verdict {
             Verdict::Truncated | Verdict::LastDigit | Verdict::Inconsistent | Verdict::Dimensions => {
-                if bound { Self::Bindings } else { Self::Numbers }
+                if bound {
+                    Self::Bindings
+                } else {
+                    Self::Numbers
+                }
             }
             Verdict::Units if !bound => Self::Units,
             _ => Self::Agreeing,
@@ -158,7 +162,11 @@ fn recomputed(computed: &Value, printed: &Value, tokens: &[Token], judgement: &J
         text = format!("−{size}");
     }
     let unit = unit_text(tokens);
-    Some(if unit.starts_with(['°', '%']) && !unit.starts_with("°C") { text + &unit } else { format!("{text} {unit}").trim().to_owned() })
+    Some(if unit.starts_with(['°', '%']) && !unit.starts_with("°C") {
+        text + &unit
+    } else {
+        format!("{text} {unit}").trim().to_owned()
+    })
 }
 
 /// Whether the number is printed without a point.
@@ -176,7 +184,7 @@ fn digits_of(tokens: &[Token]) -> usize {
 fn power_of(tokens: &[Token]) -> Option<i32> {
     let at = tokens.iter().position(|token| token.number() == Some("10"))?;
     let Kind::Power(exponent) = &tokens.get(at + 1)?.kind else { return None };
-    crate::evaluate::plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
+    crate::atom::plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
 }
 
 /// What follows the number.

@@ -1,6 +1,7 @@
 //! Functions by name: their arguments with and without brackets, and their values on intervals.
 
-use crate::evaluate::{Cursor, Evaluator, plain_exponent};
+use crate::atom::plain_exponent;
+use crate::evaluate::{Cursor, Evaluator};
 use crate::interval::Interval;
 use crate::reading::Reading;
 use crate::token::{Function, Kind, Token};

@@ -208,7 +208,7 @@ fn nested(tokens: &[Token], at: usize, near: Near, out: &mut Vec<Edit>) {
 
 fn exponent_of(token: &Token) -> Option<i32> {
     let Kind::Power(exponent) = &token.kind else { return None };
-    let value = crate::evaluate::plain_exponent(exponent).ok()?;
+    let value = crate::atom::plain_exponent(exponent).ok()?;
     (value.fract() == 0.0 && value.abs() < 1000.0).then_some(value as i32)
 }
 
@@ -246,11 +246,7 @@ fn powers(tokens: &[Token], at: usize, out: &mut Vec<Edit>) {
         all.push(tokens[at + 1].clone());
         all.push(token.clone());
         all.extend_from_slice(&tokens[at + 2..]);
-        out.push(Edit {
-            tokens: all,
-            words: format!("the exponent {power} outside the bracket"),
-            at: token.span,
-        });
+        out.push(Edit { tokens: all, words: format!("the exponent {power} outside the bracket"), at: token.span });
     }
 }
 

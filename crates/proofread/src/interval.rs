@@ -72,7 +72,7 @@ impl Interval {
         }
     }
 
-    /// Half of the width.
+    /// Half of the width, in the interval's own unit.
     pub fn half(self) -> f64 {
         (self.high - self.low) / 2.0
     }

@@ -313,7 +313,12 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
             _ => "",
         };
         let is_word = token.word().is_some();
+        let follows_number = || {
+            let before = out.iter().rev().find(|token| !token.is_space());
+            before.is_some_and(|token| matches!(token.kind, Kind::Number(_) | Kind::Power(_)))
+        };
         let combined = match text {
+            "Ω" if !is_word && follows_number() => Some((Kind::Word("Ω".to_owned()), at, token.span)),
             "μ" | "k" | "M" | "n" | "m" | "G" | "p" | "c" => {
                 prefixed(token, text, next(if text == "μ" { 3 } else { 0 }), &out)
             }

@@ -1,5 +1,8 @@
+//! Recomputes the chains of numbers that a text prints.
+//!
 #![doc = include_str!("../README.md")]
 
+mod atom;
 mod binding;
 mod chain;
 mod check;

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 /// Recompute every chain of numbers that a text prints.
 #[derive(Parser)]
-#[command(name = "proofread", version)]
+#[command(name = "proofread", version, max_term_width = 100, after_help = cli::EXAMPLES)]
 struct Line {
     #[command(flatten)]
     arguments: cli::Arguments,

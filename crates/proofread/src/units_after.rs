@@ -1,6 +1,7 @@
 //! Units behind a number or a bracket: products and quotients of signs with exponents.
 
-use crate::evaluate::{Cursor, Evaluator, plain_exponent};
+use crate::atom::plain_exponent;
+use crate::evaluate::{Cursor, Evaluator};
 use crate::interval::Interval;
 use crate::reading::Reading;
 use crate::token::{Kind, Token};
@@ -10,6 +11,7 @@ use std::f64::consts::PI;
 
 /// What the units at a place are together.
 pub(crate) struct Units {
+    /// How many base units of the SI they are, in units of their dimension.
     pub factor: f64,
     pub dimension: Dimension,
     pub angle: Option<Angle>,

@@ -21,6 +21,19 @@ use documents::{Document, Source};
 use output::Outcome;
 use std::path::PathBuf;
 
+/// What stands under the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  proofread notes.tex chapters/
+  proofread --units --bindings=always homework.md
+  proofread --since main .
+  proofread --accept accepted.jsonl book/src
+  proofread --baseline accepted.jsonl book/src
+  proofread --format sarif book/src > proofread.sarif
+  pdftotext -layout paper.pdf - | proofread --input plain -
+
+Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
+
 /// How findings are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum Written {
@@ -294,7 +307,8 @@ impl<'a> Run<'a> {
             Names::Once => Follow::Once,
             Names::Always => Follow::Always,
         };
-        let mut report = proofread(text, format, Options { follow, agreeing: self.arguments.agreeing }).map_err(|why| why.to_string())?;
+        let mut report = proofread(text, format, Options { follow, agreeing: self.arguments.agreeing })
+            .map_err(|why| why.to_string())?;
         report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
         Ok(report)
     }

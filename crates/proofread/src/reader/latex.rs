@@ -179,9 +179,10 @@ fn macros(text: &str) -> Macros {
     }
     // What stands for itself would never end.
     out.retain(|name, of| {
-        let uses = of.body.match_indices(&format!("\\{name}")).any(|(at, found)| {
-            !of.body[at + found.len()..].starts_with(|c: char| c.is_ascii_alphabetic())
-        });
+        let uses = of
+            .body
+            .match_indices(&format!("\\{name}"))
+            .any(|(at, found)| !of.body[at + found.len()..].starts_with(|c: char| c.is_ascii_alphabetic()));
         !uses
     });
     out

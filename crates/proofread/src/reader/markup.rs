@@ -259,8 +259,9 @@ const SCOPES: [&str; 10] =
 /// Elements whose text is not prose.
 const SILENT: [&str; 5] = ["script", "style", "code", "pre", "annotation"];
 /// Elements that do not end a sentence.
-const INLINE: [&str; 16] = [
-    "emphasis", "em", "i", "b", "strong", "span", "a", "link", "term", "sub", "sup", "u", "font", "mark", "small", "br",
+const INLINE: [&str; 17] = [
+    "emphasis", "em", "i", "b", "strong", "span", "a", "link", "term", "sub", "sup", "u", "font", "mark", "small",
+    "br", "newline",
 ];
 
 /// Finds the formulas of a document in XML or HTML: MathML, and TeX between the marks that MathJax and KaTeX look for.
@@ -283,7 +284,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             let (whole, end) = element(text, &tag);
             let mut formula = Formula::new(mathml::tokens(&whole), whole.span);
             formula.scope = scopes.last().map_or(0, |(_, id)| *id);
-            formula.continues = before.is_open();
+            formula.continues = before.is_open() || before.is_enumerated(&formula);
             formula.goes_on = goes_on(&text[end..]);
             each(formula);
             before = Before { formula: true, ..Before::default() };
@@ -335,6 +336,12 @@ impl Before {
     fn prose(&mut self, text: &str) {
         let from = text.char_indices().rev().nth(60).map_or(0, |(at, _)| at);
         self.tail.push_str(&text[from..]);
+    }
+
+    /// Whether a formula behind a comma goes on with a sum that began in the formula before.
+    fn is_enumerated(&self, formula: &Formula) -> bool {
+        let first = formula.tokens.iter().find(|token| !token.is_space());
+        self.formula && self.tail.trim() == "," && first.is_some_and(|first| first.is_one_of("+-"))
     }
 
     /// Whether the formula continues what stands before it.

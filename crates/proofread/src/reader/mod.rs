@@ -8,6 +8,7 @@ mod mathml;
 mod notebook;
 mod plain;
 mod siunitx;
+mod symbols;
 mod tex;
 mod words;
 
