@@ -103,6 +103,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
         chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
         chapter(WILD, "wild", "Geneva formulas on the web, checked"),
+        chapter(WILD, "proofread", "Proofread your own text"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
             ..chapter(RECORDS, "errata", "Errata")
@@ -175,8 +176,9 @@ pub fn page_of_slip(slip: &Slip) -> &'static str {
 
 /// Whether a page is one to look things up in, by its name: what it says of a thing stands behind what a chapter says.
 pub fn is_looked_up(name: &str) -> bool {
-    let is_record =
-        |page: &Page| page.place == Place::Behind || [OPEN, ELSEWHERE].contains(&page.name) || !matches!(page.records, Records::None);
+    let is_record = |page: &Page| {
+        page.place == Place::Behind || [OPEN, ELSEWHERE].contains(&page.name) || !matches!(page.records, Records::None)
+    };
     PAGES.iter().any(|page| page.name == name && is_record(page))
 }
 
