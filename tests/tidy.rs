@@ -12,10 +12,11 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("mimic", &[]),
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
+    ("proofread", &[]),
     ("workshop", &["kinematics"]),
     ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "workshop", "live", "press"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
@@ -150,6 +151,7 @@ fn formulas_use_no_mathematics_of_the_platform() {
         "crates/ledger/src",
         "crates/figures/src",
         "crates/workshop/src",
+        "crates/proofread/src",
     ] {
         for (path, text) in crate::files(package, &[".rs"]) {
             if tests.iter().any(|name| path.ends_with(name)) || path.iter().any(|part| part == "tests") {

@@ -20,6 +20,7 @@ use geneva_kinematics::{Field, Turn};
 /// A: inertia that the driver feels, over the follower's, dimensionless: I_D / I_f + (a cos θ − 1)² / R⁴.
 ///
 /// Meyer 1973, after (1-18).
+#[inline]
 pub fn coefficient_a<S: Field>(pose: &Pose<S>, inertia_ratio: &S) -> S {
     let ratio = pose.velocity_ratio();
     inertia_ratio.clone() + ratio.clone() * ratio
@@ -28,16 +29,19 @@ pub fn coefficient_a<S: Field>(pose: &Pose<S>, inertia_ratio: &S) -> S {
 /// B: a (1 − a²) sin θ (a cos θ − 1) / R⁶, half the rate of change of A with θ, dimensionless.
 ///
 /// Meyer 1973, after (1-18).
+#[inline]
 pub fn coefficient_b<S: Field>(pose: &Pose<S>) -> S {
     pose.acceleration_ratio() * pose.velocity_ratio()
 }
 
 /// C: friction from the square of the speed, μ a² sin² θ (1 − a²) / R⁶, dimensionless. Meyer 1973, after (1-18).
+#[inline]
 pub fn coefficient_c<S: Field>(pose: &Pose<S>, friction: &S) -> S {
     friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.acceleration_ratio()
 }
 
 /// D: friction from the acceleration, μ a sin θ (a cos θ − 1) / R⁴, dimensionless. Meyer 1973, after (1-18).
+#[inline]
 pub fn coefficient_d<S: Field>(pose: &Pose<S>, friction: &S) -> S {
     friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.velocity_ratio()
 }
@@ -65,6 +69,7 @@ impl<S: Field> Coefficients<S> {
     }
 
     /// The coefficients of a pose, for I_D / I_f, μ and K / I_f.
+    #[inline]
     pub fn of_pose(pose: &Pose<S>, inertia_ratio: &S, friction: &S, drive: &S) -> Self {
         Self {
             a: coefficient_a(pose, inertia_ratio),
@@ -77,6 +82,7 @@ impl<S: Field> Coefficients<S> {
 
     /// C θ'² + D θ'', what stands between the bars, in the unit of `angular_acceleration`: its sign is that of sin θ
     /// times the follower's acceleration.
+    #[inline]
     pub fn between_the_bars(&self, speed: &S, angular_acceleration: &S) -> S {
         self.c.clone() * speed.clone() * speed.clone() + self.d.clone() * angular_acceleration.clone()
     }
@@ -93,6 +99,7 @@ impl<S: Field> Coefficients<S> {
 
     /// (E − (B + S C) θ'²) / (A + S D), the acceleration if the bars have this sign, in radians per square of the unit
     /// of time. Meyer 1973, Appendix B.
+    #[inline]
     pub fn acceleration_with(&self, speed: &S, sign: Sign) -> S {
         let both = self.b.clone() + sign.of(self.c.clone());
         (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.of(self.d.clone()))
@@ -110,6 +117,7 @@ impl<S: Field> Coefficients<S> {
 
     /// A C θ'² + D (E − B θ'²), per square of the unit of time: where A > |D|, its sign is the sign of what stands
     /// between the bars.
+    #[inline]
     pub fn sign_switching_function(&self, speed: &S) -> S {
         let square = speed.clone() * speed.clone();
         self.a.clone() * self.c.clone() * square.clone() + self.d.clone() * (self.e.clone() - self.b.clone() * square)
@@ -139,7 +147,15 @@ impl Coefficients<f64> {
         if !single {
             return Err(Error::NotUnique { a: self.a, d: self.d.abs() });
         }
+        Ok(self.with_own_sign(speed))
+    }
+
+    /// The acceleration at this speed of the driver (radians per unit of time), with the sign of the [switching
+    /// function](Self::sign_switching_function) for the bars: the unique one where A > |D|, which is not looked at, and
+    /// without a meaning elsewhere.
+    #[inline]
+    pub fn with_own_sign(&self, speed: f64) -> Acceleration {
         let sign = Sign::from_number(self.sign_switching_function(&speed));
-        Ok(Acceleration { value: self.acceleration_with(&speed, sign), sign })
+        Acceleration { value: self.acceleration_with(&speed, sign), sign }
     }
 }

@@ -19,6 +19,7 @@ pub struct Pose<S> {
 
 impl<S: Field> Pose<S> {
     /// The pose at centre distance over crank radius `ratio` and a crank angle from the line of centres.
+    #[inline]
     pub fn new(ratio: &S, crank: &Turn<S>) -> Self {
         Self {
             numerator: ratio.clone() * crank.cos.clone() - S::one(),
@@ -42,6 +43,7 @@ impl<S: Field> Pose<S> {
     }
 
     /// Angular velocity of the follower over that of the driver, dimensionless. Meyer 1973, Eq. (1-7).
+    #[inline]
     pub fn velocity_ratio(&self) -> S {
         self.numerator.clone() / self.square.clone()
     }
@@ -49,6 +51,7 @@ impl<S: Field> Pose<S> {
     /// Angular acceleration of the follower over the square of a constant speed of the driver, dimensionless.
     ///
     /// Meyer 1973, Eq. (1-8).
+    #[inline]
     pub fn acceleration_ratio(&self) -> S {
         self.cross.clone() * self.shape.clone() / self.square.clone() / self.square.clone()
     }

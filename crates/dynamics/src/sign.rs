@@ -16,6 +16,7 @@ impl Sign {
     pub const BOTH: [Self; 2] = [Self::Plus, Self::Minus];
 
     /// `value` with this sign before it, in its own unit.
+    #[inline]
     pub fn of<S: Field>(self, value: S) -> S {
         match self {
             Self::Plus => value,

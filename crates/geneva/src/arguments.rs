@@ -36,6 +36,7 @@ Examples:
   geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1:1:10 --output sweep.csv
                                                many escapements, one row each
   geneva mimic run predators                   run a deck of cards in the language of 1973
+  geneva proofread notes.tex chapters/         recompute every chain of numbers in texts of yours
   geneva book --open                           build the book and open it
   geneva completions bash                      shell completions for bash
 
@@ -188,6 +189,9 @@ Examples:
   geneva mimic run --listing-in my-copy-of-the-thesis.txt --runs appendix-e --format json"
     )]
     Mimic(MimicArguments),
+    /// Recompute every chain of numbers in texts of yours, with units and to the printed digits
+    #[command(after_help = proofread::cli::EXAMPLES)]
+    Proofread(proofread::cli::Arguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,

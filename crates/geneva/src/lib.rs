@@ -1,8 +1,8 @@
 //! The command line `geneva`: argument parsing and printing, nothing else.
 //!
 //! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel or a quick-return
-//! mechanism from the kinematics and the figures, of an escapement from the dynamics, of a deck from the language, and
-//! the book from the press. Exit
+//! mechanism from the kinematics and the figures, of an escapement from the dynamics, of a deck from the language, of a
+//! text from the proofreader, and the book from the press. Exit
 //! codes: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access.
 //!
 //! The program is [`main`]. It is a library too, so that a test can ask thousands of lines with [`answer`] without starting
@@ -27,6 +27,7 @@ mod preprocess;
 mod print;
 mod printable;
 mod progress;
+mod proofread;
 mod quick_return;
 mod signals;
 mod summary;
@@ -104,6 +105,7 @@ fn run(arguments: Arguments, streams: &mut dyn Streams) -> anyhow::Result<Outcom
             Ok(Outcome::AsRecorded)
         }
         Some(Command::Mimic(wanted)) => say(&mimic::page(&wanted.action)?, mimic::destination(&wanted.action), streams),
+        Some(Command::Proofread(wanted)) => Ok(proofread::run(&wanted, streams)),
         Some(Command::Book(wanted)) => book::run(wanted, streams),
         Some(Command::Completions { shell }) => {
             streams.print(&completions::script(shell)?)?;

@@ -65,6 +65,7 @@ pub fn pin_path<S: Field, const N: usize>(ratio: &S, crank: &Turn<Jet<S, N>>) ->
 /// Square of the pin's distance from the follower's pivot, in squared crank radii: 1 + k² − 2 k cos θ.
 ///
 /// The law of cosines in the triangle of the two axes and the pin.
+#[inline]
 pub fn slot_radius_squared<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
     S::one() + ratio.clone() * ratio.clone() - S::integer(2) * ratio.clone() * crank.cos.clone()
 }

@@ -167,7 +167,7 @@ impl Shown {
         let (kind, number, path) = (self.kind, &self.number, file.path());
         let caption = format!(
             "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
-             download>Data (CSV)</a>, made by <code>{}</code></small></figcaption>",
+             title=\"made by {}\" download>Data (CSV)</a></small></figcaption>",
             escape(source),
         );
         let inner = if kind == "Figure" { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };

@@ -19,10 +19,12 @@ pub trait Field:
 }
 
 impl Field for f64 {
+    #[inline]
     fn integer(n: i64) -> Self {
         n as f64
     }
 
+    #[inline]
     fn approximate(&self) -> f64 {
         *self
     }

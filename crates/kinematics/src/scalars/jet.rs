@@ -28,11 +28,13 @@ impl<S: Field, const N: usize> Jet<S, N> {
     }
 
     /// A series from its coefficients, lowest power first.
+    #[inline]
     pub fn from_coefficients(coefficients: [S; N]) -> Self {
         Self(coefficients)
     }
 
     /// The value, in the unit of the quantity.
+    #[inline]
     pub fn value(&self) -> S {
         self.0[0].clone()
     }
@@ -46,6 +48,7 @@ impl<S: Field, const N: usize> Jet<S, N> {
 
     /// The coefficient of a power, in the unit of the quantity over that power of the variable's; zero beyond those
     /// carried.
+    #[inline]
     pub fn coefficient(&self, power: usize) -> S {
         self.0.get(power).cloned().unwrap_or_else(S::zero)
     }

@@ -46,6 +46,7 @@ impl<S: Field> Turn<S> {
     }
 
     /// Unit vector in this direction.
+    #[inline]
     pub fn direction(&self) -> Vector2<S> {
         Vector2::new(self.cos.clone(), self.sin.clone())
     }
@@ -83,6 +84,7 @@ impl<S: Field> Turn<S> {
 
 impl Turn<f64> {
     /// The angle of `radians`; the cosine and sine come from a portable library, not from the platform's.
+    #[inline]
     pub fn from_radians(radians: f64) -> Self {
         // Both at once, to the same bits as one by one: the reduction to an eighth of the circle is made for both.
         let (sin, cos) = libm::sincos(radians);

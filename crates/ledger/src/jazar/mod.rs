@@ -245,13 +245,21 @@ fn halved(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64
 /// Enough to bring an interval around zero below what any comparison can see, and any other to neighbouring numbers.
 const HALVINGS: usize = 80;
 
+/// What is found once for each number of stations.
+type OfWheels<T> = [OnceLock<T>; *STATIONS.end() as usize + 1];
+
 /// Crank angle between entry and exit, from where the wheel of the power series is at rest.
 fn entry_crank(wheel: &Wheel) -> f64 {
-    2.0 * halved(0.0, PI / 2.0, |t| by_series(wheel, t)[1] > 0.0).0
+    static FOUND: OfWheels<f64> = [const { OnceLock::new() }; _];
+    let find = || 2.0 * halved(0.0, PI / 2.0, |t| by_series(wheel, t)[1] > 0.0).0;
+    *FOUND[wheel.stations() as usize].get_or_init(find)
 }
 
 /// Angle and size of the greatest acceleration, by halving the interval in which the third derivative changes sign.
 fn peak_by_series(wheel: &Wheel) -> (f64, f64) {
-    let (angle, _) = halved(0.0, wheel.engagement_half_angle(), |t| by_series(wheel, t)[3] < 0.0);
-    (angle, by_series(wheel, angle)[2].abs())
+    static FOUND: OfWheels<(f64, f64)> = [const { OnceLock::new() }; _];
+    *FOUND[wheel.stations() as usize].get_or_init(|| {
+        let (angle, _) = halved(0.0, wheel.engagement_half_angle(), |t| by_series(wheel, t)[3] < 0.0);
+        (angle, by_series(wheel, angle)[2].abs())
+    })
 }

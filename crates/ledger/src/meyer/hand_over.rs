@@ -309,7 +309,8 @@ fn has_terminal_speed(pair: &Newton, half: f64, gap: f64) -> bool {
     const STEPS: u32 = 60;
     // A torque of the follower's inertia: speeds are then of the size of one.
     let between = 2.0 * pair.follower * gap / pair.driver;
-    let end = |square: f64| pair.engagement(half, square, &|_| pair.follower, STEPS).map_or(f64::NAN, |to| to.end);
+    let engagements = pair.engagements(half, STEPS);
+    let end = |square: f64| engagements.passage(square, &|_| pair.follower).map_or(f64::NAN, |to| to.end);
     let next = |square: f64| end(square) + between;
     let mut fixed = next(0.0);
     for _ in 0..40 {

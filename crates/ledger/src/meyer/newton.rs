@@ -3,10 +3,8 @@
 //! Places and velocities are vectors, the forces in the slot follow from what the follower's acceleration asks for.
 //! Nothing here is a display of the source or a formula of the other crates: it is a second route to the motion.
 
+use super::runs::steps::step;
 use super::*;
-use geneva_mimic::runge_kutta_step;
-use nalgebra::Vector1;
-use std::convert::Infallible;
 
 /// A driver and a follower with a thin pin in a slot between them.
 #[derive(Clone, Copy)]
@@ -44,6 +42,52 @@ impl InSlot {
     }
 }
 
+/// Everything at one angle that speed and torque do not change.
+struct Instant {
+    /// Angle turned in the engagement.
+    turned: f64,
+    /// Distance of the pin from the follower's axis.
+    out: f64,
+    /// What the motion asks of the follower across the slot, centripetal and Coriolis, for a driver of angular velocity
+    /// one.
+    asked: f64,
+    /// Moment of inertia of the follower.
+    follower: f64,
+    /// Force across the slot that the follower asks for per acceleration of the driver.
+    per_gain: f64,
+    /// For the two flanks of the slot, as the force across it is positive or negative.
+    flanks: [Flank; 2],
+}
+
+/// A flank of the slot at one angle.
+struct Flank {
+    /// 1 or −1.
+    side: f64,
+    /// Moment about the driver's axis of a unit force across the slot, with its friction along it.
+    arm: f64,
+    /// Moment of inertia that the driver feels.
+    inertia: f64,
+}
+
+impl Instant {
+    /// The driver's angular acceleration under a torque; none if no force in the slot, or more than one, agrees with
+    /// it.
+    fn acceleration(&self, speed: f64, torque: f64) -> Option<f64> {
+        // The follower's acceleration is a part of the driver's and what the motion asks for.
+        let at_rest = self.follower * (self.asked * (speed * speed) / self.out) / self.out;
+        let fits = |Flank { side, arm, inertia }: &Flank| {
+            let angular_acceleration = (torque - at_rest * arm) / inertia;
+            let presses = side * (at_rest + self.per_gain * angular_acceleration) >= 0.0;
+            (*inertia > 0.0 && presses).then_some(angular_acceleration)
+        };
+        match (fits(&self.flanks[0]), fits(&self.flanks[1])) {
+            (Some(angular_acceleration), None) | (None, Some(angular_acceleration)) => Some(angular_acceleration),
+            (Some(one), Some(other)) => (one == other).then_some(one),
+            (None, None) => None,
+        }
+    }
+}
+
 /// The result of an engagement.
 #[derive(Clone, Copy)]
 pub struct Passage {
@@ -51,6 +95,15 @@ pub struct Passage {
     pub end: f64,
     /// Duration of the engagement.
     pub duration: f64,
+}
+
+/// The engagements of a driver and a follower from minus an angle to plus it, in equal steps.
+pub struct Engagements {
+    step: f64,
+    /// The angles at the ends of the steps, and the mechanism there and in the middle of each step.
+    angles: Vec<f64>,
+    ends: Vec<Instant>,
+    middles: Vec<Instant>,
 }
 
 impl Newton {
@@ -63,45 +116,51 @@ impl Newton {
         InSlot { pin, along, across: quarter_turn(&along), out: place.norm(), velocity }
     }
 
-    /// The driver's angular acceleration under a torque; none if no force in the slot, or more than one, agrees with
-    /// it.
-    pub fn acceleration(&self, angle: f64, speed: f64, torque: f64) -> Option<f64> {
+    fn instant(&self, angle: f64, turned: f64) -> Instant {
         let at = self.in_slot(angle);
-        let (turning, sliding, square) = (at.turning(), at.sliding(), speed * speed);
-        // The follower's acceleration is a part of the driver's and what the motion asks for: centripetal and Coriolis.
-        let carried = (at.across.dot(&-at.pin) - 2.0 * sliding * turning) * square / at.out;
-        let [per_gain, at_rest] = [turning, carried].map(|part| self.follower * part / at.out);
-        let fits = |side: f64| {
+        let (turning, sliding) = (at.turning(), at.sliding());
+        let per_gain = self.follower * turning / at.out;
+        let flank = |side: f64| {
             // Force across the slot with this sign, and friction along it against the sliding.
             let force = at.across + at.along * (self.friction * side * sliding.signum());
             let arm = at.pin.perp(&force);
-            let inertia = self.driver + per_gain * arm;
-            let angular_acceleration = (torque - at_rest * arm) / inertia;
-            (inertia > 0.0 && side * (at_rest + per_gain * angular_acceleration) >= 0.0).then_some(angular_acceleration)
+            Flank { side, arm, inertia: self.driver + per_gain * arm }
         };
-        match (fits(1.0), fits(-1.0)) {
-            (Some(angular_acceleration), None) | (None, Some(angular_acceleration)) => Some(angular_acceleration),
-            (Some(one), Some(other)) => (one == other).then_some(one),
-            (None, None) => None,
+        Instant {
+            turned,
+            out: at.out,
+            asked: at.across.dot(&-at.pin) - 2.0 * sliding * turning,
+            follower: self.follower,
+            per_gain,
+            flanks: [1.0, -1.0].map(flank),
         }
     }
 
-    /// An engagement from minus this angle to plus it, from a square of the speed at entry, in equal steps; none if the
-    /// driver does not come through. The torque may depend on the angle turned in the engagement.
-    pub fn engagement(&self, half: f64, entry: f64, torque: &dyn Fn(f64) -> f64, steps: u32) -> Option<Passage> {
+    /// The engagements from minus this angle to plus it, in so many steps.
+    pub fn engagements(&self, half: f64, steps: u32) -> Engagements {
         let step = 2.0 * half / f64::from(steps);
-        let slope = |angle: f64, square: f64| {
-            let angular_acceleration = self.acceleration(angle, square.max(0.0).sqrt(), torque(angle + half));
-            Vector1::new(2.0 * angular_acceleration.unwrap_or(f64::NAN))
+        let angles: Vec<f64> = (0..=steps).map(|k| step * f64::from(k) - half).collect();
+        let instant = |angle: f64| self.instant(angle, angle + half);
+        let ends = angles.iter().map(|angle| instant(*angle)).collect();
+        let middles = angles.windows(2).map(|pair| instant(pair[0] + (pair[1] - pair[0]) / 2.0)).collect();
+        Engagements { step, angles, ends, middles }
+    }
+}
+
+impl Engagements {
+    /// The engagement with this square of the speed at entry; none if the driver does not come through. The torque may
+    /// depend on the angle turned in the engagement.
+    pub fn passage(&self, entry: f64, torque: &dyn Fn(f64) -> f64) -> Option<Passage> {
+        let slope = |at: &Instant, square: f64| {
+            let angular_acceleration = at.acceleration(square.max(0.0).sqrt(), torque(at.turned));
+            2.0 * angular_acceleration.unwrap_or(f64::NAN)
         };
         let (mut square, mut duration) = (entry, 0.0);
-        for k in 0..steps {
-            let [from, to] = [k, k + 1].map(|k| step * f64::from(k) - half);
-            let rate = |angle: f64, state: &Vector1<f64>| Ok::<_, Infallible>(slope(angle, state[0]));
-            let Ok(next) = runge_kutta_step(rate, from, to, &Vector1::new(square), &slope(from, square));
+        for ((angles, ends), middle) in self.angles.windows(2).zip(self.ends.windows(2)).zip(&self.middles) {
+            let next = step(angles[1] - angles[0], square, [&ends[0], middle, &ends[1]], slope);
             // Exact where the square of the speed is linear in the angle.
-            duration += 2.0 * step / (square.sqrt() + next[0].sqrt());
-            square = next[0];
+            duration += 2.0 * self.step / (square.sqrt() + next.sqrt());
+            square = next;
         }
         duration.is_finite().then_some(Passage { end: square, duration })
     }

@@ -118,7 +118,8 @@ fn count_that_matter(stated: Stated, quantities: &[Quantity]) -> Finding {
         };
         let half = at.engagement_half_angle() * times(Quantity::EntryAngle);
         let torque = 0.5 * times(Quantity::Torque);
-        let passages = [0.0, 0.25, 0.5, 1.0, 2.0].map(|entry| pair.engagement(half, entry, &|_| torque, 100));
+        let engagements = pair.engagements(half, 100);
+        let passages = [0.0, 0.25, 0.5, 1.0, 2.0].map(|entry| engagements.passage(entry, &|_| torque));
         passages
             .into_iter()
             .flat_map(|of| of.map_or([f64::NAN; 2], |passage| [passage.end, passage.duration]))

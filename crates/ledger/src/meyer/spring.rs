@@ -59,9 +59,9 @@ pub fn torque_per_radian(
 fn gives_the_periods(stated: Stated) -> Finding {
     static BOTH: OnceLock<[(usize, usize); 2]> = OnceLock::new();
     let both = BOTH.get_or_init(|| {
-        [0.0, 1.0].map(|power| {
+        [false, true].map(|is_rate| {
             let own = || rows().iter().filter(|row| row.mechanism == Mechanism::FOUR_PIN);
-            (own().filter(|row| has_its_period(row, power).unwrap_or(false)).count(), own().count())
+            (own().filter(|row| has_its_period(row, is_rate).unwrap_or(false)).count(), own().count())
         })
     });
     let (near, all) = stated.pick(both[0], both[1]);
@@ -77,9 +77,9 @@ fn gives_the_periods(stated: Stated) -> Finding {
 
 const ENGAGEMENTS: u32 = 20;
 
-/// Whether the last engagement takes the printed time, to a unit of its last place, if the torque is K times a power of
+/// Whether the last engagement takes the printed time, to a unit of its last place, if the torque is K, or K times
 /// the angle that the driver has turned.
-fn has_its_period(row: &Row, power: f64) -> Option<bool> {
+fn has_its_period(row: &Row, is_rate: bool) -> Option<bool> {
     const STEPS: u32 = 300;
     let at = Hypothesis::IDEAL.parameters(row)?;
     let (half, inertias) = (at.mechanism().engagement_half_angle(), at.inertias());
@@ -90,12 +90,13 @@ fn has_its_period(row: &Row, power: f64) -> Option<bool> {
         driver: inertias.driver(),
         follower: inertias.follower(),
     };
+    let engagements = pair.engagements(half, STEPS);
     let mut last = None;
     for engagement in 0..ENGAGEMENTS {
         let before = 2.0 * half * f64::from(engagement);
-        let torque = |turned: f64| at.torque() * libm::pow(before + turned, power);
+        let torque = |turned: f64| at.torque() * if is_rate { before + turned } else { 1.0 };
         let entry = last.map_or(0.0, |passage: newton::Passage| passage.end);
-        last = Some(pair.engagement(half, entry, &torque, STEPS)?);
+        last = Some(engagements.passage(entry, &torque)?);
     }
     Some((last?.duration - row.number(Column::Period)).abs() <= 1e-3)
 }

@@ -143,7 +143,8 @@ pub fn from_speed(row: &Row, friction: f64, speed: f64) -> Vec<(f64, f64)> {
         driver: inertias.driver(),
         follower: inertias.follower(),
     };
-    let next = |entry: f64| pair.engagement(half, entry, &|_| at.torque(), STEPS);
+    let engagements = pair.engagements(half, STEPS);
+    let next = |entry: f64| engagements.passage(entry, &|_| at.torque());
     let passages = std::iter::successors(next(speed * speed), |before| next(before.end));
     passages.take(ENGAGEMENTS).map(|passage| (passage.duration, passage.end.sqrt())).collect()
 }

@@ -3,8 +3,8 @@
 use super::*;
 use crate::Evidence::Program as ByProgram;
 use crate::meyer::runs::choice::weakest;
-use crate::meyer::runs::{Constants, Hypothesis, Row, deck, duration, interval, rows, usual};
-use geneva_dynamics::program::Line;
+use crate::meyer::runs::{Constants, Hypothesis, Row, deck, duration, interval, printouts, rows, usual};
+use geneva_dynamics::program::{Line, Printout};
 use geneva_dynamics::steady::Printed;
 use geneva_mimic::Work;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
@@ -42,15 +42,14 @@ fn columns() -> Vec<Claim> {
 /// The five printed quantities of a line, in the order of the columns, and the driver's angle.
 type Columns = ([f64; 5], f64);
 
-/// The lines of all rows by the program, run once; none for a row of which there is no run.
+/// The lines of all rows by the program; none for a row of which there is no run.
 fn by_program() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of = |line: &Line| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
-    let run = |row: &Row| {
-        let lines = Hypothesis::as_run().program(row)?.run(&usual()).ok()?.lines;
-        Some(lines.iter().map(of).collect())
-    };
-    RUNS.get_or_init(|| rows().iter().map(run).collect())
+    RUNS.get_or_init(|| {
+        let columns = |printout: &Printout| printout.lines.iter().map(of).collect();
+        printouts().iter().map(|printout| printout.as_ref().map(columns)).collect()
+    })
 }
 
 /// The time of the last line of the first run by the program, if runs end at this time, in s.

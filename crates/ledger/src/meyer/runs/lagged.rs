@@ -92,21 +92,23 @@ impl Card {
 
     /// The driver's acceleration if the pin is believed to press on this flank (1 or −1).
     fn acceleration(&self, state: &State, flank: f64) -> f64 {
-        let pin = Pin::at(self.ratio, state.angle);
+        self.acceleration_at(&Pin::at(self.ratio, state.angle), state.speed, flank)
+    }
+
+    fn acceleration_at(&self, pin: &Pin, speed: f64, flank: f64) -> f64 {
         let [driver, follower] = self.inertias;
         // Force on the follower: N across the slot, μ|N| along it as the pin slides; N R turns the follower.
         let lever = follower / pin.radius * (pin.moments[0] + self.friction * flank * pin.sliding * pin.moments[1]);
-        (self.torque - lever * pin.change * state.speed * state.speed) / (driver + lever * pin.turning)
+        (self.torque - lever * pin.change * speed * speed) / (driver + lever * pin.turning)
     }
 
     /// On which flank the pin presses by the acceleration of a moment before.
-    fn flank(&self, state: &State, before: f64) -> f64 {
-        let pin = Pin::at(self.ratio, state.angle);
-        (pin.turning * before + pin.change * state.speed * state.speed).signum()
+    fn flank(pin: &Pin, speed: f64, before: f64) -> f64 {
+        (pin.turning * before + pin.change * speed * speed).signum()
     }
 
-    /// A step of the classical Runge and Kutta.
-    fn step(&self, from: &State, length: f64, flank: f64) -> State {
+    /// A step of the classical Runge and Kutta, from an acceleration that is known.
+    fn step(&self, from: &State, known: f64, length: f64, flank: f64) -> State {
         let ahead = |part: f64, speed: f64, angular_acceleration: f64| State {
             time: from.time + part,
             angle: from.angle + part * speed,
@@ -114,7 +116,7 @@ impl Card {
         };
         let slope = |state: &State| (state.speed, self.acceleration(state, flank));
         let half = length / 2.0;
-        let first = slope(from);
+        let first = (from.speed, known);
         let second = slope(&ahead(half, first.0, first.1));
         let third = slope(&ahead(half, second.0, second.1));
         let last = slope(&ahead(length, third.0, third.1));
@@ -171,7 +173,8 @@ fn run(card: &Card, interval: f64, duration: f64) -> Option<Lagged> {
     let mut state = State { time: 0.0, angle: card.start, speed: 0.0 };
     // At rest the friction opposes the driver.
     let mut flank = Pin::at(card.ratio, card.start).turning.signum();
-    let mut history = History { kept: vec![(0.0, card.acceleration(&state, flank))], near: 0 };
+    let mut before = card.acceleration(&state, flank);
+    let mut history = History { kept: vec![(0.0, before)], near: 0 };
     let (mut peak, mut first_minimum) = (0.0_f64, None);
     let (mut entered, mut least, mut whole) = (0.0, f64::INFINITY, None);
     let mut at = 1_u32;
@@ -180,27 +183,27 @@ fn run(card: &Card, interval: f64, duration: f64) -> Option<Lagged> {
         if end > duration * (1.0 + 1e-12) {
             break;
         }
-        let before = card.acceleration(&state, flank);
         let reached = |history: &mut History, length: f64| {
-            let next = card.step(&state, length, flank);
+            let next = card.step(&state, before, length, flank);
             let old = history.at(next.time - card.delay);
             let over = next.angle - card.start >= card.reset;
-            (next, over, card.flank(&next, old) != flank && next.time > card.delay)
+            let pin = Pin::at(card.ratio, next.angle);
+            (next, over, Card::flank(&pin, next.speed, old) != flank && next.time > card.delay, pin)
         };
         let length = end - state.time;
-        let (mut next, mut over, mut changes) = reached(&mut history, length);
+        let (mut next, mut over, mut changes, mut pin) = reached(&mut history, length);
         if over || changes {
             let (mut low, mut high) = (0.0, length);
             for _ in 0..HALVINGS {
                 let middle = f64::midpoint(low, high);
-                let (_, over, changes) = reached(&mut history, middle);
+                let (_, over, changes, _) = reached(&mut history, middle);
                 *(if over || changes { &mut high } else { &mut low }) = middle;
             }
-            (next, over, changes) = reached(&mut history, high);
+            (next, over, changes, pin) = reached(&mut history, high);
         } else {
             next.time = end;
         }
-        let after = card.acceleration(&next, flank);
+        let mut after = card.acceleration_at(&pin, next.speed, flank);
         history.kept.push((next.time, after));
         if before < 0.0 && after >= 0.0 {
             let part = before / (before - after);
@@ -218,9 +221,10 @@ fn run(card: &Card, interval: f64, duration: f64) -> Option<Lagged> {
             flank = -flank;
         }
         if over || changes {
-            history.kept.push((next.time, card.acceleration(&next, flank)));
+            after = card.acceleration(&next, flank);
+            history.kept.push((next.time, after));
         }
-        state = next;
+        (state, before) = (next, after);
         if state.time >= end {
             if at.is_multiple_of(STEPS) {
                 peak = peak.max(state.speed);

@@ -34,7 +34,7 @@ pub use headings::{of_figures, of_headings};
 pub use hypotheses::{EXPLAINED, Score, delays, scores};
 pub use lagged::Lagged;
 pub use motion::{
-    Constants, Hypothesis, Reading, Reset, Run, SixPin, delay, duration, fitting_interval, interval, usual,
+    Constants, Hypothesis, Reading, Reset, Run, SixPin, delay, duration, fitting_interval, interval, printouts, usual,
 };
 pub use scores::{Fit, within_one};
 pub use table::{Column, Row, rows, series, slug};

@@ -3,11 +3,8 @@
 //! u = θ'² as a function of the angle has twice the acceleration for its derivative.
 
 use super::*;
-use geneva_dynamics::{Coefficients, Pose, Sign};
-use geneva_mimic::runge_kutta_step;
-use nalgebra::Vector1;
+use geneva_dynamics::{Coefficients, Pose};
 use std::collections::HashMap;
-use std::convert::Infallible;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// The driver's angles that steps lead to, with the factors of the equation of motion at each and in the middle between
@@ -81,23 +78,27 @@ impl Course {
         squares.push(first);
         let mut state = first;
         for ((angles, ends), middle) in self.angles.windows(2).zip(self.ends.windows(2)).zip(&self.middles) {
-            let rate = |angle: f64, state: &Vector1<f64>| -> Result<_, Infallible> {
-                let terms = if angle == angles[1] { &ends[1] } else { middle };
-                Ok(Vector1::new(slope(terms, state[0])))
-            };
-            let first = Vector1::new(slope(&ends[0], state));
-            let Ok(next) = runge_kutta_step(rate, angles[0], angles[1], &Vector1::new(state), &first);
-            state = next[0];
+            state = step(angles[1] - angles[0], state, [&ends[0], middle, &ends[1]], slope);
             squares.push(state);
         }
         squares
     }
 }
 
+/// A number at the end of a step of this length, by the classical Runge-Kutta method, from its value at the start and its
+/// slope, which the places at the start, in the middle and at the end tell for each value.
+pub fn step<P>(length: f64, start: f64, [first, middle, last]: [&P; 3], slope: impl Fn(&P, f64) -> f64) -> f64 {
+    let half = length / 2.0;
+    let one = slope(first, start);
+    let two = slope(middle, start + one * half);
+    let three = slope(middle, start + two * half);
+    let four = slope(last, start + three * length);
+    start + (one + two * 2.0 + three * 2.0 + four) * (length / 6.0)
+}
+
 /// du/dθ.
 fn slope(terms: &Coefficients<f64>, square: f64) -> f64 {
-    let speed = square.max(0.0).sqrt();
-    2.0 * terms.acceleration_with(&speed, Sign::from_number(terms.sign_switching_function(&speed)))
+    2.0 * terms.with_own_sign(square.max(0.0).sqrt()).value
 }
 
 /// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one;

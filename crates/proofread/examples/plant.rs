@@ -1,0 +1,89 @@
+//! Plants errors of one digit in documents and counts how many are noticed: `plant FILE…`.
+//!
+//! Each pair of sides that agrees is tried twice: once with one digit of its result changed, once with one digit of an
+//! operand. The digit is changed in the text itself, so the readers are tried, too.
+
+use proofread::{Follow, Format, List, Options, Span, proofread};
+
+/// Numbers that look random and are the same each time.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % n.max(1)
+    }
+}
+
+/// The digits of a stretch of text that are not inside a tag or a command, nor an exponent of TeX.
+fn digits(text: &str, span: Span) -> Vec<usize> {
+    let (mut inside, mut out) = (false, Vec::new());
+    for (at, c) in text[span.range()].char_indices() {
+        match c {
+            '<' => inside = true,
+            '>' => inside = false,
+            c if c.is_ascii_digit() && !inside => out.push(span.start as usize + at),
+            _ => {}
+        }
+    }
+    out
+}
+
+fn main() {
+    let options = Options { follow: Follow::Never, agreeing: true };
+    let mut dice = Dice(11);
+    let mut counts = [[0usize; 2]; 2];
+    for path in std::env::args().skip(1) {
+        let Ok(text) = std::fs::read_to_string(&path) else { continue };
+        let Some(format) = path.rsplit('.').next().and_then(Format::of_extension) else { continue };
+        let Ok(report) = proofread(&text, format, options) else { continue };
+        for pair in report.findings.iter().filter(|pair| pair.list == List::Agreeing) {
+            for (which, side) in [(0, pair.right_span), (1, pair.left_span)] {
+                let is_result = pair.at == side;
+                if which == usize::from(is_result) {
+                    continue;
+                }
+                let places = digits(&text, side);
+                if places.is_empty() {
+                    continue;
+                }
+                let at = places[dice.below(places.len())];
+                let old = text.as_bytes()[at] - b'0';
+                let leading = !text[..at].ends_with(|c: char| c.is_ascii_digit() || c == '.');
+                let new = (old + 1 + dice.below(9) as u8) % 10;
+                if leading && new == 0 {
+                    continue;
+                }
+                let mut changed = text.clone();
+                changed.replace_range(at..=at, &new.to_string());
+                let Ok(after) = proofread(&changed, format, options) else { continue };
+                let seen = after.findings.iter().any(|of| {
+                    let here = of.left_span == pair.left_span && of.right_span == pair.right_span;
+                    here && of.list != List::Agreeing
+                });
+                if !seen && std::env::var_os("SHOW").is_some() {
+                    let found = after
+                        .findings
+                        .iter()
+                        .find(|of| of.left_span == pair.left_span && of.right_span == pair.right_span);
+                    let [a, b] = [pair.left.as_str(), pair.right.as_str()];
+                    match found {
+                        None => println!("unread: {a} = {b} -> {new}"),
+                        Some(of) => println!(
+                            "{}: {a} = {b} -> {} = {} ({:?})",
+                            of.verdict.name(),
+                            of.left,
+                            of.right,
+                            of.recomputed
+                        ),
+                    }
+                }
+                counts[which][0] += 1;
+                counts[which][1] += usize::from(seen);
+            }
+        }
+    }
+    for (name, [tried, seen]) in ["results", "operands"].iter().zip(counts) {
+        println!("{name}: {seen} of {tried} noticed ({:.1} %)", 100.0 * seen as f64 / tried.max(1) as f64);
+    }
+}

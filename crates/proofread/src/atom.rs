@@ -1,0 +1,184 @@
+//! What an expression is made of: printed numbers, letters with values, and units alone.
+
+use crate::evaluate::{Cursor, Evaluator};
+use crate::interval::Interval;
+use crate::printed::{Mode, Printed, power_of_ten};
+use crate::reading::Reading;
+use crate::token::{Kind, Token};
+use crate::unit::{is_ambiguous, unit};
+use crate::value::{Evaluated, Literal, Obstacle, Value};
+
+impl Evaluator<'_> {
+    /// A printed number with its power of ten and its unit.
+    pub fn number(&mut self, text: &str, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        cursor.at += 1;
+        let unreadable = Obstacle::Unclear("a number with too many digits");
+        let mut printed = Printed::read(text).ok_or(unreadable)?;
+        let mut scale = None;
+        let (next, at) = cursor.look(cursor.at);
+        if let Some(power) = next.and_then(Token::word).and_then(large_number) {
+            cursor.at = at + 1;
+            scale = Some(power);
+        }
+        let (next, at) = cursor.look(cursor.at);
+        if scale.is_none() && next.is_some_and(|token| token.is_one_of("×·*")) {
+            let (ten, ten_at) = cursor.look(at + 1);
+            if ten.and_then(Token::number) == Some("10")
+                && let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.tokens.get(ten_at + 1)
+                && let Ok(power) = plain_exponent(exponent)
+            {
+                scale = Some(power);
+                cursor.at = ten_at + 2;
+            }
+        } else if text == "10"
+            && let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here()
+            && let Some(power) = plain_exponent(exponent).ok().filter(|power| power.fract() == 0.0)
+        {
+            printed = Printed::read("1").ok_or(Obstacle::NoNumber)?;
+            scale = Some(power);
+            cursor.at += 1;
+        }
+        if scale.is_none() && cursor.here().is_some_and(|token| matches!(token.kind, Kind::Power(_)) || token.is('!')) {
+            let half = if printed.decimals.is_some() { printed.open(self.mode, false).0 } else { 0.0 };
+            let value = self.followed(Value::of(Interval::around(printed.value, half)), cursor)?;
+            return self.with_unit(value, cursor, false);
+        }
+        let (half, _) = printed.open(self.mode, scale.is_some());
+        let power_alone = text == "10" && scale.is_some() && printed.value == 1.0;
+        let half = if power_alone && self.mode != Mode::Result { 0.0 } else { half };
+        let factor = power_of_ten(scale.unwrap_or(0.0));
+        let exact = Interval::around(printed.value, half).scaled(factor);
+        if !exact.is_finite() {
+            return Err(Obstacle::Unclear("a number beyond all bounds"));
+        }
+        let mut value = Value::of(exact);
+        value.literal = Literal::Number;
+        let (next, at) = cursor.look(cursor.at);
+        if let Some(Token { kind: Kind::Fraction(above, below), .. }) = next
+            && at <= cursor.at + 1
+            && scale.is_none()
+            && let (Some(above), Some(below)) = (small(above), small(below))
+            && above < below
+        {
+            self.noticed.note(Reading::MIXED);
+            if self.chosen(Reading::MIXED) {
+                cursor.at = at + 1;
+                let mut mixed = Value::of(Interval::exact(printed.value + above / below));
+                mixed.operations = 1;
+                return self.with_unit(mixed, cursor, false);
+            }
+        }
+        self.with_unit(value, cursor, true)
+    }
+
+    /// A letter with a value, π, a power of e, or a unit alone.
+    pub fn name(&mut self, token: &Token, name: &str, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        let is_word = token.word().is_some();
+        if let Some((local, value)) = &self.local
+            && local == name
+        {
+            cursor.at += 1;
+            let value = Value { operations: 1, literal: Literal::No, ..value.clone() };
+            return self.followed(value, cursor);
+        }
+        let bound = self.bindings.and_then(|known| known.get(name)).filter(|_| !is_word || unit(name).is_none());
+        if let Some(value) = bound {
+            cursor.at += 1;
+            self.used.push(name.to_owned());
+            if value.has_unit && self.chosen(Reading::NUMBERS) {
+                return Err(Obstacle::Unclear("a bound quantity without its unit"));
+            }
+            let value = Value { operations: 1, bound: true, literal: Literal::No, ..value.clone() };
+            return self.followed(value, cursor);
+        }
+        if is_word {
+            if is_ambiguous(name) {
+                return Err(Obstacle::Letter(name.to_owned()));
+            }
+            if matches!(name, "°C" | "°F") || unit(name).is_none() {
+                return Err(Obstacle::Word(name.to_owned()));
+            }
+            let units = self.units(cursor)?;
+            let mut value = Value::of(Interval::exact(units.factor));
+            value.dimension = units.dimension;
+            value.has_unit = !units.dimension.is_none() || units.angle.is_none();
+            value.angle = units.angle;
+            value.literal = Literal::Unit;
+            return Ok(value);
+        }
+        match name {
+            "π" => {
+                cursor.at += 1;
+                self.followed(Value::of(Interval::exact(std::f64::consts::PI)), cursor)
+            }
+            "e" => {
+                let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.tokens.get(cursor.at + 1) else {
+                    return Err(Obstacle::Letter(name.to_owned()));
+                };
+                let exponent = self.whole(exponent)?;
+                if !exponent.dimension.is_none() {
+                    return Err(Obstacle::Unclear("an exponent with a unit"));
+                }
+                let power = exponent.number()?;
+                if exponent.operations == 0 && power.point == 2.0 {
+                    return Err(Obstacle::Unclear("e² may be the square of a charge"));
+                }
+                cursor.at += 2;
+                let raised = power.through(libm::exp);
+                if !raised.is_finite() {
+                    return Err(Obstacle::Unclear("a power that is no number"));
+                }
+                Ok(Value { operations: 1, bound: exponent.bound, ..Value::of(raised) })
+            }
+            _ => Err(Obstacle::Letter(name.to_owned())),
+        }
+    }
+}
+
+fn large_number(word: &str) -> Option<f64> {
+    Some(match word {
+        "thousand" => 3.0,
+        "million" => 6.0,
+        "billion" => 9.0,
+        "trillion" => 12.0,
+        _ => return None,
+    })
+}
+
+/// A small integer that stands alone.
+fn small(tokens: &[Token]) -> Option<f64> {
+    let [Token { kind: Kind::Number(text), .. }] = tokens else { return None };
+    text.parse::<u32>().ok().filter(|number| *number < 1000).map(f64::from)
+}
+
+/// An exponent that is a number or a fraction of two, with a sign.
+pub(crate) fn plain_exponent(tokens: &[Token]) -> Evaluated<f64> {
+    let tokens: Vec<&Token> = tokens.iter().filter(|token| !token.is_space()).collect();
+    let (sign, tokens) = match tokens.as_slice() {
+        [first, rest @ ..] if first.is('-') => (-1.0, rest),
+        [first, rest @ ..] if first.is('+') => (1.0, rest),
+        all => (1.0, all),
+    };
+    let number = |text: &str| Printed::read(text).map(|of| of.value);
+    let value = match tokens {
+        [Token { kind: Kind::Number(text), .. }] => number(text),
+        [Token { kind: Kind::Fraction(a, b), .. }] => small(a).zip(small(b)).map(|(a, b)| a / b),
+        [Token { kind: Kind::Number(a), .. }, stroke, Token { kind: Kind::Number(b), .. }] if stroke.is('/') => {
+            number(a).zip(number(b)).map(|(a, b)| a / b)
+        }
+        _ => None,
+    };
+    value
+        .filter(|value| value.is_finite() && value.abs() < 1e4)
+        .map(|value| sign * value)
+        .ok_or(Obstacle::Unclear("an exponent that is no number"))
+}
+
+pub(crate) fn factorial(value: &Value) -> Evaluated<Value> {
+    let n = value.number()?.point;
+    if n.fract() != 0.0 || !(0.0..=170.0).contains(&n) || value.has_unit {
+        return Err(Obstacle::Unclear("a factorial of what is no small integer"));
+    }
+    let product = (1..=n as u32).map(f64::from).product();
+    Ok(Value { operations: value.operations + 1, ..Value::of(Interval::exact(product)) })
+}

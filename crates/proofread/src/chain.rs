@@ -1,0 +1,180 @@
+//! Chains: sides with relations between them.
+
+use crate::join::joined;
+use crate::token::{Kind, Span, Token, span_of, trimmed};
+
+/// How a side relates to the one before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// `=`
+    Equal,
+    /// `≈` and its relatives.
+    Approximate,
+    /// Any other relation; nothing is compared across it.
+    Other,
+}
+
+/// A side of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// The relation before it; none for the first side.
+    pub relation: Option<Relation>,
+    /// Its tokens, joined.
+    pub tokens: Vec<Token>,
+    /// Where it is in the text.
+    pub span: Span,
+}
+
+/// Sides with relations between them; at least two.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    /// The sides in their order.
+    pub sides: Vec<Side>,
+    /// Whether a question mark follows: whether it holds is asked, not said.
+    pub asked: bool,
+    /// Whether it begins a row of its formula.
+    pub starts_row: bool,
+}
+
+fn relation(token: &Token) -> Option<Relation> {
+    match token.kind {
+        Kind::Operator('=') => Some(Relation::Equal),
+        Kind::Operator('≈' | '≅' | '≃' | '≒' | '≐') => Some(Relation::Approximate),
+        Kind::Operator('<' | '>' | '≤' | '≥' | '≠' | '∝' | '≡' | '∼' | '~' | '≫' | '≪' | '≮' | '⇔' | '↔') => {
+            Some(Relation::Other)
+        }
+        _ => None,
+    }
+}
+
+fn ends_row(token: &Token) -> bool {
+    matches!(token.kind, Kind::Line | Kind::Space(9..))
+}
+
+fn separates(token: &Token) -> bool {
+    const WORDS: &str = " and or so where with if for when at but thus since from hence therefore then while Thus Then Hence \
+        Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
+        below above From For Given Noting Since are not ";
+    match &token.kind {
+        Kind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
+        Kind::Word(word) => word.len() > 1 && WORDS.split_whitespace().any(|known| known == word),
+        _ => false,
+    }
+}
+
+#[derive(Default)]
+struct Splitter {
+    chains: Vec<Chain>,
+    sides: Vec<Side>,
+    side: Vec<Token>,
+    relation: Option<Relation>,
+    at_row: bool,
+}
+
+impl Splitter {
+    fn end_side(&mut self) {
+        let tokens = trimmed(&self.side).to_vec();
+        let span = span_of(&tokens);
+        self.sides.push(Side { relation: self.relation, tokens, span });
+        self.side.clear();
+    }
+
+    fn end_chain(&mut self, asked: bool, row_follows: bool) {
+        self.end_side();
+        let sides = std::mem::take(&mut self.sides);
+        if sides.len() > 1 {
+            self.chains.push(Chain { sides, asked, starts_row: self.at_row });
+        }
+        self.relation = None;
+        self.at_row = row_follows;
+    }
+
+    fn last(&self) -> Option<&Token> {
+        self.side.iter().rev().find(|token| !token.is_space())
+    }
+}
+
+/// The chains of a formula.
+pub fn chains(formula: &[Token]) -> Vec<Chain> {
+    let tokens = joined(formula);
+    let mut splitter = Splitter { at_row: true, ..Splitter::default() };
+    let mut depth = 0usize;
+    // The next token that is neither space nor the end of a row, for each place.
+    let mut following: Vec<usize> = vec![tokens.len(); tokens.len() + 1];
+    for at in (0..tokens.len()).rev() {
+        let is_gap = tokens[at].is_space() || tokens[at].kind == Kind::Line;
+        following[at] = if is_gap { following[at + 1] } else { at };
+    }
+    let mut previous_is_line = false;
+    for (at, token) in tokens.iter().enumerate() {
+        let next = tokens.get(following[at + 1]);
+        if token.is_one_of("([{") {
+            depth += 1;
+        } else if token.is_one_of(")]}") {
+            depth = depth.saturating_sub(1);
+        }
+        let line = token.kind == Kind::Line;
+        let wide = matches!(token.kind, Kind::Space(width) if width >= 9);
+        if wide && previous_is_line {
+            continue;
+        }
+        if !token.is_space() {
+            previous_is_line = line;
+        }
+        if line || wide {
+            let continues = next.is_some_and(|next| next.is_one_of("=≈≅≃") || (line && next.is_one_of("+-×·")));
+            if continues {
+                splitter.side.push(Token::new(Kind::Space(2), token.span));
+                continue;
+            }
+            let last = splitter.last();
+            if (last.is_none() && splitter.relation.is_some()) || last.is_some_and(|last| last.is_one_of("+-×·/")) {
+                continue;
+            }
+            if depth > 0 && wide {
+                splitter.side.push(Token::new(Kind::Space(2), token.span));
+                continue;
+            }
+            let weak = line && !splitter.sides.is_empty();
+            depth = 0;
+            splitter.end_chain(false, true);
+            let may_continue = next.is_some_and(|next| {
+                next.is('(') || matches!(next.kind, Kind::Function(_) | Kind::Fraction(..) | Kind::Number(_))
+            });
+            if weak && may_continue {
+                splitter.side.push(Token::new(Kind::Unknown("the rest of the row before".to_owned()), token.span));
+            }
+            continue;
+        }
+        if depth == 0 {
+            if let Some(relation) = relation(token) {
+                splitter.end_side();
+                splitter.relation = Some(relation);
+                continue;
+            }
+            if separates(token) {
+                let is = |token: Option<&Token>| token.is_some_and(|token| token.number().is_some());
+                if token.is('.') && is(next) && is(splitter.last()) {
+                    splitter.side.push(Token::new(Kind::Unknown("a point between numbers".to_owned()), token.span));
+                    continue;
+                }
+                // A factorial, not the end of a sentence.
+                let ends = following[at + 1] >= tokens.len();
+                if token.is('!') && splitter.last().is_some() && !ends {
+                    splitter.side.push(token.clone());
+                    continue;
+                }
+                splitter.end_chain(token.is('?'), false);
+                // A sum that goes on in the next row behind a comma: its terms are not all here.
+                let row_ends = tokens[at + 1..following[at + 1]].iter().any(ends_row);
+                if token.is(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {
+                    splitter.side.push(Token::new(Kind::Unknown("the rest of the row before".to_owned()), token.span));
+                }
+                continue;
+            }
+        }
+        splitter.side.push(token.clone());
+    }
+    splitter.end_chain(false, false);
+    splitter.chains
+}

@@ -1,0 +1,209 @@
+//! A document, formula by formula: what was checked, and what was found.
+
+use crate::binding::{Follow, Known, assignment, single_name};
+use crate::chain::{Chain, Relation, Side, chains};
+use crate::finding::{Finding, List};
+use crate::hint;
+use crate::join::has_letters;
+use crate::reader::{self, Format, Formula, Unreadable};
+use crate::surroundings;
+use crate::token::{Span, has_number};
+use crate::value::Literal;
+use crate::verdict::{Judgement, Verdict, evaluated, judge};
+
+/// What to look for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Which values of names are put into formulas.
+    pub follow: Follow,
+    /// Whether pairs that agree are kept, too.
+    pub agreeing: bool,
+}
+
+/// How much of a document was checked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Bytes of the document.
+    pub bytes: usize,
+    /// Formulas, and lines that may be one.
+    pub formulas: usize,
+    /// Chains of equal sides with a number in them.
+    pub chains: usize,
+    /// Chains with two sides that are numbers and have no letters: what arithmetic can check.
+    pub checkable: usize,
+    /// Chains of which at least one pair of sides was compared.
+    pub checked: usize,
+    /// Pairs of neighbouring sides that were compared.
+    pub pairs: usize,
+    /// Pairs with each verdict, in the order of [`Verdict::ALL`].
+    pub verdicts: [usize; 10],
+}
+
+impl Tally {
+    /// Pairs with a verdict.
+    pub fn with(&self, verdict: Verdict) -> usize {
+        self.verdicts[verdict as usize]
+    }
+
+    /// Adds the counts of another document.
+    pub fn add(&mut self, other: &Self) {
+        self.bytes += other.bytes;
+        self.formulas += other.formulas;
+        self.chains += other.chains;
+        self.checkable += other.checkable;
+        self.checked += other.checked;
+        self.pairs += other.pairs;
+        for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
+            *mine += its;
+        }
+    }
+}
+
+/// What proofreading a document found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// What does not agree, in the order of the text, in all lists.
+    pub findings: Vec<Finding>,
+    /// How much was checked.
+    pub tally: Tally,
+}
+
+/// Most findings that are kept of one document; the tally counts all.
+const MOST_FINDINGS: usize = 10_000;
+
+/// Most findings of one document for which a hint is searched.
+const MOST_HINTS: usize = 300;
+
+/// Recomputes every chain of numbers that a text prints.
+///
+/// # Errors
+///
+/// If the text is longer than [`reader::LONGEST`], or is no notebook where it should be one.
+pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report, Unreadable> {
+    let mut check = Check { text, options, report: Report::default(), known: Known::default(), before: None };
+    if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
+        let known = &mut check.known;
+        reader::read(text, format, &mut |formula| chains(&formula.tokens).iter().for_each(|chain| known.count(chain)))?;
+    } else if options.follow == Follow::Once {
+        check.options.follow = Follow::Never;
+    }
+    reader::read(text, format, &mut |formula| check.formula(&formula))?;
+    check.report.tally.bytes = text.len();
+    Ok(check.report)
+}
+
+/// Documents up to this many bytes are taken for one problem whose names keep their meaning.
+const ONE_PROBLEM: usize = 20_000;
+
+/// A chain that gave a computed value to a name.
+struct Assigned {
+    name: String,
+    side: Side,
+    span: Span,
+}
+
+struct Check<'t> {
+    text: &'t str,
+    options: Options,
+    report: Report,
+    known: Known,
+    before: Option<Assigned>,
+}
+
+impl Check<'_> {
+    fn formula(&mut self, formula: &Formula) {
+        self.report.tally.formulas += 1;
+        let chains = chains(&formula.tokens);
+        let numeric = |chain: &&Chain| {
+            let compared = chain.sides.iter().skip(1).any(|side| side.relation != Some(Relation::Other));
+            compared && chain.sides.iter().any(|side| has_number(&side.tokens))
+        };
+        let last = chains.len().saturating_sub(1);
+        for (at, chain) in chains.iter().enumerate() {
+            if !numeric(&chain) {
+                self.before = None;
+                continue;
+            }
+            let trusted = chain.sides.len();
+            let from = usize::from(at == 0 && formula.continues);
+            let to = trusted - usize::from(at == last && formula.goes_on);
+            self.chain(chain, formula, from..to);
+        }
+    }
+
+    fn chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>) {
+        self.report.tally.chains += 1;
+        let numbers = |side: &&Side| has_number(&side.tokens) && !has_letters(&side.tokens);
+        self.report.tally.checkable += usize::from(chain.sides.iter().filter(numbers).count() >= 2);
+        let compared = self.report.tally.pairs;
+        if !chain.asked && !surroundings::meant_false(self.text, formula.span) {
+            let free: Vec<bool> = chain.sides.iter().map(|side| evaluated(&side.tokens, None).is_ok()).collect();
+            for at in 1..chain.sides.len() {
+                if trusted.contains(&(at - 1)) && trusted.contains(&at) {
+                    self.pair(chain, formula, at, free[at - 1] && free[at]);
+                }
+            }
+            self.repeated(chain, formula);
+        }
+        self.report.tally.checked += usize::from(self.report.tally.pairs > compared);
+        self.known.learn(chain, formula.scope, self.options.follow);
+    }
+
+    fn pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool) {
+        let (left, right) = (&chain.sides[at - 1], &chain.sides[at]);
+        let Some(relation) = right.relation.filter(|relation| *relation != Relation::Other) else { return };
+        if left.tokens.is_empty() || right.tokens.is_empty() {
+            return;
+        }
+        let bindings = if free { None } else { self.known.in_scope(formula.scope) };
+        if !free {
+            let bound = |side: &Side| evaluated(&side.tokens, bindings).is_ok();
+            if bindings.is_none() || single_name(&left.tokens).is_some() || !bound(left) || !bound(right) {
+                return;
+            }
+        }
+        let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
+        self.note(chain, [left, right], judgement, relation);
+    }
+
+    /// Compares `v = 151.2` with `v = 500 sin 17.6°` in the row before.
+    fn repeated(&mut self, chain: &Chain, formula: &Formula) {
+        let before = self.before.take();
+        let Some((name, Some(value))) = assignment(chain) else { return };
+        let (name, Some(last)) = (name.to_owned(), chain.sides.last()) else { return };
+        if let Some(before) = before
+            && before.name == name
+            && chain.sides.len() == 2
+            && value.literal == Literal::Number
+            && chain.starts_row
+            && surroundings::adjoin(self.text, before.span, last.span)
+        {
+            let judgement = judge(&before.side.tokens, &last.tokens, Relation::Equal, None);
+            self.note(chain, [&before.side, last], judgement, Relation::Equal);
+            return;
+        }
+        if !value.is_literal() {
+            self.before = Some(Assigned { name, side: last.clone(), span: last.span });
+        }
+        let _ = formula;
+    }
+
+    fn note(&mut self, chain: &Chain, [left, right]: [&Side; 2], judgement: Judgement, relation: Relation) {
+        let tally = &mut self.report.tally;
+        tally.verdicts[judgement.verdict as usize] += 1;
+        if judgement.verdict == Verdict::CannotEvaluate {
+            return;
+        }
+        tally.pairs += 1;
+        let list = List::of(judgement.verdict, !judgement.used.is_empty());
+        if list == List::Agreeing && !self.options.agreeing {
+            return;
+        }
+        if self.report.findings.len() >= MOST_FINDINGS {
+            return;
+        }
+        let wanted = list == List::Numbers && self.report.findings.len() < MOST_HINTS;
+        let hint = wanted.then(|| hint::hint(left, right, relation)).flatten();
+        self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
+    }
+}

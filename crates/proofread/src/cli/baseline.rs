@@ -1,0 +1,64 @@
+//! Accepted cases: a file with a line of JSON for each, which people may edit and add reasons to.
+
+use crate::finding::Finding;
+use serde_json::{Value, json};
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The cases by file and fingerprint.
+#[derive(Default)]
+pub(crate) struct Baseline {
+    cases: BTreeMap<(String, String), Value>,
+    met: Cell<usize>,
+}
+
+/// What stays the same of a finding when lines move.
+pub(crate) fn fingerprint(finding: &Finding) -> String {
+    let squeezed = |text: &str| text.split_whitespace().collect::<String>();
+    format!("{}: {} | {}", finding.verdict.name(), squeezed(&finding.left), squeezed(&finding.right))
+}
+
+impl Baseline {
+    /// Reads the file.
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let wrong = |why: String| format!("{}: {why}", path.display());
+        let text = std::fs::read_to_string(path).map_err(|why| wrong(why.to_string()))?;
+        let mut cases = BTreeMap::new();
+        for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+            let case: Value = serde_json::from_str(line).map_err(|why| wrong(format!("line {}: {why}", number + 1)))?;
+            let key = |name: &str| case[name].as_str().map(str::to_owned);
+            let (Some(file), Some(of)) = (key("file"), key("case")) else {
+                return Err(wrong(format!("line {}: an accepted case needs `file` and `case`", number + 1)));
+            };
+            cases.insert((file, of), case);
+        }
+        Ok(Self { cases, met: Cell::new(0) })
+    }
+
+    /// Whether a finding is accepted.
+    pub fn has(&self, file: &str, finding: &Finding) -> bool {
+        let found = self.cases.contains_key(&(file.to_owned(), fingerprint(finding)));
+        self.met.set(self.met.get() + usize::from(found));
+        found
+    }
+
+    /// Accepts a finding; the reason of one that was accepted before is kept.
+    pub fn accept(&mut self, file: &str, finding: &Finding) {
+        self.met.set(self.met.get() + 1);
+        let case = fingerprint(finding);
+        let new = || json!({ "file": file, "case": case, "why": "" });
+        self.cases.entry((file.to_owned(), case.clone())).or_insert_with(new);
+    }
+
+    /// How many findings were accepted.
+    pub fn accepted(&self) -> usize {
+        self.met.get()
+    }
+
+    /// Writes the file.
+    pub fn write(&self, path: &Path) -> Result<(), String> {
+        let text: String = self.cases.values().map(|case| format!("{case}\n")).collect();
+        std::fs::write(path, text).map_err(|why| format!("{}: {why}", path.display()))
+    }
+}

@@ -1,0 +1,315 @@
+//! The command: files in, findings out. `geneva proofread` and the program `proofread` both run it.
+
+mod baseline;
+mod documents;
+mod json;
+mod output;
+mod place;
+mod sarif;
+mod since;
+mod text;
+
+pub use output::Streams;
+
+use crate::binding::Follow;
+use crate::check::{Options, Report, Tally, proofread};
+use crate::finding::{Finding, List};
+use crate::reader::Format;
+use baseline::Baseline;
+use clap::{Args, ValueEnum};
+use documents::{Document, Source};
+use output::Outcome;
+use std::path::PathBuf;
+
+/// What stands under the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  proofread notes.tex chapters/
+  proofread --units --bindings=always homework.md
+  proofread --since main .
+  proofread --accept accepted.jsonl book/src
+  proofread --baseline accepted.jsonl book/src
+  proofread --format sarif book/src > proofread.sarif
+  pdftotext -layout paper.pdf - | proofread --input plain -
+
+Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
+
+/// How findings are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Written {
+    /// For people.
+    #[default]
+    Text,
+    /// One JSON object, by the schema in schema/proofread.schema.json.
+    Json,
+    /// One JSON object per document, and one with the sums at the end.
+    Jsonl,
+    /// SARIF 2.1.0, for code review.
+    Sarif,
+}
+
+/// What the input is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Input {
+    /// Markdown with TeX.
+    Markdown,
+    /// LaTeX.
+    Latex,
+    /// XML with MathML, such as CNXML.
+    Xml,
+    /// HTML with MathML or TeX.
+    Html,
+    /// A Jupyter notebook.
+    Notebook,
+    /// Plain lines with an equals sign.
+    Plain,
+    /// One JSON object per line, with `id`, `format` and `text`.
+    Jsonl,
+}
+
+impl Input {
+    fn format(self) -> Option<Format> {
+        Some(match self {
+            Self::Markdown => Format::Markdown,
+            Self::Latex => Format::Latex,
+            Self::Xml => Format::Xml,
+            Self::Html => Format::Html,
+            Self::Notebook => Format::Notebook,
+            Self::Plain => Format::Plain,
+            Self::Jsonl => return None,
+        })
+    }
+}
+
+/// Whether values that the text gives to names are used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Names {
+    /// Never.
+    Never,
+    /// In short documents, the names that have one value throughout.
+    #[default]
+    Once,
+    /// Everywhere; the latest value counts.
+    Always,
+}
+
+/// Recompute every chain of numbers that a text prints, with units and to the printed digits.
+///
+/// A printed number is an interval by its digits. Neighbouring sides of a chain are compared under every plausible reading
+/// (degrees or radians, J/kg·K, mixed numbers, ±), and a pair is reported only if none fits.
+#[derive(Args, Clone, Debug)]
+#[command(
+    after_help = "Exit code: 0 if nothing was found, 1 if something was, 2 if the arguments or an input are wrong."
+)]
+pub struct Arguments {
+    /// Files and folders to read; `-` is standard input. A folder is searched for files whose format the name tells.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// What all input is written in [default: told by the name of each file; Markdown on standard input]
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    input: Option<Input>,
+    /// How findings are written
+    #[arg(
+        long,
+        value_enum,
+        value_name = "FORMAT",
+        default_value_t,
+        hide_possible_values = true,
+        help = "How findings are written: text, json, jsonl or sarif"
+    )]
+    format: Written,
+    /// Also list numbers that agree although their units do not
+    #[arg(long)]
+    units: bool,
+    /// Put values that the text gives to names into formulas: never, once (names with one value in a short document) or always
+    #[arg(
+        long,
+        value_enum,
+        value_name = "WHEN",
+        default_value = "once",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "always",
+        hide_possible_values = true
+    )]
+    bindings: Names,
+    /// Also list pairs that agree, for programs; they count as nothing found
+    #[arg(long)]
+    agreeing: bool,
+    /// Report only what has come in since this revision, with the help of git
+    #[arg(long, value_name = "REV")]
+    since: Option<String>,
+    /// Leave out the cases in this file
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+    /// Write all cases found to this file, as accepted; a reason given there for a case is kept
+    #[arg(long, value_name = "FILE", conflicts_with = "baseline")]
+    accept: Option<PathBuf>,
+}
+
+/// What a document gave, ready to be written.
+struct Checked<'d> {
+    document: &'d Document,
+    findings: Vec<Finding>,
+    tally: Tally,
+}
+
+/// Runs the command; the exit code is 0 if nothing was found, 1 if something was, and 2 if an argument or input is wrong.
+pub fn run(arguments: &Arguments, streams: &mut dyn Streams) -> u8 {
+    let outcome = Run::new(arguments, streams).and_then(|run| run.all());
+    match outcome {
+        Ok(outcome) => outcome.code(),
+        Err(message) => {
+            streams.tell(&output::error(&message));
+            Outcome::Failed.code()
+        }
+    }
+}
+
+struct Run<'a> {
+    arguments: &'a Arguments,
+    streams: &'a mut dyn Streams,
+    baseline: Baseline,
+    writer: Box<dyn Writer>,
+    sum: Tally,
+    documents: usize,
+    found: [usize; 4],
+    failed: bool,
+}
+
+/// A form of output.
+trait Writer {
+    /// What is written for a document.
+    fn document(&mut self, checked: &Checked<'_>) -> String;
+    /// What is written at the end.
+    fn end(&mut self, sum: &Sum) -> String;
+}
+
+/// What all documents gave together.
+struct Sum {
+    tally: Tally,
+    documents: usize,
+    /// Findings on numbers, units and bindings, and pairs that agree.
+    found: [usize; 4],
+    accepted: usize,
+    units_listed: bool,
+}
+
+impl<'a> Run<'a> {
+    fn new(arguments: &'a Arguments, streams: &'a mut dyn Streams) -> Result<Self, String> {
+        let baseline = match (&arguments.baseline, &arguments.accept) {
+            (Some(path), _) => Baseline::read(path)?,
+            (None, Some(path)) if path.exists() => Baseline::read(path)?,
+            _ => Baseline::default(),
+        };
+        let writer: Box<dyn Writer> = match arguments.format {
+            Written::Text => Box::new(text::Text),
+            Written::Json => Box::new(json::Json::default()),
+            Written::Jsonl => Box::new(json::Lines),
+            Written::Sarif => Box::new(sarif::Sarif::default()),
+        };
+        Ok(Self {
+            arguments,
+            streams,
+            baseline,
+            writer,
+            sum: Tally::default(),
+            documents: 0,
+            found: [0; 4],
+            failed: false,
+        })
+    }
+
+    fn all(mut self) -> Result<Outcome, String> {
+        let arguments = self.arguments;
+        let since = arguments.since.as_deref().map(since::Since::new);
+        let accepting = arguments.accept.is_some();
+        let sources = documents::sources(&arguments.files, arguments.input)?;
+        for source in sources {
+            let source: Source = match source {
+                Ok(source) => source,
+                Err(message) => {
+                    self.complain(&message);
+                    continue;
+                }
+            };
+            documents::each(&source, &mut |document| match document
+                .and_then(|document| self.one(&document, since.as_ref()))
+            {
+                Ok(()) => Ok(()),
+                Err(message) => {
+                    self.complain(&message);
+                    Ok(())
+                }
+            })?;
+        }
+        let sum = Sum {
+            tally: self.sum,
+            documents: self.documents,
+            found: self.found,
+            accepted: self.baseline.accepted(),
+            units_listed: arguments.units,
+        };
+        if let Some(path) = &arguments.accept {
+            self.baseline.write(path)?;
+            self.streams.tell(&format!("{} accepted in {}\n", output::count(sum.accepted, "case"), path.display()));
+        } else {
+            let end = self.writer.end(&sum);
+            self.streams.print(&end)?;
+        }
+        let found = !accepting && self.found[..3].iter().sum::<usize>() > 0;
+        Ok(match (self.failed, found) {
+            (true, _) => Outcome::Failed,
+            (false, true) => Outcome::Found,
+            (false, false) => Outcome::Clean,
+        })
+    }
+
+    fn complain(&mut self, message: &str) {
+        self.failed = true;
+        self.streams.tell(&output::error(message));
+    }
+
+    /// Proofreads a document and writes what it gave.
+    fn one(&mut self, document: &Document, since: Option<&since::Since>) -> Result<(), String> {
+        if let Some(since) = since
+            && !since.changed(document)?
+        {
+            return Ok(());
+        }
+        let report = self.report(&document.text, document.format).map_err(|why| format!("{}: {why}", document.name))?;
+        let mut findings = report.findings;
+        if let Some(before) = since.map(|since| since.text(document)).transpose()?.flatten() {
+            let before = self.report(&before, document.format).map(|report| report.findings).unwrap_or_default();
+            since::remove_known(&mut findings, &before);
+        }
+        if self.arguments.accept.is_some() {
+            findings.iter().for_each(|finding| self.baseline.accept(&document.name, finding));
+        } else {
+            findings.retain(|finding| !self.baseline.has(&document.name, finding));
+        }
+        self.sum.add(&report.tally);
+        self.documents += 1;
+        for finding in &findings {
+            self.found[finding.list as usize] += 1;
+        }
+        if self.arguments.accept.is_none() {
+            let text = self.writer.document(&Checked { document, findings, tally: report.tally });
+            self.streams.print(&text)?;
+        }
+        Ok(())
+    }
+
+    /// The findings that were asked for.
+    fn report(&self, text: &str, format: Format) -> Result<Report, String> {
+        let follow = match self.arguments.bindings {
+            Names::Never => Follow::Never,
+            Names::Once => Follow::Once,
+            Names::Always => Follow::Always,
+        };
+        let mut report = proofread(text, format, Options { follow, agreeing: self.arguments.agreeing })
+            .map_err(|why| why.to_string())?;
+        report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
+        Ok(report)
+    }
+}

@@ -1,0 +1,77 @@
+//! Streams, exit codes, and text that no terminal obeys.
+
+use clap::builder::styling::{AnsiColor, Style};
+
+/// Where the words of the command go. Both take colours, which the caller strips where no terminal shows them.
+pub trait Streams {
+    /// Takes text for standard output.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be written, with the reason.
+    fn print(&mut self, text: &str) -> Result<(), String>;
+
+    /// Takes text for standard error.
+    fn tell(&mut self, text: &str);
+}
+
+/// How the command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// Nothing was found.
+    Clean,
+    /// Something was found.
+    Found,
+    /// An argument or an input is wrong.
+    Failed,
+}
+
+impl Outcome {
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Clean => 0,
+            Self::Found => 1,
+            Self::Failed => 2,
+        }
+    }
+}
+
+/// An error message with its mark.
+pub(crate) fn error(message: &str) -> String {
+    let red = AnsiColor::Red.on_default().bold();
+    format!("{red}error:{red:#} {}\n", printable(message))
+}
+
+/// A style for headings.
+pub(crate) fn bold() -> Style {
+    Style::new().bold()
+}
+
+/// Text in which whatever a terminal would obey is replaced.
+pub(crate) fn printable(text: &str) -> String {
+    let hidden = |c: char| matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    text.chars()
+        .map(|c| {
+            if c == '\t' {
+                ' '
+            } else if c.is_control() || hidden(c) {
+                '\u{fffd}'
+            } else {
+                c
+            }
+        })
+        .collect()
+}
+
+/// "1 chain", "2 chains", "12,345 chains".
+pub(crate) fn count(number: usize, thing: &str) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.char_indices() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    format!("{text} {thing}{}", if number == 1 { "" } else { "s" })
+}

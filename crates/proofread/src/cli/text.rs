@@ -1,0 +1,158 @@
+//! Findings for people.
+
+use super::output::{bold, count, printable};
+use super::place::Lines;
+use super::{Checked, Sum, Writer};
+use crate::finding::{Finding, List};
+use crate::reader::Format;
+use clap::builder::styling::AnsiColor;
+
+/// Longest line of the text that is shown around a place, in characters.
+const WIDTH: usize = 100;
+
+pub(crate) struct Text;
+
+impl Writer for Text {
+    fn document(&mut self, checked: &Checked<'_>) -> String {
+        if checked.findings.is_empty() {
+            return String::new();
+        }
+        let lines = Lines::new(&checked.document.text);
+        checked.findings.iter().map(|finding| one(finding, &lines, checked)).collect()
+    }
+
+    fn end(&mut self, sum: &Sum) -> String {
+        let tally = &sum.tally;
+        let mut text = format!(
+            "Checked {} of {} that arithmetic can check, in {} and {}.\n",
+            count(tally.checked, "chain"),
+            count(tally.checkable.max(tally.checked), "chain"),
+            count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
+            count(sum.documents, "document"),
+        );
+        let others = tally.chains.saturating_sub(tally.checkable.max(tally.checked));
+        if others > 0 {
+            text += &format!("{} only define something or contain letters.\n", count(others, "other chain"));
+        }
+        let [numbers, units, bindings, _] = sum.found;
+        let green = AnsiColor::Green.on_default().bold();
+        let red = AnsiColor::Red.on_default().bold();
+        if numbers + units + bindings == 0 {
+            text += &format!("{green}Nothing found.{green:#}\n");
+        } else {
+            let mut parts = Vec::new();
+            for (number, of) in
+                [(numbers, "on a number"), (bindings, "with values from elsewhere"), (units, "on units alone")]
+            {
+                if number > 0 {
+                    parts.push(format!("{number} {of}"));
+                }
+            }
+            text += &format!("{red}{}{red:#}: {}.\n", count(numbers + units + bindings, "finding"), parts.join(", "));
+        }
+        let hidden = tally.with(crate::verdict::Verdict::Units);
+        if hidden > 0 && !sum.units_listed {
+            let text_of = if hidden == 1 { "1 place agrees in its numbers but not in its units" } else { "" };
+            let many = format!("{hidden} places agree in their numbers but not in their units");
+            text += &format!("{}; --units lists them.\n", if text_of.is_empty() { &many } else { text_of });
+        }
+        if sum.accepted > 0 {
+            text += &format!("{} left out as accepted.\n", count(sum.accepted, "case"));
+        }
+        text
+    }
+}
+
+fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
+    let (bold, blue) = (bold(), AnsiColor::Blue.on_default().bold());
+    let colour = if finding.list == List::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
+    let [from, to] = lines.places(finding.at);
+    let name = printable(&checked.document.name);
+    let gutter = " ".repeat(from.line.to_string().len());
+    let mut text = format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.words());
+    text += &format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
+    let said = said(finding);
+    let is_markup = matches!(checked.document.format, Format::Xml | Format::Html | Format::Notebook);
+    let end = if to.line == from.line { to.column } else { usize::MAX };
+    let shown = if is_markup { of_chain(finding) } else { window(lines.line(from.line), from.column, end) };
+    let (line, before, marked) = shown;
+    let number = if is_markup { gutter.clone() } else { from.line.to_string() };
+    text += &format!("{blue}{gutter} |{blue:#}\n{blue}{number} |{blue:#} {}\n", printable(&line));
+    text += &format!(
+        "{blue}{gutter} |{blue:#} {}{colour}{} {said}{colour:#}\n",
+        " ".repeat(before),
+        "^".repeat(marked.max(1))
+    );
+    let mut note = |what: &str, words: &str| {
+        text += &format!("{gutter} {blue}={blue:#} {bold}{what}{bold:#}: {}\n", printable(words))
+    };
+    if !is_markup {
+        note("read as", &finding.chain);
+    }
+    if let Some(why) = &finding.why {
+        note("why", why);
+    }
+    if let Some(hint) = &finding.hint {
+        note("hint", &format!("{} would agree", hint.words));
+    }
+    if !finding.reading.is_empty() {
+        note("nearest reading", &finding.reading.join(", "));
+    }
+    if !finding.names.is_empty() {
+        note("with values from elsewhere", &finding.names.join(", "));
+    }
+    text.push('\n');
+    text
+}
+
+/// What was printed and what is computed.
+fn said(finding: &Finding) -> String {
+    let printed = printable(&finding.printed);
+    match &finding.recomputed {
+        Some(recomputed) if recomputed.contains(" against ") => format!("recomputed {recomputed}"),
+        Some(recomputed) => format!("printed {printed}, recomputed {recomputed}"),
+        None => format!("printed {printed}"),
+    }
+}
+
+/// The chain as one line, with the right or left side marked.
+fn of_chain(finding: &Finding) -> (String, usize, usize) {
+    let chain = &finding.chain;
+    let right_is_meant = finding.at == finding.right_span;
+    let wanted = if right_is_meant { &finding.right } else { &finding.left };
+    // The pair stands in the chain as `left = right`.
+    let pair_at =
+        [" = ", " ≈ "].iter().find_map(|sign| chain.find(&format!("{}{sign}{}", finding.left, finding.right)));
+    let start = match pair_at {
+        Some(at) if right_is_meant => {
+            at + finding.left.len() + chain[at + finding.left.len()..].find(wanted.as_str()).unwrap_or(0)
+        }
+        Some(at) => at,
+        None => chain.rfind(wanted.as_str()).unwrap_or(0),
+    };
+    let column = chain[..start].chars().count() + 1;
+    window(chain, column, column + wanted.chars().count())
+}
+
+/// A part of a line around a place, how many columns are before the place, and how many it takes.
+fn window(line: &str, column: usize, end: usize) -> (String, usize, usize) {
+    let letters: Vec<char> = line.chars().collect();
+    let start = (column - 1).min(letters.len());
+    let end = end.saturating_sub(1).clamp(start, letters.len());
+    if letters.len() <= WIDTH {
+        let indent = letters.iter().take_while(|c| c.is_whitespace()).count().min(start);
+        return (letters[indent..].iter().collect(), start - indent, end - start);
+    }
+    let from = start.saturating_sub(WIDTH * 2 / 3);
+    let to = (from + WIDTH).min(letters.len());
+    let mut text: String = letters[from..to].iter().collect();
+    let mut before = start - from;
+    if from > 0 {
+        text.insert(0, '…');
+        before += 1;
+    }
+    if to < letters.len() {
+        text.push('…');
+    }
+    (text, before, end.min(to) - start.min(to))
+}

@@ -1,0 +1,515 @@
+//! The value of a side under one reading: sums, products, powers and groups.
+
+use crate::atom::factorial;
+use crate::interval::Interval;
+use crate::printed::{Mode, Printed};
+use crate::reading::Reading;
+use crate::token::{Kind, Token, has_number, trimmed};
+use crate::unit::unit;
+use crate::value::{Evaluated, Literal, Obstacle, Value};
+use std::collections::HashMap;
+
+/// Names with their values.
+pub(crate) type Bindings = HashMap<String, Value>;
+
+/// Deepest nesting that is evaluated.
+const DEEPEST: usize = 60;
+/// Most factors of one side.
+const LONGEST: usize = 3000;
+
+/// A place in a list of tokens.
+#[derive(Clone, Copy)]
+pub(crate) struct Cursor<'t> {
+    pub tokens: &'t [Token],
+    pub at: usize,
+}
+
+impl<'t> Cursor<'t> {
+    pub fn new(tokens: &'t [Token]) -> Self {
+        Self { tokens, at: 0 }
+    }
+
+    /// The next token that is no space, which is skipped.
+    pub fn peek(&mut self) -> Option<&'t Token> {
+        self.at = self.behind_space(self.at);
+        self.tokens.get(self.at)
+    }
+
+    pub fn behind_space(&self, mut at: usize) -> usize {
+        while self.tokens.get(at).is_some_and(Token::is_space) {
+            at += 1;
+        }
+        at
+    }
+
+    /// The next token that is no space from a place on, and its own place.
+    pub fn look(&self, at: usize) -> (Option<&'t Token>, usize) {
+        let at = self.behind_space(at);
+        (self.tokens.get(at), at)
+    }
+
+    /// The next token, space or not.
+    pub fn here(&self) -> Option<&'t Token> {
+        self.tokens.get(self.at)
+    }
+
+    /// The token before this one that is no space.
+    pub fn before(&self) -> Option<&'t Token> {
+        self.tokens[..self.at.min(self.tokens.len())].iter().rev().find(|token| !token.is_space())
+    }
+
+    pub fn take(&mut self, sign: char) -> bool {
+        let found = self.peek().is_some_and(|token| token.is(sign));
+        self.at += usize::from(found);
+        found
+    }
+
+    /// The tokens inside the brackets that open here.
+    pub fn group(&mut self) -> Evaluated<&'t [Token]> {
+        let mut depth = 0usize;
+        for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
+            if token.is_one_of("([{") {
+                depth += 1;
+            } else if token.is_one_of(")]}") {
+                depth = depth.saturating_sub(1);
+                if depth == 0 {
+                    let inner = &self.tokens[self.at + 1..at];
+                    self.at = at + 1;
+                    return Ok(inner);
+                }
+            }
+        }
+        Err(Obstacle::Unclear("a bracket is not closed"))
+    }
+}
+
+/// Evaluates sides under one reading.
+pub(crate) struct Evaluator<'b> {
+    pub mode: Mode,
+    pub reading: Reading,
+    pub bindings: Option<&'b Bindings>,
+    /// The choices that made a difference, or could have.
+    pub noticed: Reading,
+    /// Whether an inverse function gave an angle.
+    pub inverse: bool,
+    /// The names whose values were used.
+    pub used: Vec<String>,
+    /// The variable of an evaluation bar.
+    pub local: Option<(String, Value)>,
+    depth: usize,
+    work: usize,
+}
+
+impl<'b> Evaluator<'b> {
+    pub fn new(mode: Mode, reading: Reading, bindings: Option<&'b Bindings>) -> Self {
+        Self {
+            mode,
+            reading,
+            bindings,
+            noticed: Reading::USUAL,
+            inverse: false,
+            used: Vec::new(),
+            local: None,
+            depth: 0,
+            work: 0,
+        }
+    }
+
+    pub fn chosen(&self, choice: Reading) -> bool {
+        self.reading.has(choice)
+    }
+
+    /// The value of a side, behind which prose may follow.
+    pub fn side(&mut self, tokens: &[Token]) -> Evaluated<Value> {
+        if !has_number(tokens) && self.bindings.is_none() {
+            return Err(Obstacle::NoNumber);
+        }
+        if let Some(value) = self.bar(tokens) {
+            return value;
+        }
+        let mut cursor = Cursor::new(tokens);
+        let value = self.sum(&mut cursor)?;
+        if !has_number(tokens) && self.used.is_empty() {
+            return Err(Obstacle::NoNumber);
+        }
+        let rest: Vec<&Token> = tokens[cursor.at..].iter().filter(|token| !token.is_space()).collect();
+        let is_number = |token: &&Token| {
+            matches!(token.kind, Kind::Number(_) | Kind::Fraction(..) | Kind::Root(..) | Kind::Unknown(_))
+        };
+        let unknown_word = |token: &Token, longer: usize| {
+            token.word().filter(|word| word.chars().count() >= longer && unit(word).is_none()).map(str::to_owned)
+        };
+        match rest.as_slice() {
+            [] => Ok(value),
+            [one] if one.is_one_of(".)]") => Ok(value),
+            [first, ..] if first.word() == Some("per") => Err(Obstacle::Unclear("a quotient in words")),
+            [first, ..] if unknown_word(first, 2).is_some() && !rest.iter().any(is_number) => {
+                let bare = !value.has_unit && value.angle.is_none() && !value.parts.is_vector();
+                match unknown_word(first, 2).filter(|_| bare) {
+                    Some(word) => Err(Obstacle::Word(word)),
+                    None => Ok(value),
+                }
+            }
+            [first, second, ..] if first.is('(') && unknown_word(second, 3).is_some() => Ok(value),
+            [first, ..] => Err(leftover(first)),
+        }
+    }
+
+    /// The difference of an expression's values at the limits of the bar behind it, if there is a bar.
+    fn bar(&mut self, tokens: &[Token]) -> Option<Evaluated<Value>> {
+        let at = tokens.iter().position(|token| matches!(token.kind, Kind::Limits(..)))?;
+        if tokens[..at].last().is_some_and(|before| before.is(']')) {
+            return None;
+        }
+        let value = self.between(&tokens[..at], &tokens[at]);
+        let rest = trimmed(&tokens[at + 1..]);
+        Some(value.and_then(|value| {
+            if rest.is_empty() {
+                return Ok(value);
+            }
+            let other = self.whole(rest)?;
+            value.times(&other, None, true)
+        }))
+    }
+
+    /// The difference of an expression's values at the limits.
+    fn between(&mut self, of: &[Token], limits: &Token) -> Evaluated<Value> {
+        let Kind::Limits(from, to) = &limits.kind else { return Err(Obstacle::Unclear("no limits")) };
+        if self.local.is_some() {
+            return Err(Obstacle::Unclear("a bar inside a bar"));
+        }
+        let mut names = Vec::new();
+        letters(of, &mut names);
+        names.sort();
+        names.dedup();
+        let [name] = names.as_slice() else {
+            return Err(Obstacle::Unclear("a bar behind an expression in several variables"));
+        };
+        let (from, to) = (self.whole(from)?, self.whole(to)?);
+        let mut at = |limit: Value| {
+            self.local = Some((name.clone(), limit));
+            let value = self.whole(of);
+            self.local = None;
+            value
+        };
+        let (upper, lower) = (at(to)?, at(from)?);
+        let mut difference = upper.plus(&lower.negated(), false)?;
+        difference.operations += 1;
+        Ok(difference)
+    }
+
+    /// The value of all tokens.
+    pub fn whole(&mut self, tokens: &[Token]) -> Evaluated<Value> {
+        let mut cursor = Cursor::new(tokens);
+        let value = self.sum(&mut cursor)?;
+        match cursor.peek() {
+            None => Ok(value),
+            Some(token) if token.is('.') && cursor.look(cursor.at + 1).0.is_none() => Ok(value),
+            Some(token) => Err(leftover(token)),
+        }
+    }
+
+    fn sum(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        if self.depth >= DEEPEST {
+            return Err(Obstacle::TooLarge);
+        }
+        self.depth += 1;
+        let value = self.sum_inside(cursor);
+        self.depth -= 1;
+        value
+    }
+
+    fn sum_inside(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        let mut negative = false;
+        if cursor.peek().is_some_and(|token| token.is_one_of("±∓")) {
+            cursor.at += 1;
+            self.noticed.note(Reading::MINUS);
+            negative = self.chosen(Reading::MINUS);
+        } else if !cursor.take('+') {
+            negative = cursor.take('-');
+        }
+        let mut sum = self.product(cursor)?;
+        if negative {
+            sum = sum.negated();
+        }
+        while let Some(token) = cursor.peek() {
+            if token.is_one_of("±∓") {
+                return Err(Obstacle::Unclear("an uncertainty"));
+            }
+            if !token.is_one_of("+-") {
+                break;
+            }
+            cursor.at += 1;
+            let term = self.product(cursor)?;
+            let term = if token.is('-') { term.negated() } else { term };
+            sum = sum.plus(&term, self.chosen(Reading::NUMBERS))?;
+        }
+        Ok(sum)
+    }
+
+    fn product(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        let mut product = self.factor(cursor)?;
+        while let Some(token) = cursor.peek() {
+            let literal_with_unit = product.literal == Literal::Number && product.has_unit;
+            if token.is_one_of("·×*") {
+                cursor.at += 1;
+                let factor = self.signed(cursor)?;
+                let sign = if token.is('×') { '×' } else { '·' };
+                product = product.times(&factor, Some(sign), true)?;
+            } else if token.is('/') {
+                cursor.at += 1;
+                product = self.quotient(product, cursor)?;
+            } else if token.number().is_some() && literal_with_unit && !product.dimension.is_none() {
+                // 2 min 30 s
+                let more = self.factor(cursor)?;
+                if more.dimension != product.dimension || !more.has_unit || more.literal != Literal::Number {
+                    return Err(Obstacle::Unclear("two numbers side by side"));
+                }
+                product = product.plus(&more, false)?;
+                product.operations = 0;
+                product.literal = Literal::Number;
+            } else if token.is('(') && self.repeats(&product, cursor)? {
+            } else if self.starts_factor(token) {
+                if token.number().is_some() && cursor.before().is_some_and(|before| before.number().is_some()) {
+                    return Err(Obstacle::Unclear("two numbers side by side"));
+                }
+                let factor = self.factor(cursor)?;
+                let is_unit = matches!(token.kind, Kind::Basis(_)) || factor.literal == Literal::Unit;
+                product = product.times(&factor, None, !is_unit)?;
+            } else {
+                break;
+            }
+        }
+        Ok(product)
+    }
+
+    fn quotient(&mut self, above: Value, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        let (next, _) = cursor.look(cursor.at);
+        let divisor = self.signed(cursor)?;
+        let number = next.and_then(Token::number).and_then(Printed::read);
+        if let Some(number) =
+            number.filter(|_| divisor.literal == Literal::Number && divisor.has_unit && !above.has_unit)
+        {
+            self.noticed.note(Reading::QUOTIENT);
+            if self.chosen(Reading::QUOTIENT) && number.value != 0.0 {
+                let factor = divisor.number()?.point / number.value;
+                let bare = Value { has_unit: false, dimension: Default::default(), ..divisor.scaled(1.0 / factor) };
+                let quotient = above.over(&bare)?;
+                return Ok(Value { dimension: divisor.dimension, has_unit: true, ..quotient.scaled(factor) });
+            }
+        }
+        above.over(&divisor)
+    }
+
+    /// Whether what is in the brackets ahead only repeats the value in another unit, or is the number of an equation.
+    fn repeats(&mut self, value: &Value, cursor: &mut Cursor<'_>) -> Evaluated<bool> {
+        let mut ahead = *cursor;
+        let inner = ahead.group()?;
+        let core: Vec<&Token> = inner.iter().filter(|token| !token.is_space()).collect();
+        let ends = ahead.peek().is_none();
+        if let [Token { kind: Kind::Word(word), .. }] = core.as_slice()
+            && value.has_unit
+            && unit(word).is_some_and(|unit| unit.dimension == value.dimension)
+        {
+            *cursor = ahead;
+            return Ok(true);
+        }
+        if let [Token { kind: Kind::Number(number), .. }] = core.as_slice()
+            && ends
+            && value.has_unit
+            && value.literal == Literal::Number
+            && is_equation_number(number)
+        {
+            self.noticed.note(Reading::TAG);
+            if self.chosen(Reading::TAG) {
+                *cursor = ahead;
+                return Ok(true);
+            }
+            return Ok(false);
+        }
+        if ends && core.iter().any(|token| token.word() == Some("%")) {
+            let (noticed, used) = (self.noticed, self.used.len());
+            if let Ok(other) = self.whole(inner)
+                && value.meets(&other, 0.02)
+            {
+                *cursor = ahead;
+                return Ok(true);
+            }
+            self.noticed = noticed;
+            self.used.truncate(used);
+        }
+        Ok(false)
+    }
+
+    fn signed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        let negative = cursor.take('-');
+        let value = self.factor(cursor)?;
+        Ok(if negative { value.negated() } else { value })
+    }
+
+    fn starts_factor(&self, token: &Token) -> bool {
+        match &token.kind {
+            Kind::Number(_)
+            | Kind::Name(_)
+            | Kind::Function(_)
+            | Kind::Fraction(..)
+            | Kind::Root(..)
+            | Kind::Group(_)
+            | Kind::Basis(_)
+            | Kind::Unknown(_) => true,
+            Kind::Word(word) => {
+                unit(word).is_some()
+                    || word.chars().count() == 1
+                    || self.bindings.is_some_and(|known| known.contains_key(word))
+            }
+            Kind::Operator(c) => "([{√".contains(*c),
+            _ => false,
+        }
+    }
+
+    fn exponent(&mut self, tokens: &[Token]) -> Evaluated<Interval> {
+        let mode = std::mem::replace(&mut self.mode, Mode::Point);
+        let exact = self.whole(tokens);
+        self.mode = mode;
+        let exact = exact?;
+        let value = if exact.operations == 0 && !exact.has_unit { exact } else { self.whole(tokens)? };
+        if !value.dimension.is_none() {
+            return Err(Obstacle::Unclear("an exponent with a unit"));
+        }
+        value.number()
+    }
+
+    pub fn raised(&mut self, value: &Value, exponent: &[Token]) -> Evaluated<Value> {
+        let exponent = self.exponent(exponent)?;
+        value.power(exponent)
+    }
+
+    /// Exponents and factorials behind a value.
+    pub fn followed(&mut self, mut value: Value, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        while let Some(token) = cursor.here() {
+            if let Kind::Power(exponent) = &token.kind {
+                cursor.at += 1;
+                value = self.raised(&value, exponent)?;
+            } else if token.is('!') {
+                cursor.at += 1;
+                value = factorial(&value)?;
+            } else {
+                break;
+            }
+        }
+        Ok(value)
+    }
+
+    /// One factor, for the argument of a function.
+    pub fn single(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        self.factor(cursor)
+    }
+
+    fn factor(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        self.work += 1;
+        if self.work > LONGEST {
+            return Err(Obstacle::TooLarge);
+        }
+        let Some(token) = cursor.peek() else { return Err(Obstacle::Unclear("something is missing")) };
+        match &token.kind {
+            Kind::Number(text) => self.number(text, cursor),
+            Kind::Word(word) | Kind::Name(word) => self.name(token, word, cursor),
+            Kind::Basis(which) => {
+                cursor.at += 1;
+                let mut value = Value::of(Interval::exact(1.0));
+                value.parts.0 = [None; 4];
+                value.parts.0[usize::from(*which).min(3)] = Some(Interval::exact(1.0));
+                Ok(value)
+            }
+            Kind::Fraction(above, below) => {
+                cursor.at += 1;
+                let (above, below) = (self.whole(above)?, self.whole(below)?);
+                let mut value = above.over(&below)?;
+                if above.literal == Literal::Unit && below.literal == Literal::Unit {
+                    value.literal = Literal::Unit;
+                    value.operations = 0;
+                }
+                let value = self.followed(value, cursor)?;
+                self.with_unit(value, cursor, false)
+            }
+            Kind::Root(of, index) => {
+                cursor.at += 1;
+                let index = if index.is_empty() { 2.0 } else { self.exponent(index)?.point };
+                let value = self.whole(of)?.power(Interval::exact(1.0 / index))?;
+                let value = self.followed(value, cursor)?;
+                self.with_unit(value, cursor, false)
+            }
+            Kind::Group(inner) => {
+                cursor.at += 1;
+                let value = self.whole(inner)?;
+                let value = self.followed(value, cursor)?;
+                self.with_unit(value, cursor, false)
+            }
+            Kind::Operator('√') => {
+                cursor.at += 1;
+                let value = self.factor(cursor)?.power(Interval::exact(0.5))?;
+                self.with_unit(value, cursor, false)
+            }
+            Kind::Operator('(' | '[' | '{') => self.bracketed(cursor),
+            Kind::Operator('|') => {
+                let end = cursor.tokens.iter().skip(cursor.at + 1).position(|token| token.is('|'));
+                let end = cursor.at + 1 + end.ok_or(Obstacle::Unclear("a bar without another one"))?;
+                let mut value = self.whole(&cursor.tokens[cursor.at + 1..end])?;
+                cursor.at = end + 1;
+                value.number()?;
+                value.parts = value.parts.map(Interval::abs);
+                value.operations += 1;
+                value.literal = Literal::No;
+                let value = self.followed(value, cursor)?;
+                self.with_unit(value, cursor, false)
+            }
+            Kind::Function(function) => self.function(*function, cursor),
+            _ => Err(leftover(token)),
+        }
+    }
+
+    fn bracketed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+        let inner = cursor.group()?;
+        if trimmed(inner).is_empty() {
+            return Err(Obstacle::Unclear("empty brackets"));
+        }
+        if let Some(limits) = cursor.here().filter(|token| matches!(token.kind, Kind::Limits(..))) {
+            cursor.at += 1;
+            let value = self.between(inner, limits)?;
+            return self.with_unit(value, cursor, false);
+        }
+        let mut value = self.whole(inner)?;
+        if value.literal != Literal::Unit {
+            value.literal = Literal::No;
+        }
+        let value = self.followed(value, cursor)?;
+        self.with_unit(value, cursor, false)
+    }
+}
+
+pub(crate) fn leftover(token: &Token) -> Obstacle {
+    match &token.kind {
+        Kind::Name(name) => Obstacle::Letter(name.clone()),
+        Kind::Word(word) => Obstacle::Word(word.clone()),
+        Kind::Unknown(_) => Obstacle::Unclear("it has a sign or command that is not known"),
+        Kind::Limits(..) => Obstacle::Unclear("a bar in the middle of an expression"),
+        _ => Obstacle::Unclear("it has a sign in a place where none is expected"),
+    }
+}
+
+/// Whether brackets around it make the number of an equation.
+fn is_equation_number(text: &str) -> bool {
+    text.split_once('.').is_some_and(|(chapter, number)| chapter.len() <= 2 && (1..=3).contains(&number.len()))
+}
+
+/// The letters among tokens, without π and e.
+fn letters(tokens: &[Token], out: &mut Vec<String>) {
+    for token in tokens {
+        if let Kind::Name(name) = &token.kind
+            && !matches!(name.as_str(), "π" | "e")
+        {
+            out.push(name.clone());
+        }
+        token.inner().into_iter().for_each(|inner| letters(inner, out));
+    }
+}

@@ -1,0 +1,195 @@
+//! What was found at one place.
+
+use crate::chain::{Chain, Side};
+use crate::hint::Hint;
+use crate::printed::{power_of_ten, written};
+use crate::reading::Reading;
+use crate::token::{Kind, Span, Token, show};
+use crate::value::Value;
+use crate::verdict::{Judgement, Verdict};
+
+/// The lists that findings belong to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum List {
+    /// Printed numbers that do not follow from what is printed beside them.
+    Numbers,
+    /// Numbers that agree although their units do not.
+    Units,
+    /// Differences that show only with values given elsewhere in the text.
+    Bindings,
+    /// Pairs in which nothing is wrong, kept only on request.
+    Agreeing,
+}
+
+impl List {
+    /// The list of a verdict; `bound` says that values from elsewhere in the text were used.
+    pub(crate) fn of(verdict: Verdict, bound: bool) -> Self {
+        match verdict {
+            Verdict::Truncated | Verdict::LastDigit | Verdict::Inconsistent | Verdict::Dimensions => {
+                if bound {
+                    Self::Bindings
+                } else {
+                    Self::Numbers
+                }
+            }
+            Verdict::Units if !bound => Self::Units,
+            _ => Self::Agreeing,
+        }
+    }
+
+    /// A name for programs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Numbers => "numbers",
+            Self::Units => "units",
+            Self::Bindings => "bindings",
+            Self::Agreeing => "agreeing",
+        }
+    }
+}
+
+/// Two neighbouring sides that do not agree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// How they compare.
+    pub verdict: Verdict,
+    /// Which list it belongs to.
+    pub list: List,
+    /// The whole chain, as one line.
+    pub chain: String,
+    /// The chain's place in the text.
+    pub span: Span,
+    /// The left side, as one line.
+    pub left: String,
+    /// The left side's place.
+    pub left_span: Span,
+    /// The right side, as one line.
+    pub right: String,
+    /// The right side's place.
+    pub right_span: Span,
+    /// The place to look at: the printed result, or the right side.
+    pub at: Span,
+    /// The printed result, with its unit.
+    pub printed: String,
+    /// What is computed, to as many digits and in the same unit; none if the sides have no common unit.
+    pub recomputed: Option<String>,
+    /// What keeps the sides from being compared, if that is what was found.
+    pub why: Option<String>,
+    /// The single edit that makes the sides agree, if there is exactly one near.
+    pub hint: Option<Hint>,
+    /// How the characters were read, where there was a choice.
+    pub reading: Vec<&'static str>,
+    /// The names whose values were taken from elsewhere in the text.
+    pub names: Vec<String>,
+}
+
+impl Finding {
+    pub(crate) fn new(
+        chain: &Chain,
+        left: &Side,
+        right: &Side,
+        judgement: &Judgement,
+        list: List,
+        hint: Option<Hint>,
+    ) -> Self {
+        let span = chain.sides.iter().fold(left.span.join(right.span), |span, side| span.join(side.span));
+        let mut line = String::new();
+        for side in &chain.sides {
+            line += match side.relation {
+                None => "",
+                Some(crate::chain::Relation::Equal) => " = ",
+                Some(crate::chain::Relation::Approximate) => " ≈ ",
+                Some(crate::chain::Relation::Other) => " … ",
+            };
+            line += &show(&side.tokens);
+        }
+        let values = judgement.values.as_ref();
+        let right_is_printed = values.is_none_or(|(left, right)| right.is_literal() || !left.is_literal());
+        let printed = if right_is_printed { right } else { left };
+        let recomputed = values.and_then(|(left, right)| {
+            let (computed, printed_value) = if right_is_printed { (left, right) } else { (right, left) };
+            recomputed(computed, printed_value, &printed.tokens, judgement)
+        });
+        Self {
+            verdict: judgement.verdict,
+            list,
+            chain: line,
+            span,
+            left: show(&left.tokens),
+            left_span: left.span,
+            right: show(&right.tokens),
+            right_span: right.span,
+            at: printed.span,
+            printed: show(&printed.tokens),
+            recomputed,
+            why: judgement.obstacle.as_ref().map(ToString::to_string),
+            hint,
+            reading: judgement.reading.words(),
+            names: judgement.used.clone(),
+        }
+    }
+}
+
+/// The computed value in the unit and with the digits of the printed one.
+fn recomputed(computed: &Value, printed: &Value, tokens: &[Token], judgement: &Judgement) -> Option<String> {
+    if judgement.verdict == Verdict::Units || judgement.verdict == Verdict::Dimensions {
+        return None;
+    }
+    if computed.parts.is_vector() || printed.parts.is_vector() || judgement.reading.has(Reading::POINTS) {
+        return None;
+    }
+    let computed = computed.number().ok()?.point;
+    let printed_point = printed.number().ok()?.point;
+    if !printed.is_literal() {
+        return Some(format!("{} against {}", written(computed, 4), written(printed_point, 4)));
+    }
+    let factor = if printed.factor == 0.0 { 1.0 } else { printed.factor };
+    let (value, digits) = (computed / factor, digits_of(tokens));
+    let scaled = |power: i32| written(value / power_of_ten(f64::from(power)), digits);
+    let mut text = match power_of(tokens) {
+        // The power of ten of the printed number, or the nearest one if that is far off.
+        Some(power) => {
+            let own = if value == 0.0 { power } else { libm::floor(libm::log10(value.abs())) as i32 };
+            let power = if (-1..=2).contains(&(own - power)) { power } else { own };
+            format!("{} × 10^{power}", scaled(power)).replace("^-", "^−")
+        }
+        None if is_whole(tokens) && libm::fabs(value - libm::round(value)) < 1e-9 && value.abs() < 1e9 => {
+            format!("{}", libm::round(value))
+        }
+        None => written(value, digits),
+    };
+    if let Some(size) = text.strip_prefix('-') {
+        text = format!("−{size}");
+    }
+    let unit = unit_text(tokens);
+    Some(if unit.starts_with(['°', '%']) && !unit.starts_with("°C") {
+        text + &unit
+    } else {
+        format!("{text} {unit}").trim().to_owned()
+    })
+}
+
+/// Whether the number is printed without a point.
+fn is_whole(tokens: &[Token]) -> bool {
+    tokens.iter().find_map(Token::number).is_some_and(|number| !number.contains('.'))
+}
+
+fn digits_of(tokens: &[Token]) -> usize {
+    let number = tokens.iter().find_map(Token::number).unwrap_or("0");
+    let digits: String = number.chars().filter(char::is_ascii_digit).collect();
+    let significant = digits.trim_start_matches('0').len();
+    significant.max(2)
+}
+
+fn power_of(tokens: &[Token]) -> Option<i32> {
+    let at = tokens.iter().position(|token| token.number() == Some("10"))?;
+    let Kind::Power(exponent) = &tokens.get(at + 1)?.kind else { return None };
+    crate::atom::plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
+}
+
+/// What follows the number.
+fn unit_text(tokens: &[Token]) -> String {
+    let start = tokens.iter().position(|token| token.word().is_some() || matches!(token.kind, Kind::Fraction(..)));
+    let unit = start.map_or(&[][..], |start| &tokens[start..]);
+    show(unit)
+}

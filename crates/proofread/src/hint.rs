@@ -1,0 +1,357 @@
+//! The single edit that makes two sides agree, if there is exactly one near.
+
+use crate::chain::{Relation, Side};
+use crate::token::{Kind, Span, Token, show};
+use crate::unit::unit;
+use crate::verdict::{Verdict, evaluated, judge};
+
+/// An edit of one place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hint {
+    /// What to change, in words.
+    pub words: String,
+    /// Where.
+    pub at: Span,
+}
+
+/// How near an edit is: a slip of one sign or step is nearer than another digit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Near {
+    /// A comma for a point: no digit differs.
+    Comma,
+    /// An exponent or its sign, a factor 2, a sign, a power of a unit, a square.
+    Step,
+    /// One digit, two neighbouring digits swapped, or plus for minus.
+    Digit,
+}
+
+struct Edit {
+    tokens: Vec<Token>,
+    words: String,
+    at: Span,
+}
+
+/// Most edits that are tried at one place.
+const MOST: usize = 2500;
+
+/// The one near edit that makes the sides agree.
+pub(crate) fn hint(left: &Side, right: &Side, relation: Relation) -> Option<Hint> {
+    for near in [Near::Comma, Near::Step, Near::Digit] {
+        let mut found: Vec<Edit> = Vec::new();
+        for (which, side) in [left, right].into_iter().enumerate() {
+            let mut edits = Vec::new();
+            variants(&side.tokens, near, &mut edits);
+            if near == Near::Step {
+                whole_side(side, &mut edits);
+            }
+            edits.truncate(MOST);
+            for edit in edits {
+                let sides = if which == 0 { [&edit.tokens, &right.tokens] } else { [&left.tokens, &edit.tokens] };
+                let fits = judge(sides[0], sides[1], relation, None).verdict == Verdict::Consistent;
+                if fits && !found.iter().any(|other| other.words == edit.words) {
+                    found.push(edit);
+                }
+            }
+            // Of two, neither is the one.
+            if found.len() > 3 {
+                return None;
+            }
+        }
+        match found.as_slice() {
+            [] => {}
+            [edit] => return Some(Hint { words: edit.words.clone(), at: edit.at }),
+            _ => return None,
+        }
+    }
+    None
+}
+
+fn number(text: String, span: Span) -> Token {
+    Token::new(Kind::Number(text), span)
+}
+
+/// Edits of a side as a whole: its sign and a factor 2.
+fn whole_side(side: &Side, out: &mut Vec<Edit>) {
+    let Ok(value) = evaluated(&side.tokens, None) else { return };
+    if value.is_literal() {
+        return;
+    }
+    let shown = cut(&show(&side.tokens));
+    let group = |before: &[Kind], after: &[Kind]| {
+        let token = |kind: &Kind| Token::new(kind.clone(), side.span);
+        let mut tokens: Vec<Token> = before.iter().map(token).collect();
+        tokens.push(Token::new(Kind::Operator('('), side.span));
+        tokens.extend(side.tokens.iter().cloned());
+        tokens.push(Token::new(Kind::Operator(')'), side.span));
+        tokens.extend(after.iter().map(token));
+        tokens
+    };
+    let two = Kind::Number("2".to_owned());
+    let mut push = |tokens: Vec<Token>, words: String| out.push(Edit { tokens, words, at: side.span });
+    push(group(&[two.clone(), Kind::Operator('·')], &[]), format!("twice `{shown}`"));
+    push(group(&[], &[Kind::Operator('/'), two]), format!("half of `{shown}`"));
+    push(group(&[Kind::Operator('-')], &[]), format!("the opposite sign of `{shown}`"));
+}
+
+fn cut(text: &str) -> String {
+    if text.chars().count() <= 40 {
+        return text.to_owned();
+    }
+    text.chars().take(39).chain(['…']).collect()
+}
+
+/// All lists of tokens that differ in one place.
+fn variants(tokens: &[Token], near: Near, out: &mut Vec<Edit>) {
+    for (at, token) in tokens.iter().enumerate() {
+        if out.len() > MOST {
+            return;
+        }
+        let with = |new: Vec<Token>, taken: usize| {
+            let mut all = tokens[..at].to_vec();
+            all.extend(new);
+            all.extend_from_slice(&tokens[at + taken..]);
+            all
+        };
+        let span = token.span;
+        let mut push = |tokens: Vec<Token>, words: String| out.push(Edit { tokens, words, at: span });
+        match &token.kind {
+            Kind::Number(text) if near == Near::Digit => {
+                for other in digits(text) {
+                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"));
+                }
+            }
+            Kind::Number(text) if near == Near::Comma => {
+                for other in commas(text) {
+                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"));
+                }
+            }
+            Kind::Number(text) => {
+                let power = tokens.get(at + 1).filter(|_| text == "10").and_then(exponent_of);
+                for other in shifted(text).into_iter().filter(|_| power.is_none()) {
+                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"));
+                }
+            }
+            Kind::Operator(sign @ ('+' | '-')) if near == Near::Digit => {
+                let other = if *sign == '+' { '-' } else { '+' };
+                let name = |sign: char| if sign == '-' { '−' } else { sign };
+                let place = around(tokens, at);
+                push(
+                    with(vec![Token::new(Kind::Operator(other), span)], 1),
+                    format!("`{}` for `{}` in `{place}`", name(other), name(*sign)),
+                );
+            }
+            Kind::Power(_) if near == Near::Step => powers(tokens, at, out),
+            Kind::Word(word) if near == Near::Step && unit(word).is_some() => {
+                let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
+                if !raised && !matches!(word.as_str(), "°" | "%" | "rad") {
+                    for power in ["2", "3"] {
+                        let exponent = Token::new(Kind::Power(vec![number(power.to_owned(), span)]), span);
+                        push(with(vec![token.clone(), exponent], 1), format!("`{word}^{power}` for `{word}`"));
+                    }
+                }
+            }
+            Kind::Operator(')')
+                if near == Near::Step
+                    && !tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_))) =>
+            {
+                let squared = vec![token.clone(), Token::new(Kind::Power(vec![number("2".to_owned(), span)]), span)];
+                push(with(squared, 1), format!("the square of `{}`", cut(&show(&bracketed(tokens, at)))));
+            }
+            _ => {}
+        }
+        nested(tokens, at, near, out);
+    }
+}
+
+/// The brackets that end at `at`, with what is in them.
+fn bracketed(tokens: &[Token], at: usize) -> Vec<Token> {
+    let mut depth = 0i32;
+    for start in (0..=at).rev() {
+        depth += i32::from(tokens[start].is_one_of(")]")) - i32::from(tokens[start].is_one_of("(["));
+        if depth == 0 {
+            return tokens[start..=at].to_vec();
+        }
+    }
+    tokens[..=at].to_vec()
+}
+
+fn around(tokens: &[Token], at: usize) -> String {
+    cut(&show(&tokens[at.saturating_sub(2)..tokens.len().min(at + 3)]))
+}
+
+/// Edits inside a fraction, a root, a group or an exponent.
+fn nested(tokens: &[Token], at: usize, near: Near, out: &mut Vec<Edit>) {
+    let token = &tokens[at];
+    let lists: Vec<Vec<Token>> = token.inner().into_iter().map(<[Token]>::to_vec).collect();
+    for (which, list) in lists.iter().enumerate() {
+        let mut inner = Vec::new();
+        if matches!(token.kind, Kind::Power(_)) {
+            continue;
+        }
+        variants(list, near, &mut inner);
+        for edit in inner {
+            let new = edit.tokens;
+            let kind = match (&token.kind, which) {
+                (Kind::Fraction(_, below), 0) => Kind::Fraction(new, below.clone()),
+                (Kind::Fraction(above, _), _) => Kind::Fraction(above.clone(), new),
+                (Kind::Root(_, index), 0) => Kind::Root(new, index.clone()),
+                (Kind::Group(_), _) => Kind::Group(new),
+                _ => continue,
+            };
+            let mut all = tokens[..at].to_vec();
+            all.push(Token::new(kind, token.span));
+            all.extend_from_slice(&tokens[at + 1..]);
+            out.push(Edit { tokens: all, ..edit });
+        }
+    }
+}
+
+fn exponent_of(token: &Token) -> Option<i32> {
+    let Kind::Power(exponent) = &token.kind else { return None };
+    let value = crate::atom::plain_exponent(exponent).ok()?;
+    (value.fract() == 0.0 && value.abs() < 1000.0).then_some(value as i32)
+}
+
+/// Edits of an exponent: its sign, one to three steps, and none at all.
+fn powers(tokens: &[Token], at: usize, out: &mut Vec<Edit>) {
+    let token = &tokens[at];
+    let Some(power) = exponent_of(token) else { return };
+    let base = tokens[..at].last();
+    let of_ten = base.and_then(Token::number) == Some("10");
+    let steps: &[i32] = if of_ten { &[-3, -2, -1, 1, 2, 3] } else { &[-1, 1] };
+    let mut others: Vec<i32> = steps.iter().map(|step| power + step).collect();
+    if power != 0 {
+        others.push(-power);
+    }
+    others.sort_unstable();
+    others.dedup();
+    let base = cut(&base.map(|base| show(std::slice::from_ref(base))).unwrap_or_default());
+    for other in others.into_iter().filter(|other| *other != power && *other != 0) {
+        let mut exponent = Vec::new();
+        if other < 0 {
+            exponent.push(Token::new(Kind::Operator('-'), token.span));
+        }
+        exponent.push(number(other.unsigned_abs().to_string(), token.span));
+        let mut all = tokens[..at].to_vec();
+        if other != 1 || of_ten {
+            all.push(Token::new(Kind::Power(exponent), token.span));
+        }
+        all.extend_from_slice(&tokens[at + 1..]);
+        let words = format!("{base}^{other}` for `{base}^{power}`").replace('-', "−");
+        out.push(Edit { tokens: all, words: format!("`{words}"), at: token.span });
+    }
+    // The square of a unit that belongs to the whole bracket.
+    if tokens.get(at + 1).is_some_and(|next| next.is(')')) && at > 0 && tokens[at - 1].word().is_some() {
+        let mut all = tokens[..at].to_vec();
+        all.push(tokens[at + 1].clone());
+        all.push(token.clone());
+        all.extend_from_slice(&tokens[at + 2..]);
+        out.push(Edit { tokens: all, words: format!("the exponent {power} outside the bracket"), at: token.span });
+    }
+}
+
+/// The number with a comma for its point, or a point for its comma.
+fn commas(text: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    if let Some((whole, behind)) = text.split_once('.')
+        && behind.len() == 3
+        && (1..=3).contains(&whole.len())
+        && whole != "0"
+    {
+        out.push(format!("{whole},{behind}"));
+    }
+    if let Some((whole, groups)) = text.split_once(',')
+        && groups.len() == 3
+    {
+        out.push(format!("{whole}.{groups}"));
+    }
+    out
+}
+
+/// The number with its point elsewhere.
+fn shifted(text: &str) -> Vec<String> {
+    let plain: String = text.chars().filter(|c| *c != ',').collect();
+    let (whole, behind) = plain.split_once('.').unwrap_or((&plain, ""));
+    let digits = format!("{whole}{behind}");
+    let mut out = Vec::new();
+    for places in [-3i32, -2, -1, 1, 2, 3] {
+        if plain.len() < 2 {
+            break;
+        }
+        let point = whole.len() as i32 + places;
+        let new = if point <= 0 {
+            format!("0.{}{digits}", "0".repeat(point.unsigned_abs() as usize))
+        } else if point as usize >= digits.len() {
+            format!("{digits}{}", "0".repeat(point as usize - digits.len()))
+        } else {
+            format!("{}.{}", &digits[..point as usize], &digits[point as usize..])
+        };
+        let trimmed = new.trim_start_matches('0');
+        let new =
+            if trimmed.is_empty() || trimmed.starts_with('.') { format!("0{trimmed}") } else { trimmed.to_owned() };
+        out.push(new);
+    }
+    out
+}
+
+/// The number with another digit in one place, and with two neighbouring digits swapped.
+fn digits(text: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    let letters: Vec<char> = text.chars().collect();
+    for (at, letter) in letters.iter().enumerate().filter(|(_, letter)| letter.is_ascii_digit()).take(12) {
+        for other in ('0'..='9').filter(|other| other != letter) {
+            let leading_zero = at == 0 && other == '0' && letters.get(1).is_none_or(char::is_ascii_digit);
+            if !leading_zero {
+                let mut new = letters.clone();
+                new[at] = other;
+                if new.iter().any(|c| ('1'..='9').contains(c)) {
+                    out.push(new.into_iter().collect());
+                }
+            }
+        }
+        if let Some(next) = letters.get(at + 1).filter(|next| next.is_ascii_digit() && *next != letter) {
+            let mut new = letters.clone();
+            (new[at], new[at + 1]) = (*next, *letter);
+            out.push(new.into_iter().collect());
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chain::chains;
+    use crate::reader::{self, Format};
+
+    fn hinted(tex: &str) -> Option<String> {
+        let mut found = None;
+        reader::read(&format!("${tex}$"), Format::Markdown, &mut |formula| {
+            let chain = &chains(&formula.tokens)[0];
+            found = hint(&chain.sides[0], &chain.sides[1], Relation::Equal);
+        })
+        .expect("it is read");
+        found.map(|hint| hint.words)
+    }
+
+    #[test]
+    fn the_one_edit_that_fits_is_named() {
+        for (tex, words) in [
+            (r"(46.6\ \mathrm{W})(86.400\ \mathrm{s}) = 4.03\times10^6\ \mathrm{J}", "`86,400` for `86.400`"),
+            (r"2.40\ \mathrm{m/s^2}\,(12.0\ \mathrm{s})^2 = 172.80\ \mathrm{m}", "half of `2.40 m/s^2 (12.0 s)^2`"),
+            (
+                r"\frac{1000\ \mathrm{MeV}}{8.62\times10^{11}\ \mathrm{MeV/K}} = 1.16\times10^{13}\ \mathrm{K}",
+                "`10^−11` for `10^11`",
+            ),
+            (r"\tan 31.0^\circ = 0.609", "`0.601` for `0.609`"),
+            (r"239.052157 - 239.046526 = 0.0005631", "`0.005631` for `0.0005631`"),
+        ] {
+            assert_eq!(hinted(tex).as_deref(), Some(words), "{tex}");
+        }
+    }
+
+    #[test]
+    fn of_several_edits_none_is_named() {
+        assert_eq!(hinted("43.4 - 29.8 = 13.8"), None);
+    }
+}

@@ -1,0 +1,33 @@
+//! Recomputes the chains of numbers that a text prints.
+//!
+#![doc = include_str!("../README.md")]
+
+mod atom;
+mod binding;
+mod chain;
+mod check;
+#[cfg(feature = "cli")]
+pub mod cli;
+mod evaluate;
+mod finding;
+mod function;
+mod hint;
+mod interval;
+mod join;
+mod printed;
+pub mod reader;
+mod reading;
+mod surroundings;
+mod token;
+mod unit;
+mod units_after;
+mod value;
+mod verdict;
+
+pub use binding::Follow;
+pub use check::{Options, Report, Tally, proofread};
+pub use finding::{Finding, List};
+pub use hint::Hint;
+pub use reader::{Format, Unreadable};
+pub use token::Span;
+pub use verdict::Verdict;

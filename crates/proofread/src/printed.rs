@@ -1,0 +1,136 @@
+//! Printed digits, and the interval that they leave open.
+
+/// How much a printed number leaves open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// Nothing: the digits as they are.
+    Point,
+    /// Inside an expression: half a unit of the last decimal; an integer of three or more digits likewise.
+    Strict,
+    /// Inside an expression, with integers that may have been rounded to tens.
+    Lenient,
+    /// Alone as a result: half a unit of the last place, or of the last place that is not zero in an integer.
+    Result,
+}
+
+/// A number as printed, without its sign.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Printed {
+    /// The value of the digits, dimensionless.
+    pub value: f64,
+    /// Digits behind the point; none if there is no point.
+    pub decimals: Option<usize>,
+    digits: usize,
+    trailing_zeros: usize,
+}
+
+impl Printed {
+    /// Reads digits with at most one point and commas between thousands.
+    pub fn read(text: &str) -> Option<Self> {
+        let plain: String = text.chars().filter(|c| *c != ',').collect();
+        let allowed = |c: char| c.is_ascii_digit() || c == '.';
+        if !plain.chars().all(allowed) || !plain.contains(|c: char| c.is_ascii_digit()) {
+            return None;
+        }
+        let value: f64 = plain.parse().ok().filter(|value: &f64| value.is_finite())?;
+        let decimals = plain.split_once('.').map(|(_, behind)| behind.len());
+        let trailing = plain.len() - plain.trim_end_matches('0').len();
+        Some(Self {
+            value,
+            decimals,
+            digits: plain.trim_start_matches('0').len(),
+            trailing_zeros: if value == 0.0 || decimals.is_some() { 0 } else { trailing },
+        })
+    }
+
+    /// Half of what the digits leave open, and one unit of the last place, both dimensionless. `scaled` says that a power of
+    /// ten follows.
+    pub(crate) fn open(&self, mode: Mode, scaled: bool) -> (f64, f64) {
+        if let Some(decimals) = self.decimals {
+            let unit = power_of_ten(-(decimals as f64));
+            return (if mode == Mode::Point { 0.0 } else { unit / 2.0 }, unit);
+        }
+        let exact_one = self.value == 1.0;
+        match mode {
+            Mode::Point => (0.0, 1.0),
+            Mode::Result if exact_one && !scaled => (0.0, 1.0),
+            Mode::Result => {
+                let unit = if scaled { 1.0 } else { power_of_ten(self.trailing_zeros as f64) };
+                (unit / 2.0, unit)
+            }
+            Mode::Strict => (if self.digits >= 3 && !scaled { 0.5 } else { 0.0 }, 1.0),
+            Mode::Lenient if scaled => (0.5, 1.0),
+            Mode::Lenient => {
+                let half = match self.digits {
+                    0 | 1 => 0.0,
+                    2 => 0.5,
+                    _ => power_of_ten((self.trailing_zeros as f64 - 1.0).max(0.0)) / 2.0,
+                };
+                (half, 1.0)
+            }
+        }
+    }
+}
+
+/// Ten to a power, the same on every machine.
+pub(crate) fn power_of_ten(exponent: f64) -> f64 {
+    if exponent.fract() == 0.0 && exponent.abs() <= 400.0 {
+        return format!("1e{exponent:.0}").parse().unwrap_or(f64::INFINITY);
+    }
+    libm::pow(10.0, exponent)
+}
+
+/// A number with as many significant digits as asked, in the manner of the printed number beside it.
+pub(crate) fn written(value: f64, significant: usize) -> String {
+    let significant = significant.clamp(1, 15);
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let text = format!("{:.*e}", significant - 1, value);
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if (-4..6).contains(&exponent) {
+        let places = (significant as i32 - 1 - exponent).max(0) as usize;
+        return format!("{:.*}", places, text.parse::<f64>().unwrap_or(value));
+    }
+    format!("{mantissa}e{exponent}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_place_says_how_much_is_open() {
+        let half = |text: &str, mode| Printed::read(text).expect("a number").open(mode, false).0;
+        for (text, mode, expected) in [
+            ("0.50", Mode::Result, 0.005),
+            ("2300", Mode::Result, 50.0),
+            ("1", Mode::Result, 0.0),
+            ("7", Mode::Result, 0.5),
+            ("7", Mode::Strict, 0.0),
+            ("1,234", Mode::Strict, 0.5),
+            ("12.5", Mode::Point, 0.0),
+            ("1500", Mode::Lenient, 5.0),
+        ] {
+            assert!((half(text, mode) - expected).abs() < 1e-12, "{text} {mode:?}");
+        }
+        assert_eq!(Printed::read("1,234.50").map(|of| (of.value, of.decimals)), Some((1234.5, Some(2))));
+        for text in ["", ".", "1.2.3", "abc", "1e3"] {
+            assert_eq!(Printed::read(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_recomputed_number_is_written_with_as_many_digits() {
+        for (value, digits, expected) in [
+            (0.577_35, 3, "0.577"),
+            (4210.4, 4, "4210"),
+            (1.234e-7, 2, "1.2e-7"),
+            (5.63e-3, 3, "0.00563"),
+            (0.0, 3, "0"),
+        ] {
+            assert_eq!(written(value, digits), expected);
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! Documents in LaTeX: their macros, and the formulas of their body.
+
+use super::delimited::DISPLAYS;
+use super::tex::{self, Macro, Macros};
+use super::{Formula, Found};
+use crate::token::{Span, signs};
+
+/// Longest formula that is read, in bytes.
+const LONGEST: usize = 20_000;
+/// Environments whose content is not read.
+const VERBATIM: [&str; 6] = ["verbatim", "lstlisting", "comment", "minted", "tikzpicture", "Verbatim"];
+const MORE: [&str; 6] = ["flalign*", "alignat", "alignat*", "math", "dmath", "IEEEeqnarray"];
+/// Environments that are a problem by themselves.
+const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
+
+/// Finds the formulas of a document.
+pub(crate) fn read(text: &str, each: &mut Found<'_>) {
+    let macros = macros(text);
+    let bytes = text.as_bytes();
+    let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());
+    while at < bytes.len() {
+        match bytes[at] {
+            b'%' => at += text[at..].find('\n').unwrap_or(bytes.len() - at),
+            b'$' => {
+                let end = if bytes[at..].starts_with(b"$$") { "$$" } else { "$" };
+                at = until(text, at, end.len(), end, scope, &macros, each);
+            }
+            b'\\' => {
+                let rest = &text[at + 1..];
+                let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+                let name = &rest[..length];
+                match (name, rest.bytes().next()) {
+                    ("", Some(b'[')) => at = until(text, at, 2, "\\]", scope, &macros, each),
+                    ("", Some(b'(')) => at = until(text, at, 2, "\\)", scope, &macros, each),
+                    ("", next) => at += 1 + usize::from(next.is_some_and(|c| c.is_ascii())),
+                    ("begin", _) => at = begin(text, at, &mut scope, &mut inside, &macros, each),
+                    ("end", _) => {
+                        let closing = group(text, at + 4).unwrap_or_default();
+                        if closing == "document" {
+                            return;
+                        }
+                        if SCOPES.contains(&closing)
+                            && let Some(outer) = inside.pop()
+                        {
+                            scope = outer;
+                        }
+                        at += 4;
+                    }
+                    ("newcommand" | "renewcommand" | "providecommand" | "def" | "DeclareMathOperator", _) => {
+                        at = definition(text, at).map_or(at + 1 + length, |(_, _, end)| end);
+                    }
+                    ("verb" | "lstinline", Some(_)) => {
+                        let behind = &text[at + 1 + length..];
+                        let mark = behind.chars().next().unwrap_or('|');
+                        let inside = &behind[mark.len_utf8()..];
+                        let line = inside.find('\n').unwrap_or(inside.len());
+                        let end = inside[..line].find(mark).map_or(0, |end| end + mark.len_utf8());
+                        at += 1 + length + mark.len_utf8() + end;
+                    }
+                    (name, _) => at = abbreviation(text, at, name, scope, &macros, each),
+                }
+            }
+            _ => at += 1,
+        }
+        while at < text.len() && !text.is_char_boundary(at) {
+            at += 1;
+        }
+    }
+}
+
+/// The text of the group that begins at `at`.
+fn group(text: &str, at: usize) -> Option<&str> {
+    let rest = text.get(at..)?.trim_start_matches(' ').strip_prefix('{')?;
+    let end = rest.bytes().take(60).position(|c| c == b'}')?;
+    rest.get(..end)
+}
+
+fn begin(
+    text: &str,
+    at: usize,
+    scope: &mut u32,
+    inside: &mut Vec<u32>,
+    macros: &Macros,
+    each: &mut Found<'_>,
+) -> usize {
+    let Some(name) = group(text, at + 6) else { return at + 6 };
+    let open = at + 6 + name.len() + 2;
+    if DISPLAYS.contains(&name) || MORE.contains(&name) {
+        let end = format!("\\end{{{name}}}");
+        return until(text, at, open - at, &end, *scope, macros, each);
+    }
+    if VERBATIM.contains(&name) {
+        let end = format!("\\end{{{name}}}");
+        return text.get(open..).and_then(|rest| rest.find(&end)).map_or(text.len(), |found| open + found + end.len());
+    }
+    if SCOPES.contains(&name) && inside.len() < 1000 {
+        inside.push(*scope);
+        *scope = u32::try_from(at).unwrap_or(u32::MAX).saturating_add(1);
+    }
+    open
+}
+
+/// Reads the formula that begins at `at` with a mark of `open` bytes and ends with `end`; the byte behind it.
+fn until(text: &str, at: usize, open: usize, end: &str, scope: u32, macros: &Macros, each: &mut Found<'_>) -> usize {
+    let start = at + open;
+    let bytes = text.as_bytes();
+    let mut stop = start;
+    let close = loop {
+        let Some(rest) = bytes.get(stop..).filter(|rest| !rest.is_empty() && stop - start < LONGEST) else {
+            break None;
+        };
+        if rest.starts_with(end.as_bytes()) {
+            break Some(stop);
+        }
+        match rest[0] {
+            b'\\' => stop += 2,
+            // A blank line ends a formula that an author forgot to end.
+            b'\n' if rest.get(1) == Some(&b'\n') && end.starts_with('$') => break None,
+            b'%' => stop += rest.iter().position(|c| *c == b'\n').unwrap_or(rest.len()).max(1),
+            _ => stop += 1,
+        }
+    };
+    let Some(close) = close else { return stop.max(start).min(text.len()) };
+    let Some(source) = text.get(start..close) else { return close };
+    let mut formula = Formula::new(tex::formula(&signs(source, start), macros), Span::new(at, close + end.len()));
+    formula.scope = scope;
+    each(formula);
+    close + end.len()
+}
+
+/// A macro in running text that stands for the beginning of a display, with another one for its end.
+fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros, each: &mut Found<'_>) -> usize {
+    let behind = at + 1 + name.len();
+    let opened = |body: &str| {
+        let begins = body.trim().strip_prefix("\\begin{")?.split('}').next()?;
+        (DISPLAYS.contains(&begins) || MORE.contains(&begins)).then(|| format!("\\end{{{begins}}}"))
+    };
+    let Some(end) = macros.get(name).and_then(|of| opened(&of.body)) else { return behind };
+    let ends = macros.iter().filter(|(_, of)| of.body.trim() == end).map(|(name, _)| format!("\\{name}"));
+    let mut ends: Vec<String> = ends.collect();
+    ends.sort();
+    let window = &text
+        [behind..(behind..=text.len().min(behind + LONGEST)).rfind(|at| text.is_char_boundary(*at)).unwrap_or(behind)];
+    let is_end =
+        |found: &usize, mark: &str| !window[found + mark.len()..].starts_with(|c: char| c.is_ascii_alphabetic());
+    let nearest = ends
+        .iter()
+        .filter_map(|mark| {
+            Some((window.match_indices(mark.as_str()).map(|(at, _)| at).find(|at| is_end(at, mark))?, mark))
+        })
+        .min();
+    let Some((found, mark)) = nearest else { return behind };
+    let source = &window[..found];
+    let close = behind + found + mark.len();
+    let mut formula = Formula::new(tex::formula(&signs(source, behind), macros), Span::new(at, close));
+    formula.scope = scope;
+    each(formula);
+    close
+}
+
+/// The macros that the document defines; the last definition of a name counts.
+fn macros(text: &str) -> Macros {
+    let mut out = Macros::new();
+    let mut at = 0;
+    while let Some(found) = text[at..].find('\\').map(|found| at + found) {
+        at = found + 1;
+        let rest = &text[at..];
+        let defines = ["newcommand", "renewcommand", "providecommand", "def\\", "DeclareMathOperator"]
+            .iter()
+            .any(|name| rest.starts_with(name));
+        if defines && let Some((name, meaning, end)) = definition(text, found) {
+            if out.len() < 2000 {
+                out.insert(name, meaning);
+            }
+            at = end;
+        } else if rest.starts_with('\\') {
+            at += 1;
+        }
+    }
+    // What stands for itself would never end.
+    out.retain(|name, of| {
+        let uses = of
+            .body
+            .match_indices(&format!("\\{name}"))
+            .any(|(at, found)| !of.body[at + found.len()..].starts_with(|c: char| c.is_ascii_alphabetic()));
+        !uses
+    });
+    out
+}
+
+/// The definition that begins with the backslash at `at`: name, meaning, and the byte behind it.
+fn definition(text: &str, at: usize) -> Option<(String, Macro, usize)> {
+    let command: String = text[at + 1..].chars().take_while(char::is_ascii_alphabetic).collect();
+    let mut rest = Rest { text, at: at + 1 + command.len() };
+    rest.skip("*");
+    let name = match rest.braced() {
+        Some(name) => name.trim().trim_start_matches('\\').to_owned(),
+        None => rest.command()?,
+    };
+    let mut meaning = Macro::default();
+    if command == "def" {
+        while rest.skip("#") {
+            rest.at += 1;
+            meaning.arguments += 1;
+        }
+    } else if let Some(count) = rest.bracketed() {
+        meaning.arguments = count.trim().parse().ok().filter(|count| *count <= 9)?;
+        meaning.default = rest.bracketed();
+    }
+    meaning.body = rest.braced()?;
+    if command == "DeclareMathOperator" {
+        meaning.body = format!("\\mathrm{{{}}}", meaning.body);
+    }
+    let usable =
+        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic()) && name != "text" && name != "mathrm";
+    usable.then_some((name, meaning, rest.at))
+}
+
+struct Rest<'t> {
+    text: &'t str,
+    at: usize,
+}
+
+impl Rest<'_> {
+    fn skip(&mut self, what: &str) -> bool {
+        let found = self.text.get(self.at..).is_some_and(|rest| rest.starts_with(what));
+        self.at += if found { what.len() } else { 0 };
+        found
+    }
+
+    fn braced(&mut self) -> Option<String> {
+        self.between('{', '}')
+    }
+
+    fn bracketed(&mut self) -> Option<String> {
+        self.between('[', ']')
+    }
+
+    fn between(&mut self, open: char, close: char) -> Option<String> {
+        let rest = self.text.get(self.at..)?;
+        let space = rest.len() - rest.trim_start().len();
+        let inner = rest[space..].strip_prefix(open)?;
+        let mut depth = 1usize;
+        let mut escaped = false;
+        for (at, c) in inner.char_indices().take(2000) {
+            if escaped {
+                escaped = false;
+            } else if c == '\\' {
+                escaped = true;
+            } else if c == open {
+                depth += 1;
+            } else if c == close {
+                depth -= 1;
+                if depth == 0 {
+                    self.at += space + 1 + at + 1;
+                    return Some(inner[..at].to_owned());
+                }
+            }
+        }
+        None
+    }
+
+    fn command(&mut self) -> Option<String> {
+        let rest = self.text.get(self.at..)?;
+        let space = rest.len() - rest.trim_start().len();
+        let name: String = rest[space..].strip_prefix('\\')?.chars().take_while(char::is_ascii_alphabetic).collect();
+        self.at += space + 1 + name.len();
+        Some(name)
+    }
+}

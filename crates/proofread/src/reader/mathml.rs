@@ -1,0 +1,146 @@
+//! MathML's presentation elements to tokens.
+
+use super::markup::Element;
+use super::words::{number, number_length, plainly, whole, words};
+use crate::token::{Function, Kind, Sign, Token, trimmed};
+
+/// The tokens of an element.
+pub(crate) fn tokens(of: &Element) -> Vec<Token> {
+    let mut out = Vec::new();
+    into(of, &mut out);
+    out
+}
+
+fn row(of: &Element) -> Vec<Token> {
+    let mut out = Vec::new();
+    for child in &of.children {
+        into(child, &mut out);
+    }
+    out
+}
+
+fn trim(signs: &[Sign]) -> &[Sign] {
+    let start = signs.iter().take_while(|sign| sign.c.is_whitespace()).count();
+    let end = signs.iter().rev().take_while(|sign| sign.c.is_whitespace()).count();
+    signs.get(start..signs.len().saturating_sub(end)).unwrap_or_default()
+}
+
+fn into(of: &Element, out: &mut Vec<Token>) {
+    let text = plainly(&of.text);
+    let text = trim(&text);
+    let mut push = |kind: Kind| out.push(Token::new(kind, of.span));
+    let child = |at: usize| of.children.get(at).map(tokens).unwrap_or_default();
+    match (of.name.as_str(), of.children.len()) {
+        ("math" | "mrow" | "mstyle" | "mpadded" | "semantics" | "mtd" | "menclose" | "merror" | "maction", _) => {
+            // Text outside any element is an author's slip, and read.
+            if of.children.is_empty() {
+                words(text, out);
+            }
+            out.extend(row(of));
+        }
+        ("annotation" | "annotation-xml" | "mphantom" | "none" | "mprescripts" | "maligngroup" | "malignmark", _) => {}
+        ("mn", _) => {
+            let plain: Vec<Sign> = text.iter().filter(|sign| !sign.c.is_whitespace()).copied().collect();
+            match number_length(&plain) {
+                length if length > 0 && length == plain.len() => out.push(number(&plain)),
+                _ => words(text, out),
+            }
+        }
+        ("mi", _) => identifier(of, text, out),
+        ("mo", _) => {
+            let name: String = text.iter().map(|sign| sign.c).collect();
+            match (text, Function::named(&name)) {
+                ([], _) => {}
+                (_, Some(function)) => push(Kind::Function(function)),
+                ([one], _) if !one.c.is_alphanumeric() && !"°%½¼…".contains(one.c) => {
+                    out.push(Token::new(Kind::Operator(one.c), one.span));
+                }
+                _ => words(text, out),
+            }
+        }
+        ("mtext" | "ms", _) => {
+            let name: String = text.iter().map(|sign| sign.c).collect();
+            match Function::named(&name) {
+                Some(function) => push(Kind::Function(function)),
+                None => {
+                    let raw: Vec<Sign> = of.text.iter().filter(|sign| sign.c != '\n').copied().collect();
+                    words(&raw, out);
+                }
+            }
+        }
+        ("mspace", _) => {
+            let em = of.attribute("width").and_then(|width| width.strip_suffix("em")?.parse::<f64>().ok());
+            let newline = of.attribute("linebreak") == Some("newline");
+            let tenths = em.unwrap_or(0.2).clamp(0.0, 20.0) * 10.0;
+            push(Kind::Space(if newline { 20 } else { tenths as u8 }));
+        }
+        ("mfrac", 2) => push(Kind::Fraction(child(0), child(1))),
+        ("msqrt", _) => push(Kind::Root(row(of), Vec::new())),
+        ("mroot", 2) => push(Kind::Root(child(0), child(1))),
+        ("msup", 2) => push(Kind::Scripts(child(0), Vec::new(), child(1))),
+        ("msub", 2) => push(Kind::Scripts(child(0), child(1), Vec::new())),
+        ("msubsup", 3) => push(Kind::Scripts(child(0), child(1), child(2))),
+        ("mover", 2) => {
+            let sign = crate::token::show(&child(1));
+            push(Kind::Accent(child(0), sign));
+        }
+        ("mtable", _) => {
+            let rows = of.children.iter().map(|row| row.children.iter().map(tokens).collect()).collect();
+            push(Kind::Table(side_by_side(rows)));
+        }
+        ("mtr" | "mlabeledtr", _) => out.extend(row(of)),
+        ("mfenced", _) => {
+            let bracket = |name, usual| of.attribute(name).and_then(|text| text.trim().chars().next()).unwrap_or(usual);
+            push(Kind::Operator(bracket("open", '(')));
+            for (at, child) in of.children.iter().enumerate() {
+                if at > 0 {
+                    out.push(Token::new(Kind::Operator(','), child.span));
+                }
+                into(child, out);
+            }
+            out.push(Token::new(Kind::Operator(bracket("close", ')')), of.span));
+        }
+        (name, _) => push(Kind::Unknown(name.to_owned())),
+    }
+    // A leaf that was not closed has taken what follows it.
+    if matches!(of.name.as_str(), "mn" | "mi" | "mo" | "mtext" | "ms") {
+        out.extend(row(of));
+    }
+}
+
+fn identifier(of: &Element, text: &[Sign], out: &mut Vec<Token>) {
+    let name: String = text.iter().map(|sign| sign.c).collect();
+    let span = whole(text);
+    match text {
+        [] => {}
+        _ if Function::named(&name).is_some() => {
+            out.extend(Function::named(&name).map(|function| Token::new(Kind::Function(function), span)));
+        }
+        [one] if "%°$".contains(one.c) => out.push(Token::new(Kind::Word(name), span)),
+        [one] if !one.c.is_ascii_digit() && of.attribute("mathvariant") != Some("normal") => {
+            out.push(Token::new(Kind::Name(name), span));
+        }
+        _ => words(text, out),
+    }
+}
+
+/// The rows of a table; cells that each have an equation of their own are rows by themselves, column by column.
+pub(crate) fn side_by_side(rows: Vec<Vec<Vec<Token>>>) -> Vec<Vec<Token>> {
+    let owns = |cell: &Vec<Token>| {
+        let Some(at) = cell.iter().position(|token| token.is('=')) else { return false };
+        let left = cell[..at].iter().any(|token| !token.is_space() && !matches!(token.kind, Kind::Operator(_)));
+        left && !trimmed(&cell[at + 1..]).is_empty()
+    };
+    if !rows.iter().any(|row| row.iter().filter(|cell| owns(cell)).count() >= 2) {
+        return rows.into_iter().map(|row| row.into_iter().flatten().collect()).collect();
+    }
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let mut out: Vec<Vec<Token>> = vec![Vec::new(); columns * rows.len()];
+    let height = rows.len();
+    for (at, row) in rows.into_iter().enumerate() {
+        for (column, cell) in row.into_iter().enumerate() {
+            out[column * height + at] = cell;
+        }
+    }
+    out
+}

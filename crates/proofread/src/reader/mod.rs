@@ -1,0 +1,163 @@
+//! Readers: a text in one of the formats to formulas, each a list of tokens with their places.
+
+mod delimited;
+mod latex;
+mod markdown;
+mod markup;
+mod mathml;
+mod notebook;
+mod plain;
+mod siunitx;
+mod symbols;
+mod tex;
+mod words;
+
+use crate::token::{Span, Token};
+
+/// What a text is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Markdown with TeX between dollar signs, `\(` or `\[`, and lines with an equals sign.
+    Markdown,
+    /// A document in LaTeX, or a part of one.
+    Latex,
+    /// XML with MathML, such as CNXML or a DocBook.
+    Xml,
+    /// HTML with MathML, or with TeX for MathJax or KaTeX.
+    Html,
+    /// A Jupyter notebook.
+    Notebook,
+    /// Plain lines; TeX between marks is read, too.
+    Plain,
+}
+
+impl Format {
+    /// Every format with its name.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("markdown", Self::Markdown),
+        ("latex", Self::Latex),
+        ("xml", Self::Xml),
+        ("html", Self::Html),
+        ("notebook", Self::Notebook),
+        ("plain", Self::Plain),
+    ];
+
+    /// The format of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, format)| *format)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, format)| *format == self).map_or("", |(name, _)| name)
+    }
+
+    /// The format of files whose names end so, without the dot, in any case.
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        Some(match extension.to_ascii_lowercase().as_str() {
+            "md" | "markdown" | "mdown" | "mkd" | "qmd" | "rmd" => Self::Markdown,
+            "tex" | "latex" | "ltx" => Self::Latex,
+            "xml" | "cnxml" | "mml" | "docbook" | "dbk" => Self::Xml,
+            "html" | "htm" | "xhtml" => Self::Html,
+            "ipynb" => Self::Notebook,
+            "txt" | "text" => Self::Plain,
+            _ => return None,
+        })
+    }
+}
+
+/// Why a text could not be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unreadable {
+    /// It is no notebook, with the reason.
+    Notebook(String),
+    /// It is longer than a document may be.
+    TooLong,
+}
+
+impl std::fmt::Display for Unreadable {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Notebook(why) => write!(f, "this is not a Jupyter notebook: {why}"),
+            Self::TooLong => write!(f, "the text has more than {} MiB; split it", LONGEST >> 20),
+        }
+    }
+}
+
+impl std::error::Error for Unreadable {}
+
+/// Longest document, in bytes.
+pub const LONGEST: usize = 64 << 20;
+
+/// How a formula is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Written {
+    /// As a formula.
+    #[default]
+    Formula,
+    /// In running text.
+    Plain,
+}
+
+/// A formula of a text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// Its tokens.
+    pub tokens: Vec<Token>,
+    /// Where it is in the text.
+    pub span: Span,
+    /// Which example, exercise or section it belongs to; 0 for none.
+    pub scope: u32,
+    /// Whether it continues what stands before it, so that its first side is not all of one.
+    pub continues: bool,
+    /// Whether the text behind it continues it.
+    pub goes_on: bool,
+    /// How it is written.
+    pub written: Written,
+}
+
+impl Formula {
+    fn new(tokens: Vec<Token>, span: Span) -> Self {
+        Self { tokens, span, scope: 0, continues: false, goes_on: false, written: Written::Formula }
+    }
+
+    fn place(&mut self, to: &dyn Fn(Span) -> Span) {
+        self.span = to(self.span);
+        self.tokens.iter_mut().for_each(|token| token.place(to));
+    }
+}
+
+/// Takes the formulas as they are found.
+pub(crate) type Found<'f> = dyn FnMut(Formula) + 'f;
+
+/// Reads a text and hands over its formulas in their order.
+///
+/// # Errors
+///
+/// If the text is too long, or is no notebook where it should be one.
+pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
+    if text.len() > LONGEST {
+        return Err(Unreadable::TooLong);
+    }
+    match format {
+        Format::Markdown => markdown::read(text, each),
+        Format::Latex => latex::read(text, each),
+        Format::Xml | Format::Html => markup::read(text, each),
+        Format::Notebook => notebook::read(text, each)?,
+        Format::Plain => {
+            let marked = delimited::formulas(text, &[], delimited::Dollars::Single);
+            let mut found = Vec::new();
+            let mut taken = Vec::new();
+            for of in marked {
+                let signs = crate::token::signs(&text[of.inside.clone()], of.inside.start);
+                let tokens = tex::formula(&signs, &tex::Macros::new());
+                found.push(Formula::new(tokens, Span::new(of.whole.start, of.whole.end)));
+                taken.push(of.whole);
+            }
+            plain::read(text, &taken, &mut |formula| found.push(formula));
+            found.sort_by_key(|formula| formula.span);
+            found.into_iter().for_each(each);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,162 @@
+//! Lines of plain text with an equals sign, as they come out of a PDF or are typed in a mail.
+
+use super::words::words;
+use super::{Formula, Found, Written};
+use crate::token::{Function, Kind, Span, Token, signs};
+use crate::unit::unit;
+use std::ops::Range;
+
+/// Longest line that is read, in bytes.
+const LONGEST: usize = 4000;
+
+/// Finds the formulas in lines outside the stretches to skip, which are in their order.
+pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut Found<'_>) {
+    let mut skipped = skip.iter().peekable();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let whole = start..start + line.len();
+        start = whole.end;
+        while skipped.next_if(|range| range.end <= whole.start).is_some() {}
+        // What is between the stretches to skip.
+        let mut from = whole.start;
+        let mut pieces = Vec::new();
+        while let Some(range) = skipped.peek()
+            && range.start < whole.end
+        {
+            if range.start > from {
+                pieces.push(from..range.start);
+            }
+            from = from.max(range.end);
+            if range.end > whole.end {
+                break;
+            }
+            skipped.next();
+        }
+        if from < whole.end {
+            pieces.push(from..whole.end);
+        }
+        for piece in pieces {
+            let part = &text[piece.clone()];
+            if part.contains('=') && part.len() <= LONGEST && part.contains(|c: char| c.is_ascii_digit()) {
+                line_of(part, piece.start, each);
+            }
+        }
+    }
+}
+
+fn is_code(line: &str) -> bool {
+    ["==", "!=", "<=", ">=", ":=", "=>", "+=", "-=", "|=", "=\"", "='", "();"].iter().any(|sign| line.contains(sign))
+}
+
+fn line_of(line: &str, base: usize, each: &mut Found<'_>) {
+    if is_code(line) {
+        return;
+    }
+    let mut tokens = Vec::new();
+    words(&signs(line, base), &mut tokens);
+    let tokens = understood(tokens);
+    let span = Span::new(base, base + line.trim_end().len());
+    let mut formula = Formula::new(tokens, span);
+    formula.written = Written::Plain;
+    each(formula);
+}
+
+/// Words between formulas that look like units.
+const PROSE: [&str; 12] = ["a", "in", "at", "as", "A", "I", "min", "per", "t", "d", "e", "u"];
+
+/// Makes letters, exponents, products and separators of what running text writes with words and signs.
+fn understood(tokens: Vec<Token>) -> Vec<Token> {
+    let mut out: Vec<Token> = Vec::new();
+    let mut rest = tokens.into_iter().peekable();
+    while let Some(token) = rest.next() {
+        let next_is = |is: &dyn Fn(&Token) -> bool, rest: &mut std::iter::Peekable<std::vec::IntoIter<Token>>| {
+            rest.peek().is_some_and(is)
+        };
+        let span = token.span;
+        match token.kind {
+            Kind::Operator('^') => {
+                let mut exponent = Vec::new();
+                let signed = next_is(&|next| next.is_one_of("+-"), &mut rest);
+                exponent.extend(rest.next_if(|_| signed));
+                if let Some(open) = rest.next_if(|next| next.is_one_of("({")) {
+                    let mut depth = 1usize;
+                    for inner in rest.by_ref() {
+                        depth += usize::from(inner.is_one_of("({"));
+                        depth -= usize::from(inner.is_one_of(")}"));
+                        if depth == 0 {
+                            break;
+                        }
+                        exponent.push(inner);
+                    }
+                    let _ = open;
+                } else {
+                    exponent.extend(rest.next_if(|next| !next.is_space()));
+                }
+                out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), span));
+            }
+            Kind::Operator('*') => {
+                if let Some(_second) = rest.next_if(|next| next.is('*')) {
+                    continue;
+                }
+                out.push(Token::new(Kind::Operator('·'), span));
+            }
+            Kind::Word(word) => {
+                let before = out.iter().rev().find(|token| !token.is_space());
+                let touching = out.last().is_some_and(|last| !last.is_space());
+                let follows_number = before.is_some_and(|token| matches!(token.kind, Kind::Number(_)));
+                let follows_unit = before.is_some_and(|token| match &token.kind {
+                    Kind::Number(_) => true,
+                    Kind::Word(word) => unit(word).is_some(),
+                    Kind::Scripts(..) => true,
+                    Kind::Operator(c) => ")]/·".contains(*c),
+                    _ => false,
+                });
+                // 1.5e-3
+                let exponent = touching && follows_number && matches!(word.as_str(), "e" | "E");
+                let ahead: Vec<Token> = rest.clone().take(2).collect();
+                let sign = usize::from(ahead.first().is_some_and(|token| token.is_one_of("+-")));
+                let power =
+                    ahead.get(sign).filter(|token| token.number().is_some_and(|text| !text.contains(['.', ','])));
+                if let Some(power) = power.filter(|power| exponent && power.span.start <= span.end + 1) {
+                    let raised: Vec<Token> = ahead[..sign].iter().chain([power]).cloned().collect();
+                    out.push(Token::new(Kind::Operator('×'), span));
+                    out.push(Token::new(Kind::Number("10".to_owned()), span));
+                    out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), span));
+                    rest.nth(sign);
+                    continue;
+                }
+                let mut after = rest.clone().skip_while(Token::is_space);
+                let next = after.next();
+                let before_number =
+                    next.as_ref().is_some_and(|next| matches!(next.kind, Kind::Number(_)) || next.is('('));
+                if word == "x" && follows_unit && before_number {
+                    out.push(Token::new(Kind::Operator('×'), span));
+                    continue;
+                }
+                let calls = rest.peek().is_some_and(|next| next.is('('));
+                let single = word.chars().count() == 1;
+                let kind = if word == "pi" {
+                    Kind::Name("π".to_owned())
+                } else if word == "sqrt" {
+                    Kind::Operator('√')
+                } else if let Some(function) = Function::named(&word).filter(|_| word != "sec") {
+                    Kind::Function(function)
+                } else if follows_unit && unit(&word).is_some() && (touching || !PROSE.contains(&word.as_str())) {
+                    Kind::Word(word)
+                } else if single
+                    && !(PROSE.contains(&word.as_str()) && next.as_ref().is_some_and(|next| next.word().is_some()))
+                {
+                    Kind::Name(word)
+                } else if (next.as_ref().is_some_and(|next| next.is('=')) || calls) && !follows_unit {
+                    Kind::Name(word)
+                } else {
+                    // Prose, or a unit that is not known.
+                    Kind::Operator(';')
+                };
+                out.push(Token::new(kind, span));
+            }
+            kind => out.push(Token::new(kind, span)),
+        }
+    }
+    out
+}

@@ -1,0 +1,153 @@
+//! Numbers and units of the LaTeX package siunitx.
+
+use super::words::{whole, words};
+use crate::token::{Kind, Sign, Token};
+
+/// A number with its exponent behind `e`.
+pub(crate) fn number(signs: &[Sign], out: &mut Vec<Token>) {
+    let exponent = signs.iter().position(|sign| matches!(sign.c, 'e' | 'E' | 'd' | 'D'));
+    let (mantissa, exponent) = signs.split_at(exponent.unwrap_or(signs.len()));
+    // Groups of digits may be parted by spaces or braces.
+    let mantissa: Vec<Sign> =
+        mantissa.iter().filter(|sign| !sign.c.is_whitespace() && !"{}~_".contains(sign.c)).copied().collect();
+    words(&mantissa, out);
+    let [e, power @ ..] = exponent else { return };
+    let span = e.span;
+    if !mantissa.is_empty() {
+        out.push(Token::new(Kind::Operator('×'), span));
+    }
+    out.push(Token::new(Kind::Number("10".to_owned()), span));
+    let mut raised = Vec::new();
+    words(power, &mut raised);
+    out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), whole(power)));
+}
+
+/// Units in words with backslashes, such as `\kilo\metre\per\second\squared`, as plain TeX.
+pub(crate) fn unit(signs: &[Sign]) -> Vec<Sign> {
+    let mut out: Vec<Sign> = Vec::new();
+    let mut at = 0;
+    let mut below = false;
+    let mut prefix = "";
+    let mut power = "";
+    while let Some(sign) = signs.get(at) {
+        if sign.c != '\\' {
+            // A point or a tilde is a product; the rest is as in any formula.
+            let c = if matches!(sign.c, '.' | '~') { ' ' } else { sign.c };
+            if c == ' ' {
+                write("\\,", sign, &mut out);
+            } else {
+                out.push(Sign { c, ..*sign });
+            }
+            at += 1;
+            continue;
+        }
+        let length = signs[at + 1..].iter().take_while(|sign| sign.c.is_ascii_alphabetic()).count();
+        let name: String = signs[at + 1..=at + length].iter().map(|sign| sign.c).collect();
+        at += 1 + length.max(1);
+        match name.as_str() {
+            "per" => below = true,
+            "square" => power = "^2",
+            "cubic" => power = "^3",
+            "squared" => raise("2", sign, &mut out),
+            "cubed" => raise("3", sign, &mut out),
+            "tothe" | "raiseto" | "of" | "text" | "mathrm" => {}
+            name => {
+                if let Some(known) = prefix_of(name) {
+                    prefix = known;
+                    continue;
+                }
+                let known = sign_of(name);
+                let known = if known.is_empty() { name } else { known };
+                if !out.is_empty() {
+                    write("\\,", sign, &mut out);
+                }
+                write(prefix, sign, &mut out);
+                write(known, sign, &mut out);
+                match (below, power) {
+                    (false, power) => write(power, sign, &mut out),
+                    (true, "") => write("^{-1}", sign, &mut out),
+                    (true, power) => write(&format!("^{{-{}}}", power.trim_start_matches('^')), sign, &mut out),
+                }
+                (below, prefix, power) = (false, "", "");
+            }
+        }
+    }
+    out
+}
+
+fn write(text: &str, at: &Sign, out: &mut Vec<Sign>) {
+    out.extend(text.chars().map(|c| Sign { c, span: at.span }));
+}
+
+/// Makes `^{-1}` at the end `^{-2}`, or adds an exponent.
+fn raise(power: &str, at: &Sign, out: &mut Vec<Sign>) {
+    let tail: String = out.iter().rev().take(5).map(|sign| sign.c).collect();
+    if tail == "}1-{^" {
+        out.truncate(out.len() - 5);
+        write(&format!("^{{-{power}}}"), at, out);
+    } else {
+        write(&format!("^{power}"), at, out);
+    }
+}
+
+fn prefix_of(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "kilo" => "k",
+        "mega" => "M",
+        "giga" => "G",
+        "tera" => "T",
+        "centi" => "c",
+        "deci" => "d",
+        "hecto" => "h",
+        "milli" => "m",
+        "micro" => "μ",
+        "nano" => "n",
+        "pico" => "p",
+        "femto" => "f",
+        _ => return None,
+    })
+}
+
+fn sign_of(name: &str) -> &'static str {
+    match name {
+        "metre" | "meter" => "m",
+        "gram" => "g",
+        "second" => "s",
+        "ampere" => "A",
+        "kelvin" => "K",
+        "mole" => "mol",
+        "candela" => "cd",
+        "newton" => "N",
+        "joule" => "J",
+        "watt" => "W",
+        "pascal" => "Pa",
+        "hertz" => "Hz",
+        "coulomb" => "C",
+        "volt" => "V",
+        "ohm" => "Ω",
+        "farad" => "F",
+        "tesla" => "T",
+        "henry" => "H",
+        "weber" => "Wb",
+        "siemens" => "S",
+        "electronvolt" => "eV",
+        "litre" | "liter" => "L",
+        "degree" => "°",
+        "degreeCelsius" | "celsius" => "°C",
+        "percent" => "\\%",
+        "radian" => "rad",
+        "steradian" => "sr",
+        "minute" => "min",
+        "hour" => "h",
+        "day" => "d",
+        "becquerel" => "Bq",
+        "gray" => "Gy",
+        "sievert" => "Sv",
+        "tonne" => "t",
+        "bar" => "bar",
+        "angstrom" => "Å",
+        "dalton" | "atomicmassunit" => "u",
+        "astronomicalunit" => "au",
+        _ => "",
+    }
+}

@@ -1,0 +1,129 @@
+//! What single commands of TeX stand for, and how scripts and upright letters join what is before them.
+
+use crate::token::{Function, Kind, Span, Token};
+
+/// A command without arguments.
+pub(crate) fn symbol(name: &str) -> Kind {
+    const GREEK: &str = "alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta θ iota ι kappa κ \
+        lambda λ mu μ nu ν xi ξ pi π rho ρ varrho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ \
+        Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω hbar ℏ ell ℓ infty ∞ micro μ ohm Ω";
+    let mut greek = GREEK.split_whitespace();
+    while let (Some(known), Some(letter)) = (greek.next(), greek.next()) {
+        if known == name {
+            let upright = name == "ohm";
+            return if upright { Kind::Word(letter.to_owned()) } else { Kind::Name(letter.to_owned()) };
+        }
+    }
+    if let Some(function) = Function::named(name) {
+        return Kind::Function(function);
+    }
+    Kind::Operator(match name {
+        "times" => '×',
+        "cdot" | "cdotp" | "bullet" | "ast" => '·',
+        "div" | "slash" => '/',
+        "pm" => '±',
+        "mp" => '∓',
+        "approx" | "cong" | "simeq" | "thickapprox" | "doteq" | "approxeq" | "fallingdotseq" => '≈',
+        "Rightarrow" | "implies" | "therefore" | "Longrightarrow" | "Leftrightarrow" | "iff" => '⇒',
+        "to" | "rightarrow" | "longrightarrow" | "mapsto" => '→',
+        "ne" | "neq" => '≠',
+        "sim" => '∼',
+        "equiv" => '≡',
+        "le" | "leq" | "leqslant" | "lt" | "ll" | "lesssim" => '<',
+        "ge" | "geq" | "geqslant" | "gt" | "gg" | "gtrsim" | "propto" | "because" | "mid" | "leftrightarrow" => '>',
+        "lvert" | "rvert" | "vert" => '|',
+        "lbrace" => '{',
+        "rbrace" => '}',
+        "lbrack" => '[',
+        "rbrack" => ']',
+        "prime" => '′',
+        "sum" => '∑',
+        "prod" => '∏',
+        "int" | "oint" | "iint" => '∫',
+        "colon" => ':',
+        "dots" | "ldots" | "cdots" | "vdots" | "ddots" => return Kind::Unknown("…".to_owned()),
+        "euro" | "pounds" | "textdollar" => return Kind::Word("$".to_owned()),
+        _ => return Kind::Unknown(format!("\\{name}")),
+    })
+}
+
+/// Upright letters, each read by itself, as words.
+pub(crate) fn merge_letters(tokens: Vec<Token>, out: &mut Vec<Token>) {
+    let mut joined = false;
+    for mut next in tokens {
+        if let Kind::Scripts(base, sub, sup) = &mut next.kind
+            && sub.is_empty()
+        {
+            let mut words = Vec::new();
+            merge_letters(std::mem::take(base), &mut words);
+            // The last letter of a word has the exponent.
+            if joined
+                && let ([Token { kind: Kind::Word(letter), .. }], Some(Token { kind: Kind::Word(before), span })) =
+                    (words.as_slice(), out.last_mut())
+                && letter.chars().all(char::is_alphabetic)
+            {
+                before.push_str(letter);
+                *span = span.join(next.span);
+                let sup = std::mem::take(sup);
+                out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), sup), next.span));
+                joined = false;
+                continue;
+            }
+            *base = words;
+            out.push(next);
+            joined = false;
+            continue;
+        }
+        match next.kind {
+            Kind::Name(letter) if letter.chars().all(|c| c.is_alphabetic()) => {
+                if joined && let Some(Token { kind: Kind::Word(before), span }) = out.last_mut() {
+                    before.push_str(&letter);
+                    *span = span.join(next.span);
+                    continue;
+                }
+                out.push(Token::new(Kind::Word(letter), next.span));
+                joined = true;
+            }
+            Kind::Group(inner) => {
+                merge_letters(inner, out);
+                joined = false;
+            }
+            Kind::Fraction(a, b) => {
+                let (mut above, mut below) = (Vec::new(), Vec::new());
+                merge_letters(a, &mut above);
+                merge_letters(b, &mut below);
+                out.push(Token::new(Kind::Fraction(above, below), next.span));
+                joined = false;
+            }
+            kind => {
+                joined = false;
+                out.push(Token::new(kind, next.span));
+            }
+        }
+    }
+}
+
+/// Gives a script to the last token that is no space.
+pub(crate) fn attach(out: &mut Vec<Token>, above: bool, script: Vec<Token>, span: Span) {
+    while out.last().is_some_and(Token::is_space) {
+        out.pop();
+    }
+    let script_span = script.iter().fold(span, |sum, token| sum.join(token.span));
+    let Some(last) = out.pop() else {
+        let (sub, sup) = if above { (Vec::new(), script) } else { (script, Vec::new()) };
+        out.push(Token::new(Kind::Scripts(Vec::new(), sub, sup), script_span));
+        return;
+    };
+    let whole = last.span.join(script_span);
+    let kind = match last.kind {
+        Kind::Scripts(base, sub, sup) if above && sup.is_empty() => Kind::Scripts(base, sub, script),
+        Kind::Scripts(base, sub, sup) if !above && sub.is_empty() => Kind::Scripts(base, script, sup),
+        Kind::Group(inner) if above => {
+            Kind::Scripts(vec![Token::new(Kind::Group(inner), last.span)], Vec::new(), script)
+        }
+        Kind::Group(inner) => Kind::Scripts(inner, script, Vec::new()),
+        kind if above => Kind::Scripts(vec![Token::new(kind, last.span)], Vec::new(), script),
+        kind => Kind::Scripts(vec![Token::new(kind, last.span)], script, Vec::new()),
+    };
+    out.push(Token::new(kind, whole));
+}

@@ -1,0 +1,479 @@
+//! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
+
+use super::siunitx;
+use super::symbols::{attach, merge_letters, symbol};
+use super::words::{number, number_length, plain, whole, words};
+use crate::token::{Function, Kind, Sign, Span, Token};
+use std::collections::HashMap;
+
+/// Deepest nesting of braces, fractions and scripts that is read.
+const DEEPEST: usize = 40;
+/// Most characters that the macros of one formula may add.
+const MOST_EXPANDED: usize = 20_000;
+
+/// A macro of the document: how many arguments it takes, the first one's default if it is optional, and what it stands for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Macro {
+    pub arguments: usize,
+    pub default: Option<String>,
+    pub body: String,
+}
+
+/// The macros of a document, by name without the backslash.
+pub(crate) type Macros = HashMap<String, Macro>;
+
+/// Reads a formula.
+pub(crate) fn formula(signs: &[Sign], macros: &Macros) -> Vec<Token> {
+    let mut reader = Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0 };
+    reader.tokens(0, &[])
+}
+
+struct Tex<'m> {
+    /// What is still to be read, the next character last.
+    stack: Vec<Sign>,
+    macros: &'m Macros,
+    expanded: usize,
+}
+
+fn token(kind: Kind, span: Span) -> Token {
+    Token::new(kind, span)
+}
+
+impl Tex<'_> {
+    fn peek(&self) -> Option<Sign> {
+        self.stack.last().copied()
+    }
+
+    /// The `n`th next character.
+    fn ahead(&self, n: usize) -> Option<char> {
+        let at = self.stack.len().checked_sub(n + 1)?;
+        self.stack.get(at).map(|sign| sign.c)
+    }
+
+    fn skip_space(&mut self) {
+        while self.peek().is_some_and(|sign| sign.c.is_whitespace()) {
+            self.stack.pop();
+        }
+    }
+
+    /// The name behind a backslash that has been taken.
+    fn command_name(&mut self) -> String {
+        let mut name = String::new();
+        while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_alphabetic()) {
+            name.push(sign.c);
+            self.stack.pop();
+        }
+        if name.is_empty() {
+            name.extend(self.stack.pop().map(|sign| sign.c));
+        } else if self.peek().is_some_and(|sign| sign.c == '*') && !self.macros.contains_key(&name) {
+            self.stack.pop();
+        }
+        name
+    }
+
+    /// The characters of a group, or the next character or command.
+    fn raw_group(&mut self) -> Vec<Sign> {
+        self.skip_space();
+        let Some(first) = self.stack.pop() else { return Vec::new() };
+        if first.c == '\\' {
+            let mut out = vec![first];
+            let letter = |n: &usize| self.ahead(*n).is_some_and(|c| c.is_ascii_alphabetic());
+            let letters = (0..self.stack.len()).take_while(letter).count().max(1);
+            out.extend((0..letters).filter_map(|_| self.stack.pop()));
+            return out;
+        }
+        if first.c != '{' {
+            return vec![first];
+        }
+        self.until('{', '}')
+    }
+
+    /// The characters up to the bracket that closes one that has been taken.
+    fn until(&mut self, open: char, close: char) -> Vec<Sign> {
+        let (mut out, mut depth, mut braces) = (Vec::new(), 1usize, 0usize);
+        while let Some(sign) = self.stack.pop() {
+            if sign.c == '\\' {
+                out.push(sign);
+                out.extend(self.stack.pop());
+                continue;
+            }
+            if sign.c == close && (close == '}' || braces == 0) {
+                depth -= 1;
+                if depth == 0 {
+                    break;
+                }
+            } else if sign.c == open {
+                depth += 1;
+            } else if sign.c == '{' {
+                braces += 1;
+            } else if sign.c == '}' {
+                braces = braces.saturating_sub(1);
+            }
+            out.push(sign);
+        }
+        out
+    }
+
+    fn optional(&mut self) -> Option<Vec<Sign>> {
+        self.skip_space();
+        (self.peek()?.c == '[').then(|| {
+            self.stack.pop();
+            self.until('[', ']')
+        })
+    }
+
+    fn argument(&mut self, depth: usize) -> Vec<Token> {
+        self.skip_space();
+        match self.peek().map(|sign| sign.c) {
+            Some('{') => {
+                self.stack.pop();
+                self.tokens(depth + 1, &['}'])
+            }
+            Some('\\') => {
+                let mut out = Vec::new();
+                self.command(depth + 1, &mut out);
+                out
+            }
+            Some(c) => {
+                let taken: Vec<Sign> = self.stack.pop().into_iter().collect();
+                let span = whole(&taken);
+                let Some(c) = plain(c) else { return Vec::new() };
+                vec![match c {
+                    '0'..='9' => number(&taken),
+                    '°' | '%' => token(Kind::Word(c.to_string()), span),
+                    c if c.is_alphabetic() => token(Kind::Name(c.to_string()), span),
+                    c => token(Kind::Operator(c), span),
+                }]
+            }
+            None => Vec::new(),
+        }
+    }
+
+    /// Tokens up to one of `ends`, which is taken, or to the end.
+    fn tokens(&mut self, depth: usize, ends: &[char]) -> Vec<Token> {
+        let mut out: Vec<Token> = Vec::new();
+        if depth > DEEPEST {
+            let span = self.peek().map_or(Span::default(), |sign| sign.span);
+            if ends == ['}'] {
+                self.until('{', '}');
+            } else {
+                self.stack.clear();
+            }
+            return vec![token(Kind::Unknown("nested too deeply".to_owned()), span)];
+        }
+        while let Some(sign) = self.peek() {
+            let (c, span) = (sign.c, sign.span);
+            if ends.contains(&c) {
+                self.stack.pop();
+                break;
+            }
+            match c {
+                '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
+                '~' => {
+                    self.stack.pop();
+                    out.push(token(Kind::Space(2), span));
+                }
+                '&' => {
+                    self.stack.pop();
+                    out.push(token(Kind::Cell, span));
+                }
+                '{' => {
+                    self.stack.pop();
+                    if self.ahead(0) == Some(',') && self.ahead(1) == Some('}') {
+                        self.stack.truncate(self.stack.len() - 2);
+                        out.push(token(Kind::Operator(','), span));
+                        continue;
+                    }
+                    let inner = self.tokens(depth + 1, &['}']);
+                    out.push(token(Kind::Group(inner), span));
+                }
+                '}' => {
+                    self.stack.pop();
+                }
+                '^' | '_' => {
+                    self.stack.pop();
+                    let script = self.argument(depth);
+                    attach(&mut out, c == '^', script, span);
+                }
+                '\'' | '′' => {
+                    self.stack.pop();
+                    out.push(token(Kind::Operator('′'), span));
+                }
+                '\\' => self.command(depth, &mut out),
+                _ if self.number(&mut out) => {}
+                _ => {
+                    self.stack.pop();
+                    let Some(c) = plain(c) else { continue };
+                    out.push(match c {
+                        c if c.is_whitespace() => token(Kind::Space(0), span),
+                        '°' => token(Kind::Word("°".to_owned()), span),
+                        '*' => token(Kind::Operator('·'), span),
+                        c if c.is_alphabetic() => token(Kind::Name(c.to_string()), span),
+                        c => token(Kind::Operator(c), span),
+                    });
+                }
+            }
+        }
+        out
+    }
+
+    /// Takes a number with `,`, `{,}` or `\,` between its thousands.
+    fn number(&mut self, out: &mut Vec<Token>) -> bool {
+        let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+        let starts = digit(self.ahead(0)) || (self.ahead(0) == Some('.') && digit(self.ahead(1)));
+        if !starts {
+            return false;
+        }
+        let mut taken = Vec::new();
+        let mut groups = true;
+        loop {
+            while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit()) {
+                taken.push(sign);
+                self.stack.pop();
+            }
+            let leading = taken.iter().take_while(|sign| sign.c != ',').count();
+            let separator: &[char] = [&[','][..], &['{', ',', '}'], &['\\', ',']]
+                .into_iter()
+                .find(|of| of.iter().enumerate().all(|(at, c)| self.ahead(at) == Some(*c)))
+                .unwrap_or(&[]);
+            let n = separator.len();
+            let three = (n..n + 3).all(|at| digit(self.ahead(at))) && !digit(self.ahead(n + 3));
+            let zero = taken.first().is_some_and(|sign| sign.c == '0');
+            groups &= n > 0 && three && (1..=3).contains(&leading) && !zero;
+            if !groups {
+                break;
+            }
+            let span = self.peek().map_or(Span::default(), |sign| sign.span);
+            self.stack.truncate(self.stack.len() - n);
+            taken.push(Sign { c: ',', span });
+        }
+        // A comma in braces before other than three digits is a decimal comma.
+        let comma = [Some('{'), Some(','), Some('}')] == [self.ahead(0), self.ahead(1), self.ahead(2)];
+        let whole = taken.iter().all(|sign| sign.c.is_ascii_digit());
+        if comma && whole && digit(self.ahead(3)) {
+            let span = self.peek().map_or(Span::default(), |sign| sign.span);
+            self.stack.truncate(self.stack.len() - 3);
+            self.stack.push(Sign { c: '.', span });
+        }
+        if self.ahead(0) == Some('.') && digit(self.ahead(1)) {
+            taken.extend(self.stack.pop());
+            while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit()) {
+                taken.push(sign);
+                self.stack.pop();
+            }
+        }
+        debug_assert!(number_length(&taken) > 0);
+        out.push(number(&taken));
+        true
+    }
+
+    /// Puts what a macro stands for in its place.
+    fn expand(&mut self, used: &Macro, span: Span) -> bool {
+        let mut arguments: Vec<Vec<Sign>> = Vec::new();
+        for at in 0..used.arguments {
+            let given = match (&used.default, at) {
+                (Some(default), 0) => self.optional().unwrap_or_else(|| placed(default, span)),
+                _ => self.raw_group(),
+            };
+            arguments.push(given);
+        }
+        let mut body = Vec::new();
+        let mut letters = used.body.chars();
+        while let Some(c) = letters.next() {
+            if c == '#'
+                && let Some(which) = letters.clone().next().and_then(|c| c.to_digit(10))
+            {
+                letters.next();
+                body.extend(arguments.get((which as usize).wrapping_sub(1)).into_iter().flatten());
+                continue;
+            }
+            body.push(Sign { c, span });
+        }
+        self.expanded += body.len() + 1;
+        if self.expanded > MOST_EXPANDED {
+            return false;
+        }
+        self.stack.extend(body.into_iter().rev());
+        true
+    }
+
+    fn command(&mut self, depth: usize, out: &mut Vec<Token>) {
+        let Some(slash) = self.stack.pop() else { return };
+        let from = self.stack.len();
+        let last = self.peek().map_or(slash.span, |sign| sign.span);
+        let name = self.command_name();
+        let letters = from.saturating_sub(self.stack.len());
+        let span = Span { start: slash.span.start, end: last.end.max(slash.span.start + 1 + letters as u32) };
+        let span = if last == slash.span { slash.span } else { span };
+        if let Some(used) = self.macros.get(&name) {
+            if !self.expand(used, span) {
+                self.stack.clear();
+                out.push(token(Kind::Unknown("macros without end".to_owned()), span));
+            }
+            return;
+        }
+        let push = |out: &mut Vec<Token>, kind: Kind| out.push(token(kind, span));
+        match name.as_str() {
+            "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" => {
+                let (above, below) = (self.argument(depth), self.argument(depth));
+                push(out, Kind::Fraction(above, below));
+            }
+            "sqrt" => {
+                let index = self.optional();
+                let index = index.map(|signs| formula(&signs, &Macros::new())).unwrap_or_default();
+                let of = self.argument(depth);
+                push(out, Kind::Root(of, index));
+            }
+            "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf"
+            | "textsf" | "hbox" | "textnormal" | "mathtt" => self.upright(&name, depth, out),
+            "mathbf" | "boldsymbol" | "mathit" | "mathcal" | "bm" | "mathbb" | "mathscr" | "mathfrak" | "pmb"
+            | "boxed" | "underline" | "underbrace" | "overbrace" | "cancel" | "bcancel" | "xcancel" | "ensuremath"
+            | "fbox" | "mathnormal" | "framebox" => {
+                let inner = self.argument(depth);
+                push(out, Kind::Group(inner));
+            }
+            "left" | "right" => {
+                self.skip_space();
+                if self.ahead(0) == Some('.') {
+                    self.stack.pop();
+                }
+            }
+            "rm" | "it" | "bf" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl"
+            | "biggr" | "Biggl" | "Biggr" | "displaystyle" | "textstyle" | "limits" | "nolimits" | "scriptstyle"
+            | "nonumber" | "hfill" | "notag" | "noindent" | "hline" | "par" | "allowbreak" | "break" | "relax"
+            | "middle" | "strut" => {}
+            "tag" | "label" | "ref" | "cite" | "eqref" | "vspace" | "hspace" | "phantom" | "color" | "intertext"
+            | "footnote" | "hphantom" | "vphantom" | "shortintertext" => {
+                self.raw_group();
+                if name.ends_with("intertext") {
+                    push(out, Kind::Line);
+                }
+            }
+            "textcolor" => {
+                self.raw_group();
+                let inner = self.argument(depth);
+                push(out, Kind::Group(inner));
+            }
+            "overline" | "bar" | "vec" | "dot" | "ddot" | "hat" | "tilde" | "widehat" | "overrightarrow"
+            | "widetilde" | "acute" => {
+                let sign = match name.as_str() {
+                    "hat" | "widehat" => "^",
+                    "vec" | "overrightarrow" => "→",
+                    "dot" => "˙",
+                    "ddot" => "¨",
+                    _ => "¯",
+                };
+                let base = self.argument(depth);
+                push(out, Kind::Accent(base, sign.to_owned()));
+            }
+            "circ" | "degree" | "textdegree" | "degreeCelsius" | "celsius" => {
+                push(out, Kind::Word(if name.ends_with("elsius") { "°C" } else { "°" }.to_owned()));
+            }
+            "ang" => {
+                let signs = self.raw_group();
+                words(&signs, out);
+                push(out, Kind::Word("°".to_owned()));
+            }
+            "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
+                self.optional();
+                self.quantity(&name, depth, out);
+            }
+            "quad" => push(out, Kind::Space(10)),
+            "qquad" => push(out, Kind::Space(20)),
+            "," | ";" | ":" | " " | ">" | "enspace" | "thinspace" | "\n" | "/" | "-" | "\t" => {
+                push(out, Kind::Space(2))
+            }
+            "!" => {}
+            "%" | "$" => push(out, Kind::Word(name)),
+            "{" | "}" | "|" | "#" | "_" => push(out, Kind::Operator(name.chars().next().unwrap_or('|'))),
+            "&" => {}
+            "\\" | "newline" | "cr" | "tabularnewline" => {
+                self.optional();
+                push(out, Kind::Line);
+            }
+            "begin" | "end" => self.environment(&name, span, out),
+            "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, Kind::Space(2)),
+            "pmod" | "bmod" => push(out, Kind::Unknown(name)),
+            name => push(out, symbol(name)),
+        }
+    }
+
+    /// Upright text: a function, units, or words.
+    fn upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
+        let raw = self.raw_group();
+        let text: String = raw.iter().map(|sign| sign.c).collect();
+        if let Some(function) = Function::named(text.trim()) {
+            out.push(token(Kind::Function(function), whole(&raw)));
+            return;
+        }
+        if text.contains(['\\', '^', '_', '{', '$']) || (command == "mathrm" && text.contains('~')) {
+            let inner = self.inside(raw.iter().rev().filter(|sign| sign.c != '$').copied().collect(), depth);
+            merge_letters(inner, out);
+            return;
+        }
+        let raw: Vec<Sign> =
+            raw.into_iter().map(|sign| if sign.c == '~' { Sign { c: ' ', ..sign } } else { sign }).collect();
+        words(&raw, out);
+    }
+
+    fn quantity(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
+        if command.ends_with("range") || command.ends_with("list") {
+            self.raw_group();
+            out.push(token(Kind::Unknown("a range".to_owned()), Span::default()));
+            return;
+        }
+        if !matches!(command, "si" | "unit") {
+            let number = self.raw_group();
+            siunitx::number(&number, out);
+        }
+        if command != "num" {
+            let raw = self.raw_group();
+            let inner = self.inside(siunitx::unit(&raw).into_iter().rev().collect(), depth);
+            out.push(token(Kind::Space(2), whole(&raw)));
+            merge_letters(inner, out);
+        }
+    }
+
+    /// Reads characters, the last one first, as a formula inside this one.
+    fn inside(&mut self, reversed: Vec<Sign>, depth: usize) -> Vec<Token> {
+        let outer = std::mem::replace(&mut self.stack, reversed);
+        let inner = self.tokens(depth + 1, &[]);
+        self.stack = outer;
+        inner
+    }
+
+    fn environment(&mut self, command: &str, span: Span, out: &mut Vec<Token>) {
+        let name: String = self.raw_group().iter().map(|sign| sign.c).collect();
+        let base = name.trim_end_matches('*');
+        if command == "begin" && matches!(base, "array" | "tabular" | "alignat" | "alignedat") {
+            self.optional();
+            self.skip_space();
+            if self.ahead(0) == Some('{') {
+                self.raw_group();
+            }
+        }
+        const ROWS: [&str; 16] = [
+            "aligned",
+            "align",
+            "split",
+            "gather",
+            "gathered",
+            "eqnarray",
+            "equation",
+            "multline",
+            "array",
+            "flalign",
+            "alignat",
+            "alignedat",
+            "math",
+            "displaymath",
+            "dcases",
+            "subequations",
+        ];
+        out.push(token(if ROWS.contains(&base) { Kind::Line } else { Kind::Unknown(name) }, span));
+    }
+}
+
+fn placed(text: &str, span: Span) -> Vec<Sign> {
+    text.chars().map(|c| Sign { c, span }).collect()
+}

@@ -1,0 +1,215 @@
+//! Running text to tokens: numbers, words, units, and the signs between them.
+
+use crate::token::{Function, Kind, Sign, Span, Token};
+
+/// The sign that a look-alike stands for, or none if it is to be left out.
+pub(crate) fn plain(c: char) -> Option<char> {
+    Some(match c {
+        '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{202f}' | '\u{205f}' | '\u{3000}' => ' ',
+        '\u{2061}'..='\u{2064}' | '\u{200b}'..='\u{200d}' | '\u{feff}' | '\u{ad}' => return None,
+        'µ' => 'μ',
+        '\u{2126}' => 'Ω',
+        '−' | '–' | '—' | '‒' | '‐' | '\u{2011}' | '﹣' | '－' => '-',
+        'º' | '˚' | '∘' => '°',
+        '⋅' | '•' | '∙' | '‧' => '·',
+        '✕' | '⨯' => '×',
+        'ϕ' => 'φ',
+        'ϵ' => 'ε',
+        '\u{212b}' => 'Å',
+        '÷' | '∕' | '⁄' => '/',
+        '＝' | '﹦' => '=',
+        '√' => '√',
+        'ħ' => 'ℏ',
+        _ => c,
+    })
+}
+
+/// The characters with look-alikes replaced.
+pub(crate) fn plainly(signs: &[Sign]) -> Vec<Sign> {
+    let mut out = Vec::with_capacity(signs.len());
+    for sign in signs {
+        match sign.c {
+            '℃' | '℉' => {
+                out.push(Sign { c: '°', ..*sign });
+                out.push(Sign { c: if sign.c == '℃' { 'C' } else { 'F' }, ..*sign });
+            }
+            c => out.extend(plain(c).map(|c| Sign { c, ..*sign })),
+        }
+    }
+    out
+}
+
+/// The length of the number at the start: digits, commas between groups of three, one point.
+pub(crate) fn number_length(signs: &[Sign]) -> usize {
+    let digit = |at: usize| signs.get(at).is_some_and(|sign| sign.c.is_ascii_digit());
+    let is = |at: usize, c: char| signs.get(at).is_some_and(|sign| sign.c == c);
+    let mut at = 0;
+    while digit(at) {
+        at += 1;
+    }
+    let grouped = |at: usize| is(at, ',') && (1..=3).all(|k| digit(at + k)) && !digit(at + 4);
+    if (1..=3).contains(&at) && !(at == 1 && is(0, '0')) {
+        while grouped(at) {
+            at += 4;
+        }
+    }
+    if is(at, '.') && digit(at + 1) {
+        at += 1;
+        while digit(at) {
+            at += 1;
+        }
+    }
+    at
+}
+
+/// The token of the number that these characters are.
+pub(crate) fn number(signs: &[Sign]) -> Token {
+    Token::new(Kind::Number(signs.iter().map(|sign| sign.c).collect()), whole(signs))
+}
+
+/// The stretch that characters cover.
+pub(crate) fn whole(signs: &[Sign]) -> Span {
+    signs.iter().fold(Span::default(), |span, sign| span.join(sign.span))
+}
+
+fn raised(c: char) -> Option<char> {
+    Some(match c {
+        '⁰' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴'..='⁹' => char::from_digit(c as u32 - '⁰' as u32, 10)?,
+        '⁻' => '-',
+        '⁺' => '+',
+        _ => return None,
+    })
+}
+
+fn lowered(c: char) -> Option<char> {
+    ('₀'..='₉').contains(&c).then(|| char::from_digit(c as u32 - '₀' as u32, 10)).flatten()
+}
+
+fn vulgar(c: char) -> Option<(&'static str, &'static str)> {
+    Some(match c {
+        '½' => ("1", "2"),
+        '⅓' => ("1", "3"),
+        '⅔' => ("2", "3"),
+        '¼' => ("1", "4"),
+        '¾' => ("3", "4"),
+        '⅛' => ("1", "8"),
+        '⅜' => ("3", "8"),
+        '⅝' => ("5", "8"),
+        '⅞' => ("7", "8"),
+        _ => return None,
+    })
+}
+
+pub(crate) fn is_greek(c: char) -> bool {
+    ('α'..='ω').contains(&c) || ('Α'..='Ω').contains(&c) || c == 'ℏ'
+}
+
+fn in_word(c: char) -> bool {
+    c.is_ascii_alphabetic() || is_greek(c) || matches!(c, 'Å' | 'ℓ') || (c.is_alphabetic() && !c.is_ascii())
+}
+
+/// Reads running text. What it makes of a word is a unit or prose, never a letter of a formula, except Greek ones.
+pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
+    let signs = plainly(signs);
+    let mut at = 0;
+    while let Some(&Sign { c, span }) = signs.get(at) {
+        let rest = &signs[at..];
+        let length = number_length(rest);
+        if length > 0 {
+            out.push(number(&rest[..length]));
+            at += length;
+            continue;
+        }
+        let run = |is: &dyn Fn(char) -> bool| rest.iter().take_while(|sign| is(sign.c)).count().max(1);
+        let mut taken = 1;
+        if in_word(c) {
+            taken = run(&in_word);
+            word(&rest[..taken], out);
+        } else if c.is_whitespace() {
+            taken = run(&char::is_whitespace);
+            out.push(Token::new(Kind::Space(2), whole(&rest[..taken])));
+        } else if c == '°' {
+            let scale = rest.get(1).filter(|next| "CF".contains(next.c));
+            let ends = rest.get(2).is_none_or(|after| !after.c.is_ascii_lowercase());
+            match scale.filter(|_| ends) {
+                Some(next) => {
+                    taken = 2;
+                    out.push(Token::new(Kind::Word(format!("°{}", next.c)), span.join(next.span)));
+                }
+                None => out.push(Token::new(Kind::Word("°".to_owned()), span)),
+            }
+        } else if c == '%' || c == '$' {
+            out.push(Token::new(Kind::Word(c.to_string()), span));
+        } else if raised(c).is_some() {
+            taken = run(&|c| raised(c).is_some());
+            let signs: Vec<Sign> =
+                rest[..taken].iter().filter_map(|sign| raised(sign.c).map(|c| Sign { c, ..*sign })).collect();
+            let mut exponent = Vec::new();
+            words(&signs, &mut exponent);
+            out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), whole(&signs)));
+        } else if let Some((above, below)) = vulgar(c) {
+            let part = |text: &str| vec![Token::new(Kind::Number(text.to_owned()), span)];
+            out.push(Token::new(Kind::Fraction(part(above), part(below)), span));
+        } else if c == '…' || rest.iter().take(3).filter(|sign| sign.c == '.').count() == 3 {
+            taken = if c == '…' { 1 } else { 3 };
+            out.push(Token::new(Kind::Unknown("…".to_owned()), whole(&rest[..taken])));
+        } else {
+            out.push(Token::new(Kind::Operator(c), span));
+        }
+        at += taken;
+    }
+}
+
+fn word(signs: &[Sign], out: &mut Vec<Token>) {
+    let text: String = signs.iter().map(|sign| sign.c).collect();
+    let span = whole(signs);
+    let subscript: String = signs.iter().filter_map(|sign| lowered(sign.c)).collect();
+    let kind = if !subscript.is_empty() {
+        let base: String = signs.iter().map(|sign| sign.c).filter(|c| lowered(*c).is_none()).collect();
+        Kind::Name(format!("{base}_{subscript}"))
+    } else if let Some(function) = Function::named(&text).filter(|function| *function != Function::Sec) {
+        Kind::Function(function)
+    } else {
+        let mut letters = text.chars();
+        match (letters.next(), letters.next()) {
+            (Some(c), None) if is_greek(c) && c != 'Ω' && c != 'μ' => Kind::Name(text),
+            _ => Kind::Word(text),
+        }
+    };
+    out.push(Token::new(kind, span));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::token::{show, signs};
+
+    fn read(text: &str) -> Vec<Token> {
+        let mut out = Vec::new();
+        words(&signs(text, 0), &mut out);
+        out
+    }
+
+    #[test]
+    fn numbers_keep_their_commas_and_leave_a_full_stop() {
+        for (text, length) in
+            [("1,234.5 m", 7), ("12,34", 2), ("3.", 1), (".5", 2), ("1,2345", 1), ("0,123", 1), ("x", 0)]
+        {
+            assert_eq!(number_length(&signs(text, 0)), length, "{text}");
+        }
+    }
+
+    #[test]
+    fn every_token_knows_its_bytes() {
+        let text = "9.8 m/s² − 20 °C";
+        for token in read(text) {
+            assert!(text.get(token.span.range()).is_some(), "{token:?}");
+        }
+        assert_eq!(show(&read(text)), "9.8 m/s^2 − 20 °C");
+        assert_eq!(&text[read(text)[4].span.range()], "s");
+    }
+}

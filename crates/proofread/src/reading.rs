@@ -1,0 +1,93 @@
+//! Readings: the ways in which the same characters may be meant.
+
+/// A set of choices. Without any, a formula is read in the commonest way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Reading(u16);
+
+impl Reading {
+    /// The commonest way.
+    pub const USUAL: Self = Self(0);
+    /// A bare argument of a trigonometric function is in degrees.
+    pub const DEGREES: Self = Self(1);
+    /// A revolution counts as one, not as 2π.
+    pub const TURNS: Self = Self(1 << 1);
+    /// Degrees Celsius and Fahrenheit are points of the scale, not differences.
+    pub const POINTS: Self = Self(1 << 2);
+    /// A number before a fraction is a mixed number, not a product.
+    pub const MIXED: Self = Self(1 << 3);
+    /// Of ± the minus is meant.
+    pub const MINUS: Self = Self(1 << 4);
+    /// A unit behind `a/b` belongs to the quotient, not to `b`.
+    pub const QUOTIENT: Self = Self(1 << 5);
+    /// `rad` is the unit of a dose.
+    pub const DOSE: Self = Self(1 << 6);
+    /// A number in brackets at the end is the number of the equation.
+    pub const TAG: Self = Self(1 << 7);
+    /// Of the units behind a stroke, only the first is below it.
+    pub const ONE_BELOW: Self = Self(1 << 8);
+    /// A unit counts as one, so that only numbers are compared.
+    pub const NUMBERS: Self = Self(1 << 9);
+
+    /// Whether all choices of another set are in this one.
+    pub fn has(self, other: Self) -> bool {
+        self.0 & other.0 == other.0
+    }
+
+    /// Adds the choices of another set.
+    pub fn note(&mut self, other: Self) {
+        self.0 |= other.0;
+    }
+
+    /// Both sets together.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The sets of at most `most` of the choices in this one, the smallest first.
+    pub fn subsets(self, most: u32) -> Vec<Self> {
+        let mut out = Vec::new();
+        let mut subset = self.0;
+        loop {
+            if subset.count_ones() <= most {
+                out.push(Self(subset));
+            }
+            if subset == 0 {
+                break;
+            }
+            subset = (subset - 1) & self.0;
+        }
+        out.sort_by_key(|of| (of.0.count_ones(), of.0));
+        out
+    }
+
+    /// The choices in words.
+    pub fn words(self) -> Vec<&'static str> {
+        const WORDS: [(Reading, &str); 9] = [
+            (Reading::DEGREES, "angles in degrees"),
+            (Reading::TURNS, "a revolution counted as 1"),
+            (Reading::POINTS, "temperatures on the scale"),
+            (Reading::MIXED, "a mixed number"),
+            (Reading::MINUS, "the minus of ±"),
+            (Reading::QUOTIENT, "the unit of the whole quotient"),
+            (Reading::DOSE, "rad as the unit of a dose"),
+            (Reading::TAG, "the number of an equation at the end"),
+            (Reading::ONE_BELOW, "one unit below the stroke"),
+        ];
+        WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn subsets_begin_with_the_usual_reading() {
+        let of = Reading::DEGREES.with(Reading::MIXED).with(Reading::TAG);
+        let subsets = of.subsets(2);
+        assert_eq!((subsets.len(), subsets[0]), (7, Reading::USUAL));
+        assert!(subsets.iter().all(|subset| of.has(*subset)));
+        assert_eq!(of.words().len(), 3);
+    }
+}

@@ -1,0 +1,337 @@
+//! The token tree that every reader makes, with the place of each token in the text.
+
+/// A stretch of the text that was read, in bytes from its start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Span {
+    /// The first byte.
+    pub start: u32,
+    /// One byte behind the last.
+    pub end: u32,
+}
+
+impl Span {
+    /// The stretch from `start` up to `end`.
+    pub fn new(start: usize, end: usize) -> Self {
+        let narrow = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+        Self { start: narrow(start), end: narrow(end) }
+    }
+
+    /// The bytes as a range, to cut the stretch out of the text.
+    pub fn range(self) -> std::ops::Range<usize> {
+        self.start as usize..self.end as usize
+    }
+
+    /// The shortest stretch that covers both; an empty one adds nothing.
+    pub fn join(self, other: Self) -> Self {
+        if self.start >= self.end {
+            return other;
+        }
+        if other.start >= other.end {
+            return self;
+        }
+        Self { start: self.start.min(other.start), end: self.end.max(other.end) }
+    }
+}
+
+/// A character as it is to be read, and where it was written: an entity or an escape is one character.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Sign {
+    pub c: char,
+    pub span: Span,
+}
+
+/// The characters of a text that starts `base` bytes into the document.
+pub(crate) fn signs(text: &str, base: usize) -> Vec<Sign> {
+    text.char_indices().map(|(at, c)| Sign { c, span: Span::new(base + at, base + at + c.len_utf8()) }).collect()
+}
+
+/// A function that is written by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Cot,
+    Sec,
+    Csc,
+    Arcsin,
+    Arccos,
+    Arctan,
+    Ln,
+    Log,
+    Exp,
+    Sinh,
+    Cosh,
+    Tanh,
+}
+
+impl Function {
+    const ALL: [(&'static str, Self); 20] = [
+        ("sin", Self::Sin),
+        ("cos", Self::Cos),
+        ("tan", Self::Tan),
+        ("cot", Self::Cot),
+        ("sec", Self::Sec),
+        ("csc", Self::Csc),
+        ("arcsin", Self::Arcsin),
+        ("arccos", Self::Arccos),
+        ("arctan", Self::Arctan),
+        ("asin", Self::Arcsin),
+        ("acos", Self::Arccos),
+        ("atan", Self::Arctan),
+        ("ln", Self::Ln),
+        ("log", Self::Log),
+        ("exp", Self::Exp),
+        ("sinh", Self::Sinh),
+        ("cosh", Self::Cosh),
+        ("tanh", Self::Tanh),
+        ("tg", Self::Tan),
+        ("lg", Self::Log),
+    ];
+
+    /// The function of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function)
+    }
+
+    /// Its usual name.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, function)| *function == self).map_or("", |(name, _)| name)
+    }
+}
+
+/// A token and its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Token {
+    /// What it is.
+    pub kind: Kind,
+    /// Where it was written.
+    pub span: Span,
+}
+
+/// What a token is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// A number without a sign, as printed, with its thousands commas.
+    Number(String),
+    /// A letter that stands for a quantity, with its subscript behind `_`.
+    Name(String),
+    /// Upright text: a unit, or a word of prose.
+    Word(String),
+    /// A function's name.
+    Function(Function),
+    /// Any other single sign: an operator, a relation, a bracket, punctuation.
+    Operator(char),
+    /// Space, in tenths of an em.
+    Space(u8),
+    /// The end of a row.
+    Line,
+    /// The boundary between two cells of a row.
+    Cell,
+    /// Numerator and denominator.
+    Fraction(Vec<Token>, Vec<Token>),
+    /// A root: what is under it, and its index, empty for the square root.
+    Root(Vec<Token>, Vec<Token>),
+    /// Something with a subscript and a superscript; what is missing is empty.
+    Scripts(Vec<Token>, Vec<Token>, Vec<Token>),
+    /// Something with a sign above or below it.
+    Accent(Vec<Token>, String),
+    /// What braces hold together.
+    Group(Vec<Token>),
+    /// The rows of a table, an array or a matrix.
+    Table(Vec<Vec<Token>>),
+    /// An exponent on whatever precedes it.
+    Power(Vec<Token>),
+    /// A unit vector: 1, 2 and 3 for i, j and k.
+    Basis(u8),
+    /// A bar behind an expression, with the lower and the upper limit between which it is taken.
+    Limits(Vec<Token>, Vec<Token>),
+    /// What has no meaning here.
+    Unknown(String),
+}
+
+impl Token {
+    /// A token at a place.
+    pub fn new(kind: Kind, span: Span) -> Self {
+        Self { kind, span }
+    }
+
+    /// Whether it is this sign.
+    pub fn is(&self, sign: char) -> bool {
+        self.kind == Kind::Operator(sign)
+    }
+
+    /// Whether it is one of these signs.
+    pub fn is_one_of(&self, signs: &str) -> bool {
+        matches!(self.kind, Kind::Operator(c) if signs.contains(c))
+    }
+
+    /// Whether it is space of any width.
+    pub fn is_space(&self) -> bool {
+        matches!(self.kind, Kind::Space(_))
+    }
+
+    /// The text of a unit or a word.
+    pub fn word(&self) -> Option<&str> {
+        match &self.kind {
+            Kind::Word(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The printed digits of a number.
+    pub fn number(&self) -> Option<&str> {
+        match &self.kind {
+            Kind::Number(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The lists of tokens inside it.
+    pub fn inner(&self) -> Vec<&[Token]> {
+        match &self.kind {
+            Kind::Fraction(a, b) | Kind::Root(a, b) | Kind::Limits(a, b) => vec![a, b],
+            Kind::Scripts(a, b, c) => vec![a, b, c],
+            Kind::Accent(a, _) | Kind::Group(a) | Kind::Power(a) => vec![a],
+            Kind::Table(rows) => rows.iter().map(Vec::as_slice).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Changes where it and everything in it was written.
+    pub(crate) fn place(&mut self, to: &dyn Fn(Span) -> Span) {
+        self.span = to(self.span);
+        match &mut self.kind {
+            Kind::Fraction(a, b) | Kind::Root(a, b) | Kind::Limits(a, b) => place_all([a, b], to),
+            Kind::Scripts(a, b, c) => place_all([a, b, c], to),
+            Kind::Accent(a, _) | Kind::Group(a) | Kind::Power(a) => place_all([a], to),
+            Kind::Table(rows) => place_all(rows.iter_mut(), to),
+            _ => {}
+        }
+    }
+}
+
+fn place_all<'a>(lists: impl IntoIterator<Item = &'a mut Vec<Token>>, to: &dyn Fn(Span) -> Span) {
+    lists.into_iter().flatten().for_each(|token| token.place(to));
+}
+
+/// The tokens without space at either end.
+pub(crate) fn trimmed(mut tokens: &[Token]) -> &[Token] {
+    while let [first, rest @ ..] = tokens
+        && first.is_space()
+    {
+        tokens = rest;
+    }
+    while let [rest @ .., last] = tokens
+        && last.is_space()
+    {
+        tokens = rest;
+    }
+    tokens
+}
+
+/// The stretch that tokens cover.
+pub(crate) fn span_of(tokens: &[Token]) -> Span {
+    tokens.iter().fold(Span::default(), |span, token| span.join(token.span))
+}
+
+/// Whether any token here or inside another one is as asked.
+pub(crate) fn any(tokens: &[Token], is: &dyn Fn(&Kind) -> bool) -> bool {
+    tokens.iter().any(|token| is(&token.kind) || token.inner().into_iter().any(|inner| any(inner, is)))
+}
+
+/// Whether a number is printed anywhere in the tokens.
+pub(crate) fn has_number(tokens: &[Token]) -> bool {
+    any(tokens, &|kind| matches!(kind, Kind::Number(_)))
+}
+
+/// The tokens as one line of text.
+pub fn show(tokens: &[Token]) -> String {
+    let mut text = String::new();
+    show_into(tokens, &mut text);
+    let mut out = String::with_capacity(text.len());
+    for word in text.split_whitespace() {
+        if !out.is_empty() {
+            out.push(' ');
+        }
+        out.push_str(word);
+    }
+    out
+}
+
+fn show_into(tokens: &[Token], out: &mut String) {
+    let bracketed = |inner: &[Token], out: &mut String| {
+        let signed = matches!(inner, [sign, _] if sign.is_one_of("+-"));
+        let plain = inner.len() <= 1 || signed;
+        out.push_str(if plain { "" } else { "(" });
+        show_into(inner, out);
+        out.push_str(if plain { "" } else { ")" });
+    };
+    for (at, token) in tokens.iter().enumerate() {
+        match &token.kind {
+            Kind::Number(text) | Kind::Name(text) | Kind::Unknown(text) => out.push_str(text),
+            Kind::Word(text) => {
+                if !text.starts_with(['°', '%']) && !out.ends_with(['/', '·', '(', '^', '-']) {
+                    out.push(' ');
+                }
+                out.push_str(text);
+            }
+            Kind::Function(function) => {
+                out.push_str(if out.ends_with(['(', '/', '√']) { "" } else { " " });
+                out.push_str(function.name());
+                let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
+                out.push_str(if raised { "" } else { " " });
+            }
+            Kind::Operator('-' | '+') if at == 0 || tokens[at - 1].is_one_of("([/·×") => {
+                out.push(if token.is('-') { '−' } else { '+' });
+            }
+            Kind::Operator('-') => out.push_str(" − "),
+            Kind::Operator(c) if "=≈+×±⇒".contains(*c) => out.extend([' ', *c, ' ']),
+            Kind::Operator(c) => out.push(*c),
+            Kind::Space(0) | Kind::Cell => {}
+            Kind::Space(_) | Kind::Line => out.push(' '),
+            Kind::Fraction(above, below) => {
+                bracketed(above, out);
+                out.push('/');
+                bracketed(below, out);
+            }
+            Kind::Root(of, index) => {
+                show_into(index, out);
+                out.push('√');
+                bracketed(of, out);
+            }
+            Kind::Scripts(base, sub, sup) => {
+                show_into(base, out);
+                for (mark, script) in [('_', sub), ('^', sup)] {
+                    if !script.is_empty() {
+                        out.push(mark);
+                        bracketed(script, out);
+                    }
+                }
+            }
+            Kind::Accent(base, sign) => {
+                show_into(base, out);
+                out.push_str(sign);
+            }
+            Kind::Group(inner) => show_into(inner, out),
+            Kind::Table(rows) => {
+                for row in rows {
+                    out.push(' ');
+                    show_into(row, out);
+                }
+            }
+            Kind::Power(exponent) => {
+                out.push('^');
+                bracketed(exponent, out);
+            }
+            Kind::Basis(which) => out.push_str(["", "î", "ĵ", "k̂"].get(usize::from(*which)).unwrap_or(&"")),
+            Kind::Limits(from, to) => {
+                out.push_str("|_");
+                bracketed(from, out);
+                out.push('^');
+                bracketed(to, out);
+            }
+        }
+    }
+}

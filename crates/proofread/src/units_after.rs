@@ -1,0 +1,192 @@
+//! Units behind a number or a bracket: products and quotients of signs with exponents.
+
+use crate::atom::plain_exponent;
+use crate::evaluate::{Cursor, Evaluator};
+use crate::interval::Interval;
+use crate::reading::Reading;
+use crate::token::{Kind, Token};
+use crate::unit::{Dimension, Unit, is_ambiguous, unit};
+use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
+use std::f64::consts::PI;
+
+/// What the units at a place are together.
+pub(crate) struct Units {
+    /// How many base units of the SI they are, in units of their dimension.
+    pub factor: f64,
+    pub dimension: Dimension,
+    pub angle: Option<Angle>,
+    /// The scale of a temperature, if it stands alone.
+    pub scale: Option<char>,
+}
+
+fn light_speed() -> Option<Unit> {
+    unit("m")
+        .zip(unit("s"))
+        .map(|(metre, second)| Unit { factor: 299_792_458.0, dimension: metre.dimension.times(second.dimension, -1.0) })
+}
+
+fn unit_of(token: Option<&Token>) -> Option<Unit> {
+    token.and_then(Token::word).and_then(unit)
+}
+
+/// Whether it may be the speed of light behind a stroke, as in MeV/c².
+fn is_light(token: Option<&Token>) -> bool {
+    token.is_some_and(|token| matches!(&token.kind, Kind::Name(name) | Kind::Word(name) if name == "c"))
+}
+
+impl Evaluator<'_> {
+    /// The units from here on.
+    pub fn units(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Units> {
+        let mut all = Units { factor: 1.0, dimension: Dimension::NONE, angle: None, scale: None };
+        let (mut below, mut count) = (false, 0);
+        loop {
+            let (token, at) = cursor.look(cursor.at);
+            let letter = token.and_then(|token| match &token.kind {
+                Kind::Name(name) if below && matches!(name.as_str(), "m" | "s" | "g") => unit(name),
+                _ => None,
+            });
+            let light = || (count > 0 && is_light(token)).then(light_speed).flatten();
+            let Some(one) = unit_of(token).or(letter).or_else(light) else { break };
+            let word = token.and_then(Token::word).unwrap_or_default();
+            let one = self.meant(word, one, &mut all);
+            cursor.at = at + 1;
+            let mut exponent = 1.0;
+            if let Some(Token { kind: Kind::Power(power), .. }) = cursor.here() {
+                exponent = plain_exponent(power)?;
+                cursor.at += 1;
+            }
+            if below {
+                exponent = -exponent;
+            }
+            all.factor *= libm::pow(one.factor, exponent);
+            all.dimension = all.dimension.times(one.dimension, exponent);
+            count += 1;
+            if self.chosen(Reading::ONE_BELOW) {
+                below = false;
+            }
+            if !self.connected(cursor, &mut below, &mut all)? {
+                break;
+            }
+        }
+        if count != 1 {
+            all.scale = None;
+        }
+        if !all.factor.is_finite() || all.factor == 0.0 {
+            return Err(Obstacle::Unclear("a unit beyond all bounds"));
+        }
+        Ok(all)
+    }
+
+    /// A unit as the reading means it.
+    fn meant(&mut self, word: &str, mut one: Unit, all: &mut Units) -> Unit {
+        let turns = matches!(word, "rev" | "revs" | "revolution" | "revolutions" | "rpm");
+        if turns || matches!(word, "cycle" | "cycles") {
+            self.noticed.note(Reading::TURNS);
+        }
+        match word {
+            "°" => all.angle = Some(Angle::Degrees),
+            "rad" => {
+                self.noticed.note(Reading::DOSE);
+                if self.chosen(Reading::DOSE) {
+                    let dose = unit("Gy").map(|gray| gray.dimension).unwrap_or_default();
+                    one = Unit { factor: 0.01, dimension: dose };
+                }
+                all.angle = all.angle.or(Some(Angle::Radians));
+            }
+            "°C" | "°F" => {
+                self.noticed.note(Reading::POINTS);
+                all.scale = word.chars().last();
+            }
+            _ if turns => {
+                all.angle = all.angle.or(Some(Angle::Radians));
+                if self.chosen(Reading::TURNS) {
+                    one.factor /= 2.0 * PI;
+                }
+            }
+            _ => {}
+        }
+        if self.chosen(Reading::NUMBERS) && word != "°" {
+            one.factor = 1.0;
+        }
+        one
+    }
+
+    /// Takes what connects two units; whether another one follows.
+    fn connected(&mut self, cursor: &mut Cursor<'_>, below: &mut bool, all: &mut Units) -> Evaluated<bool> {
+        let (sign, at) = cursor.look(cursor.at);
+        let Some(sign) = sign else { return Ok(false) };
+        let (next, next_at) = cursor.look(at + 1);
+        if sign.is_one_of("·*×") {
+            if unit_of(next).is_none() {
+                return Ok(false);
+            }
+            cursor.at = at + 1;
+            if *below {
+                self.noticed.note(Reading::ONE_BELOW);
+            }
+            return Ok(true);
+        }
+        if sign.is('-') && at == cursor.at {
+            let follows = unit_of(cursor.tokens.get(at + 1)).is_some();
+            cursor.at += usize::from(follows);
+            return Ok(follows);
+        }
+        if sign.is('/') {
+            if unit_of(next).is_some() || is_light(next) {
+                cursor.at = at + 1;
+                *below = true;
+                self.noticed.note(Reading::ONE_BELOW);
+                return Ok(true);
+            }
+            if next.is_some_and(|next| next.is('(')) && unit_of(cursor.look(next_at + 1).0).is_some() {
+                cursor.at = next_at;
+                let inner = cursor.group()?;
+                let mut inside = Cursor::new(inner);
+                let divisor = self.units(&mut inside)?;
+                if inside.peek().is_some() {
+                    return Err(Obstacle::Unclear("brackets among units"));
+                }
+                all.factor /= divisor.factor;
+                all.dimension = all.dimension.times(divisor.dimension, -1.0);
+            }
+            return Ok(false);
+        }
+        Ok(unit_of(Some(sign)).is_some())
+    }
+
+    /// A value with the units behind it, if there are any. `number` says that it is a printed number.
+    pub fn with_unit(&mut self, value: Value, cursor: &mut Cursor<'_>, number: bool) -> Evaluated<Value> {
+        if value.has_unit {
+            return Ok(value);
+        }
+        let (token, at) = cursor.look(cursor.at);
+        let Some(word) = token.and_then(Token::word) else { return Ok(value) };
+        let before = cursor.at.checked_sub(1).and_then(|at| cursor.tokens.get(at));
+        if !number && !before.is_some_and(|before| before.is(')')) {
+            let behind_fraction = before.is_some_and(|before| matches!(before.kind, Kind::Fraction(..)));
+            if is_ambiguous(word) || (matches!(word, "°C" | "°F") && behind_fraction) {
+                return Err(Obstacle::Letter(word.to_owned()));
+            }
+        }
+        if unit(word).is_none() {
+            return Ok(value);
+        }
+        cursor.at = at;
+        let units = self.units(cursor)?;
+        let mut with = match units.scale.filter(|_| self.chosen(Reading::POINTS) && number) {
+            Some('C') => Value { parts: value.parts.map(|part| part.moved(273.15)), ..value },
+            Some(_) => {
+                let kelvin = |part: Interval| part.moved(-32.0).scaled(5.0 / 9.0).moved(273.15);
+                Value { parts: value.parts.map(kelvin), factor: 5.0 / 9.0, ..value }
+            }
+            None => value.scaled(units.factor),
+        };
+        with.dimension = units.dimension;
+        with.has_unit = !units.dimension.is_none() || units.angle.is_none();
+        with.angle = units.angle;
+        if with.literal == Literal::Unit {
+            with.literal = Literal::No;
+        }
+        Ok(with)
+    }
+}

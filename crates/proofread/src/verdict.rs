@@ -1,0 +1,330 @@
+//! Two neighbouring sides compared under every reading that makes a difference.
+
+use crate::chain::Relation;
+use crate::evaluate::{Bindings, Evaluator};
+use crate::interval::Interval;
+use crate::printed::Mode;
+use crate::reading::Reading;
+use crate::token::Token;
+use crate::value::{Evaluated, Obstacle, Value};
+use std::f64::consts::PI;
+
+/// How two neighbouring sides compare, from the best to the worst. The best over all readings counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The printed digits of one side give the other one to its printed digits.
+    Consistent,
+    /// The sides agree if the printed numbers had more digits than they show.
+    Rounded,
+    /// The result was cut off where it should have been rounded.
+    Truncated,
+    /// Behind `≈`, and within five per cent.
+    Approximate,
+    /// The sides agree only if integers were rounded to tens.
+    Doubtful,
+    /// The numbers agree, their units do not.
+    Units,
+    /// The last printed digit differs by one.
+    LastDigit,
+    /// The sides differ.
+    Inconsistent,
+    /// Both the numbers and the dimensions differ.
+    Dimensions,
+    /// One of the sides could not be evaluated.
+    CannotEvaluate,
+}
+
+impl Verdict {
+    /// Every verdict, the best first.
+    pub const ALL: [Self; 10] = [
+        Self::Consistent,
+        Self::Rounded,
+        Self::Truncated,
+        Self::Approximate,
+        Self::Doubtful,
+        Self::Units,
+        Self::LastDigit,
+        Self::Inconsistent,
+        Self::Dimensions,
+        Self::CannotEvaluate,
+    ];
+
+    /// A name for programs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Consistent => "consistent",
+            Self::Rounded => "rounded",
+            Self::Truncated => "truncated",
+            Self::Approximate => "approximate",
+            Self::Doubtful => "doubtful",
+            Self::Units => "units",
+            Self::LastDigit => "last-digit",
+            Self::Inconsistent => "inconsistent",
+            Self::Dimensions => "dimensions",
+            Self::CannotEvaluate => "cannot-evaluate",
+        }
+    }
+
+    /// The verdict of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|verdict| verdict.name() == name)
+    }
+
+    /// The verdict in words for a reader.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Consistent => "the two sides agree",
+            Self::Rounded => "the two sides agree if the steps were rounded",
+            Self::Truncated => "the result is cut off, not rounded",
+            Self::Approximate => "the two sides agree approximately",
+            Self::Doubtful => "the two sides may agree",
+            Self::Units => "the numbers agree, but the units do not",
+            Self::LastDigit => "the last digit differs",
+            Self::Inconsistent => "the two sides differ",
+            Self::Dimensions => "the two sides differ in their numbers and in their dimensions",
+            Self::CannotEvaluate => "one of the two sides cannot be evaluated",
+        }
+    }
+}
+
+/// A verdict, and the values behind it.
+#[derive(Clone, Debug)]
+pub(crate) struct Judgement {
+    pub verdict: Verdict,
+    /// The reading under which it is so.
+    pub reading: Reading,
+    /// Both sides as their digits are printed.
+    pub values: Option<(Value, Value)>,
+    pub obstacle: Option<Obstacle>,
+    pub used: Vec<String>,
+}
+
+/// Most choices that are made at once.
+const MOST_CHOICES: u32 = 4;
+
+/// Compares two sides.
+pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, bindings: Option<&Bindings>) -> Judgement {
+    let mut pair = Pair { sides: [left, right], relation, bindings, noticed: Reading::USUAL, inverse: false };
+    let mut best: Option<Judgement> = None;
+    let mut obstacle = None;
+    let mut tried: Vec<Reading> = Vec::new();
+    loop {
+        let mut open = pair.noticed;
+        // Revolutions beside radians are angles.
+        if open.has(Reading::TURNS) && open.has(Reading::DOSE) {
+            open = Reading::USUAL.with(pair.without(open, Reading::TURNS));
+        }
+        let next = open.subsets(MOST_CHOICES).into_iter().find(|reading| !tried.contains(reading));
+        let Some(reading) = next else { break };
+        tried.push(reading);
+        for numbers in [Reading::USUAL, Reading::NUMBERS] {
+            match pair.compare(reading.with(numbers)) {
+                Ok(Some(found)) => {
+                    let better = best.as_ref().is_none_or(|best| found.verdict < best.verdict);
+                    if better {
+                        best = Some(found);
+                    }
+                }
+                Ok(None) => {}
+                Err(why) => obstacle = obstacle.or(Some(why)),
+            }
+            if best.as_ref().is_some_and(|best| best.verdict == Verdict::Consistent) {
+                break;
+            }
+        }
+        if best.as_ref().is_some_and(|best| best.verdict == Verdict::Consistent) || tried.len() > 64 {
+            break;
+        }
+    }
+    best.unwrap_or_else(|| {
+        let mixed = obstacle == Some(Obstacle::MixedSum);
+        Judgement {
+            verdict: if mixed { Verdict::Dimensions } else { Verdict::CannotEvaluate },
+            reading: Reading::USUAL,
+            values: None,
+            obstacle,
+            used: Vec::new(),
+        }
+    })
+}
+
+/// Whether a side can be evaluated under some reading, and whether it is a printed number.
+pub(crate) fn evaluated(side: &[Token], bindings: Option<&Bindings>) -> Evaluated<Value> {
+    let mut first = None;
+    for reading in [Reading::USUAL, Reading::DEGREES, Reading::ONE_BELOW, Reading::NUMBERS] {
+        match Evaluator::new(Mode::Point, reading, bindings).side(side) {
+            Ok(value) => return Ok(value),
+            // Other readings change neither letters nor words.
+            Err(why @ (Obstacle::Letter(_) | Obstacle::Word(_) | Obstacle::NoNumber | Obstacle::TooLarge)) => {
+                return Err(first.unwrap_or(why));
+            }
+            Err(why) => first = first.or(Some(why)),
+        }
+    }
+    Err(first.unwrap_or(Obstacle::NoNumber))
+}
+
+struct Pair<'t> {
+    sides: [&'t [Token]; 2],
+    relation: Relation,
+    bindings: Option<&'t Bindings>,
+    noticed: Reading,
+    inverse: bool,
+}
+
+impl Pair<'_> {
+    fn without(&self, set: Reading, choice: Reading) -> Reading {
+        set.subsets(16).into_iter().rev().find(|of| !of.has(choice)).unwrap_or_default()
+    }
+
+    fn value(&mut self, which: usize, mode: Mode, reading: Reading, used: &mut Vec<String>) -> Evaluated<Value> {
+        let mut evaluator = Evaluator::new(mode, reading, self.bindings);
+        let value = evaluator.side(self.sides[which]);
+        self.noticed.note(evaluator.noticed);
+        self.inverse |= evaluator.inverse;
+        used.append(&mut evaluator.used);
+        value
+    }
+
+    fn both(&mut self, inside: Mode, literal: [bool; 2], reading: Reading) -> Evaluated<[Value; 2]> {
+        let mode = |literal: bool| if literal { Mode::Result } else { inside };
+        let unused = &mut Vec::new();
+        let left = self.value(0, mode(literal[0]), reading, unused)?;
+        let right = self.value(1, mode(literal[1]), reading, unused)?;
+        Ok([left, right])
+    }
+
+    /// The verdict under one reading, or none if the sides cannot be compared under it.
+    fn compare(&mut self, reading: Reading) -> Evaluated<Option<Judgement>> {
+        let mut used = Vec::new();
+        let left = self.value(0, Mode::Point, reading, &mut used);
+        let right = self.value(1, Mode::Point, reading, &mut used);
+        let mut points = [left?, right?];
+        used.sort();
+        used.dedup();
+        let literal = [points[0].is_literal(), points[1].is_literal()];
+        let numbers = reading.has(Reading::NUMBERS);
+        let printed = points.clone();
+        let judgement = |verdict: Verdict| {
+            let [left, right] = printed.clone();
+            Some(Judgement { verdict, reading, values: Some((left, right)), obstacle: None, used: used.clone() })
+        };
+        let same = points[0].dimension == points[1].dimension;
+        let zero = points.iter().any(Value::is_zero_at_point);
+        if !same && !numbers && !zero {
+            if points[0].has_unit != points[1].has_unit {
+                let [left, right] = self.both(Mode::Strict, literal, reading)?;
+                if left.meets(&right, 0.0) {
+                    return Ok(judgement(Verdict::Units));
+                }
+            }
+            return Ok(None);
+        }
+        if numbers && !points.iter().any(|point| point.has_unit) {
+            return Ok(None);
+        }
+        let mut strict = self.both(Mode::Strict, literal, reading)?;
+        let mut lenient = self.both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
+        let both_units = points.iter().all(|point| point.has_unit);
+        if self.noticed.has(Reading::MINUS) {
+            for value in points.iter_mut().chain(&mut strict).chain(&mut lenient) {
+                value.parts = value.parts.map(|part| Interval::around(part.point.abs(), part.half()));
+            }
+        }
+        let by_numbers = numbers && both_units;
+        let fine = |verdict: Verdict| judgement(if by_numbers { Verdict::Units } else { verdict });
+        let [left, right] = &strict;
+        let agrees = match literal {
+            [true, true] => left.meets(right, 0.0),
+            [false, true] => points[0].meets(right, 0.0),
+            [true, false] => left.meets(&points[1], 0.0),
+            [false, false] => points[0].difference(&points[1]) < crate::interval::SLACK,
+        };
+        if agrees {
+            return Ok(fine(Verdict::Consistent));
+        }
+        if self.inverse
+            && let Some(verdict) = angles(&strict, &points, reading)
+        {
+            return Ok(if verdict == Verdict::Units { judgement(verdict) } else { fine(verdict) });
+        }
+        if left.meets(right, 0.0) && is_likely(&strict, &points, literal, true) {
+            return Ok(fine(Verdict::Rounded));
+        }
+        let cut = (literal == [false, true] && is_cut(&points[0], right))
+            || (literal == [true, false] && is_cut(&points[1], left));
+        if cut {
+            return Ok(fine(Verdict::Truncated));
+        }
+        if self.relation == Relation::Approximate && lenient[0].meets(&lenient[1], 0.05) {
+            return Ok(fine(Verdict::Approximate));
+        }
+        if lenient[0].meets(&lenient[1], 0.0) && is_likely(&lenient, &points, literal, false) {
+            return Ok(judgement(if by_numbers { Verdict::Units } else { Verdict::Doubtful }));
+        }
+        if by_numbers {
+            return Ok(judgement(Verdict::Dimensions));
+        }
+        // What the steps would allow, but not likely, is more than a digit.
+        let near = !left.meets(right, 0.0);
+        let near = near && ((literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left)));
+        Ok(judgement(if near { Verdict::LastDigit } else { Verdict::Inconsistent }))
+    }
+}
+
+/// Whether the digits that were lost on the way explain the difference: it is about one unit of the last digit (if `one_more`), or within
+/// [`LIKELY`] of what all the steps together leave open. Their errors hardly ever all point the same way.
+fn is_likely(open: &[Value; 2], points: &[Value; 2], literal: [bool; 2], one_more: bool) -> bool {
+    let likely = if one_more { LIKELY } else { LIKELY_FROM_TENS };
+    let (computed, printed) = match literal {
+        [false, true] => (0, 1),
+        [true, false] => (1, 0),
+        _ => return true,
+    };
+    let differences = points[computed].parts.pairs(&points[printed].parts).map(|(a, b)| (a.point - b.point).abs());
+    let halves = open[computed].parts.pairs(&open[printed].parts).map(|(a, b)| (a.half(), b.half()));
+    differences.zip(halves).all(|(difference, (steps, digits))| {
+        digits == 0.0 || (one_more && difference <= 3.0001 * digits) || difference <= likely * (steps + digits)
+    })
+}
+
+/// How much of what the steps leave open they are expected to use. In University Physics, where steps were rounded, all but
+/// three of 73 results stay within it, and half of the planted digits that the whole interval hides are noticed.
+const LIKELY: f64 = 0.25;
+/// How much they are expected to use if only integers that were rounded to tens explain a difference.
+const LIKELY_FROM_TENS: f64 = 0.15;
+
+/// Angles of an inverse function agree up to half turns, and the degree sign may be missing.
+fn angles([left, right]: &[Value; 2], points: &[Value; 2], reading: Reading) -> Option<Verdict> {
+    if reading.has(Reading::DEGREES) {
+        for (angle, bare, point) in [(left, right, &points[1]), (right, left, &points[0])] {
+            let in_degrees = angle.scaled(180.0 / PI);
+            if point.angle.is_none() && !point.has_unit && in_degrees.meets(bare, 0.0) {
+                return Some(Verdict::Units);
+            }
+        }
+    }
+    // Below or above, left or right is said in words.
+    if left.clone().negated().meets(right, 0.0) {
+        return Some(Verdict::Doubtful);
+    }
+    let moved = |by: f64| Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() };
+    [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(Verdict::Rounded)
+}
+
+/// Whether cutting `computed` off gives the printed digits.
+fn is_cut(computed: &Value, printed: &Value) -> bool {
+    computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
+        let (size, open) = (printed.point.abs(), 2.0 * printed.half());
+        let beyond = computed.point.abs() - size;
+        open > 0.0 && computed.point * printed.point >= 0.0 && beyond >= -1e-9 * size && beyond < open
+    })
+}
+
+/// Whether a computed value is within one more unit of the last printed digit.
+fn is_near(computed: &Value, printed: &Value) -> bool {
+    computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
+        let more = 2.0001 * printed.half();
+        more <= printed.point.abs() && computed.high >= printed.low - more && computed.low <= printed.high + more
+    })
+}

@@ -1,0 +1,214 @@
+//! The command: its output in each form, accepted cases, changes, and exit codes.
+
+use clap::Parser;
+use proofread::cli::{self, Streams};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+#[derive(Parser)]
+struct Line {
+    #[command(flatten)]
+    arguments: cli::Arguments,
+}
+
+#[derive(Default)]
+struct Kept {
+    out: String,
+    told: String,
+}
+
+impl Streams for Kept {
+    fn print(&mut self, text: &str) -> Result<(), String> {
+        self.out += &anstream::adapter::strip_str(text).to_string();
+        Ok(())
+    }
+
+    fn tell(&mut self, text: &str) {
+        self.told += &anstream::adapter::strip_str(text).to_string();
+    }
+}
+
+/// Exit code, standard output and standard error.
+fn run(arguments: &[&str]) -> (u8, String, String) {
+    let line = Line::try_parse_from([&["proofread"], arguments].concat()).expect("a command line");
+    let mut kept = Kept::default();
+    let code = cli::run(&line.arguments, &mut kept);
+    (code, kept.out, kept.told)
+}
+
+const TEXT: &str = "The speed is $43.4 - 29.8 = 13.8\\ \\mathrm{km/s}$.\n\nIt is $\\tan 31.0^\\circ = 0.609$.\n";
+
+fn folder() -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.md");
+    fs::write(&file, TEXT).expect("written");
+    let name = file.to_str().expect("UTF-8").to_owned();
+    (folder, name)
+}
+
+#[test]
+fn a_person_sees_the_place_the_numbers_and_the_hint() {
+    let (_folder, file) = folder();
+    let (code, out, told) = run(&[&file]);
+    assert_eq!((code, told.as_str()), (1, ""));
+    for line in [
+        "last-digit: the last digit differs".to_owned(),
+        format!(" --> {file}:1:29"),
+        "  |                             ^^^^^^^^^^^^^^^^^^ printed 13.8 km/s, recomputed 13.6 km/s".to_owned(),
+        format!(" --> {file}:3:26"),
+        "  = hint: `0.601` for `0.609` would agree".to_owned(),
+        "Checked 2 chains of 2 chains that arithmetic can check, in 2 formulas or lines and 1 document.".to_owned(),
+        "2 findings: 2 on a number.".to_owned(),
+    ] {
+        assert!(out.lines().any(|of| of == line), "{line}\nis not in\n{out}");
+    }
+}
+
+/// Whether a value is as the schema says: a few words of JSON Schema are enough for ours.
+fn fits(value: &Value, schema: &Value, root: &Value, at: &str) {
+    if let Some(name) = schema["$ref"].as_str() {
+        let name = name.strip_prefix("#/$defs/").expect("a definition");
+        return fits(value, &root["$defs"][name], root, at);
+    }
+    if let Some(allowed) = schema["enum"].as_array() {
+        assert!(allowed.contains(value), "{at}: {value} is none of {allowed:?}");
+    }
+    let kinds: Vec<&str> = match &schema["type"] {
+        Value::String(kind) => vec![kind],
+        Value::Array(kinds) => kinds.iter().filter_map(Value::as_str).collect(),
+        _ => Vec::new(),
+    };
+    let kind = match value {
+        Value::Null => "null",
+        Value::Bool(_) => "boolean",
+        Value::Number(_) => "integer",
+        Value::String(_) => "string",
+        Value::Array(_) => "array",
+        Value::Object(_) => "object",
+    };
+    assert!(kinds.contains(&kind), "{at}: {kind} is none of {kinds:?}");
+    for (key, inner) in value.as_object().into_iter().flatten() {
+        let schema = &schema["properties"][key];
+        assert!(!schema.is_null(), "{at}: the schema does not know {key}");
+        fits(inner, schema, root, &format!("{at}.{key}"));
+    }
+    for key in schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str) {
+        assert!(value.get(key).is_some(), "{at} lacks {key}");
+    }
+    for inner in value.as_array().into_iter().flatten() {
+        fits(inner, &schema["items"], root, &format!("{at}[]"));
+    }
+}
+
+#[test]
+fn json_is_as_the_schema_says() {
+    let schema: Value = serde_json::from_str(include_str!("../schema/proofread.schema.json")).expect("a schema");
+    let (_folder, file) = folder();
+    let (code, out, _) = run(&["--format", "json", "--agreeing", &file]);
+    let whole: Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(code, 1);
+    fits(&whole, &schema, &schema, "whole");
+    let first = &whole["documents"][0]["findings"][0];
+    assert_eq!(first["verdict"], "last-digit");
+    assert_eq!(first["recomputed"], "13.6 km/s");
+    assert_eq!(first["at"]["start"]["column"], 29);
+    let (_, lines, _) = run(&["--format", "jsonl", &file]);
+    for line in lines.lines() {
+        fits(&serde_json::from_str(line).expect("JSON"), &schema["$defs"]["line"], &schema, "line");
+    }
+    assert_eq!(lines.lines().count(), 2);
+}
+
+#[test]
+fn sarif_names_rules_and_places() {
+    let (_folder, file) = folder();
+    let (_, out, _) = run(&["--format", "sarif", &file]);
+    let whole: Value = serde_json::from_str(&out).expect("JSON");
+    let results = whole["runs"][0]["results"].as_array().expect("results");
+    let rules = whole["runs"][0]["tool"]["driver"]["rules"].as_array().expect("rules");
+    for result in results {
+        assert!(rules.iter().any(|rule| rule["id"] == result["ruleId"]), "{result}");
+        assert!(result["locations"][0]["physicalLocation"]["region"]["startLine"].is_number());
+    }
+    assert_eq!((whole["version"].as_str(), results.len()), (Some("2.1.0"), 2));
+}
+
+#[test]
+fn accepted_cases_are_left_out_wherever_they_move() {
+    let (folder, file) = folder();
+    let cases = folder.path().join("accepted.jsonl");
+    let cases = cases.to_str().expect("UTF-8");
+    assert_eq!(run(&["--accept", cases, &file]).0, 0);
+    fs::write(&file, format!("More.\n\n{TEXT}\n$2 + 2 = 5$\n")).expect("written");
+    let (code, out, _) = run(&["--baseline", cases, &file]);
+    assert_eq!(code, 1);
+    assert!(out.contains("1 finding:") && out.contains("2 cases left out as accepted"), "{out}");
+    // A reason that a person wrote stays.
+    let told =
+        fs::read_to_string(cases).expect("readable").replacen("\"why\":\"\"", "\"why\":\"as in the original\"", 1);
+    fs::write(cases, told).expect("written");
+    assert_eq!(run(&["--accept", cases, &file]).0, 0);
+    let kept = fs::read_to_string(cases).expect("readable");
+    assert_eq!((kept.lines().count(), kept.contains("as in the original")), (3, true));
+    assert_eq!(run(&["--baseline", cases, &file]).0, 0);
+}
+
+fn git(folder: &Path, arguments: &[&str]) -> bool {
+    let identity = ["-c", "user.name=T", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
+    let done = Command::new("git").arg("-C").arg(folder).args(identity).args(arguments).output();
+    done.is_ok_and(|output| output.status.success())
+}
+
+#[test]
+fn only_what_a_change_brings_in_is_reported() {
+    let (folder, file) = folder();
+    if !git(folder.path(), &["init", "-q"]) {
+        println!("skipped: there is no git here");
+        return;
+    }
+    assert!(git(folder.path(), &["add", "."]) && git(folder.path(), &["commit", "-q", "-m", "first"]));
+    let name = folder.path().to_str().expect("UTF-8");
+    assert_eq!(run(&["--since", "HEAD", name]).0, 0);
+    fs::write(&file, format!("Moved.\n\n{TEXT}\nNew: $2 + 2 = 5$\n")).expect("written");
+    fs::write(folder.path().join("new.md"), "$1 + 1 = 3$").expect("written");
+    let (code, out, _) = run(&["--since", "HEAD", name]);
+    assert_eq!(code, 1);
+    assert!(out.contains("2 findings:") && out.contains("New: $2 + 2 = 5$"), "{out}");
+    let (code, _, told) = run(&["--since", "nowhere", name]);
+    assert_eq!(code, 2);
+    assert!(told.contains("does not know the revision `nowhere`"), "{told}");
+}
+
+#[test]
+fn wrong_input_is_told_and_the_rest_is_read() {
+    let (folder, file) = folder();
+    let lines = folder.path().join("all.jsonl");
+    fs::write(&lines, "{\"id\": \"x\", \"format\": \"latex\", \"text\": \"$1 + 1 = 3$\"}\nno JSON\n").expect("written");
+    let (code, out, told) = run(&["--format", "jsonl", lines.to_str().expect("UTF-8"), &file]);
+    assert_eq!(code, 2);
+    assert!(told.contains("all.jsonl:2: this is not a JSON object"), "{told}");
+    assert_eq!(out.lines().count(), 3);
+    let binary = folder.path().join("b.txt");
+    fs::write(&binary, [0u8, 1, 2]).expect("written");
+    for (path, words) in
+        [("nowhere.md", "nowhere.md"), ("a.pdf", "say --input"), (binary.to_str().expect("UTF-8"), "zero bytes")]
+    {
+        let (code, _, told) = run(&[path]);
+        assert_eq!(code, 2);
+        assert!(told.contains(words), "{told}");
+    }
+}
+
+#[test]
+fn nothing_that_a_terminal_obeys_is_printed() {
+    let (folder, _) = folder();
+    let file = folder.path().join("c.md");
+    fs::write(&file, "\u{1b}[31m\u{202e} $2 + 2 = 5$ \u{7}").expect("written");
+    let line = Line::try_parse_from(["proofread", file.to_str().expect("UTF-8")]).expect("a command line");
+    let mut kept = Kept::default();
+    cli::run(&line.arguments, &mut kept);
+    let obeyed = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
+    assert!(!kept.out.contains(obeyed) && kept.out.contains("printed 5, recomputed 4"), "{:?}", kept.out);
+}

@@ -1,0 +1,96 @@
+//! Every format gives the same chains, at places that are exact.
+
+use crate::{report, wrong};
+use proofread::{Follow, Format, List, Options, proofread};
+
+/// The text at which a format's only finding points.
+#[track_caller]
+fn pointed(text: &str, format: Format) -> String {
+    let findings = report(text, format).findings;
+    let found: Vec<_> = findings.iter().filter(|of| of.list != List::Agreeing).collect();
+    let [one] = found.as_slice() else { panic!("{found:#?}") };
+    text[one.at.range()].to_owned()
+}
+
+#[test]
+fn the_place_is_the_printed_result() {
+    for (text, format, at) in [
+        ("It is $2 + 2 = 5$.", Format::Markdown, "5"),
+        ("é $$2 + 2 = 5.0\\ \\mathrm{m}$$", Format::Markdown, r"5.0\ \mathrm{m"),
+        ("mdBook: \\\\( 2.0 + 2.0 = 5.1 \\\\)", Format::Markdown, "5.1"),
+        ("```math\n2 + 2 = 5\n```\n", Format::Markdown, "5"),
+        ("The sum 2 + 2 = 5 is wrong.", Format::Markdown, "5"),
+        (r"\begin{align} a &= 2 + 2 \\ &= 5 \end{align}", Format::Latex, "5"),
+        (r"\newcommand{\x}[1]{#1 + 2} $\x{2} = 5$", Format::Latex, "5"),
+        (r"$\SI{2}{\metre} + \SI{2}{\metre} = \SI{5}{\metre}$", Format::Latex, "5"),
+        ("<m:math><m:mn>2</m:mn><m:mo>+</m:mo><m:mn>2</m:mn><m:mo>=</m:mo><m:mn>5</m:mn></m:math>", Format::Xml, "5"),
+        ("<p>A &lt; B <math><mn>2</mn><mo>+</mo><mn>2<mo>=</mo><mn>5</mn></p>", Format::Html, "5"),
+        (r"<p>With MathJax: \(2 + 2 = 5\)</p>", Format::Html, "5"),
+        (r#"{"cells":[{"cell_type":"markdown","source":["é\n","$2 + 2 = 5$"]}]}"#, Format::Notebook, "5"),
+        ("2 + 2 = 5\n", Format::Plain, "5"),
+        ("E = 1.5e-3 * 2.00 = 4.1e-3", Format::Plain, "4.1e-3"),
+    ] {
+        assert!(pointed(text, format).starts_with(at), "{text}: {}", pointed(text, format));
+    }
+}
+
+#[test]
+fn code_and_comments_are_no_formulas() {
+    for (text, format) in [
+        ("```rust\nlet x = 2 + 2 = 5;\n```\n", Format::Markdown),
+        ("`$2 + 2 = 5$`", Format::Markdown),
+        ("    $2 + 2 = 5$\n", Format::Markdown),
+        ("% $2 + 2 = 5$\n", Format::Latex),
+        (r"\verb|$2 + 2 = 5$|", Format::Latex),
+        (r"\begin{verbatim} $2 + 2 = 5$ \end{verbatim}", Format::Latex),
+        ("<!-- <math><mn>2</mn><mo>=</mo><mn>5</mn></math> -->", Format::Html),
+        ("<pre>\\(2 + 2 = 5\\)</pre>", Format::Html),
+        (r#"{"cells":[{"cell_type":"code","source":"$2 + 2 = 5$"}]}"#, Format::Notebook),
+    ] {
+        assert_eq!(wrong(text, format), [""; 0], "{text}");
+    }
+}
+
+#[test]
+fn what_is_meant_to_be_false_is_left_alone() {
+    for text in [
+        "Is $7/9 = 54/72$ a proportion?",
+        "But $3 = 7$ is false, so there is no solution.",
+        "We get $3 + 1 = 7$, a contradiction.",
+        "$2 + 2 \\neq 5$",
+    ] {
+        assert_eq!(wrong(text, Format::Markdown), [""; 0], "{text}");
+    }
+    assert_eq!(wrong("The share is $7/9 = 54/72$ here.", Format::Markdown).len(), 1);
+}
+
+#[test]
+fn formulas_that_go_on_outside_are_not_judged_by_half() {
+    let number = |text: &str| format!("<math><mn>{text}</mn></math>");
+    let equals = "<math><mn>2</mn><mo>=</mo><mn>6</mn></math>";
+    assert_eq!(wrong(&format!("<p>{}×{equals}</p>", number("3")), Format::Html), [""; 0]);
+    assert_eq!(wrong(&format!("<p>3 times {equals}</p>"), Format::Html), [""; 0]);
+    assert_eq!(wrong(&format!("<p>We see {equals}</p>"), Format::Html).len(), 1);
+}
+
+#[test]
+fn equations_side_by_side_are_told_apart() {
+    let text = r"\begin{align} a &= 1 + 1 = 2 & b &= 2 + 2 = 5 \end{align}";
+    assert_eq!(wrong(text, Format::Latex), ["2 + 2 | 5"]);
+}
+
+#[test]
+fn values_of_names_are_used_where_that_is_safe() {
+    let text = "Let $m = 2.0\\ \\text{kg}$ and $a = 3.0\\ \\text{m/s}^2$. Then $F = m a = 7.0\\ \\text{N}$.";
+    let lists = |follow| {
+        let options = Options { follow, ..Options::default() };
+        let findings = proofread(text, Format::Markdown, options).expect("it is read").findings;
+        findings.iter().map(|of| of.list).collect::<Vec<_>>()
+    };
+    assert_eq!(lists(Follow::Never), []);
+    assert_eq!(lists(Follow::Once), [List::Bindings]);
+    assert_eq!(lists(Follow::Always), [List::Bindings]);
+    let again = format!("Let $m = 4.0\\ \\text{{kg}}$ first. {text}");
+    let options = Options::default();
+    assert_eq!(proofread(&again, Format::Markdown, options).expect("it is read").findings, []);
+}

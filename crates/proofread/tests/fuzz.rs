@@ -1,0 +1,200 @@
+//! Whatever is read, there is no panic, no hang, and every place is inside the text.
+
+use proofread::{Follow, Format, Options, proofread};
+use std::time::{Duration, Instant};
+
+fn given(variable: &str, usual: u64) -> u64 {
+    std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
+}
+
+const SEEDS: [(Format, &str); 7] = [
+    (
+        Format::Markdown,
+        "# A\n\nIt is $v = \\frac{3.0\\,\\mathrm{m}}{2.0\\ \\text{s}} = 1.5\\,\\mathrm{m/s}$ and `code`.\n\n$$x_1^2 = [\\sin^{-1} \
+         0.5]_0^{2} \\approx \\sqrt[3]{8.0} = 2$$\n\n```math\n1+1=3\n```\nR = 1 sin 30°/sin 60° = 0.557, 2^(3) = 8 <math><mn>1</mn></math>\n",
+    ),
+    (
+        Format::Latex,
+        "\\newcommand{\\v}[2][3]{#1 \\cdot #2}\\def\\be{\\begin{equation}}\\def\\ee{\\end{equation}}\\be \\v[2]{4.5} &= \
+         9.0\\,\\mathrm{N\\,m^{-1}} \\\\ \\ee \\begin{align*} a &= \\qty{3e8}{\\metre\\per\\second\\squared} & b &= 5! = 120 \\end{align*} % x\n$|x|_0^1 = 3$",
+    ),
+    (
+        Format::Xml,
+        "<para><m:math><m:mtable><m:mtr><m:mtd><m:mi>x</m:mi><m:mo>=</m:mo><m:mfrac><m:mn>6.0</m:mn><m:mn>2</m:mn></m:mfrac>\
+         <m:mo>=</m:mo><m:msup><m:mn>3.1</m:mn><m:mn>2</m:mn></m:msup></m:mtd></m:mtr></m:mtable></m:math>&nbsp;&#x3b1;</para>",
+    ),
+    (
+        Format::Html,
+        "<p class=x>\\(2+2=5\\) <math><mover><mi>i</mi><mo>^</mo></mover><mo>=</mo><mn>4</mn><script>a<b</script></math></p>",
+    ),
+    (
+        Format::Notebook,
+        "{\"cells\":[{\"cell_type\":\"markdown\",\"source\":[\"\\u00e9 $2+2=5$\\n\",\"x = 3*4 = 13\"]}]}",
+    ),
+    (Format::Plain, "F = (2.0 kg)(3.0 m/s²) = 7.0 N\nv = 500 sin 17.6°\nv = 151.2\n1.5e-3 * 2 = 3.1e-3; 10 % or 0.1\n"),
+    (Format::Plain, "2 3/4 = 2.75 ± 3 °C = 276 K, 5 rev = 31.4 rad, 1,234.5 J/kg·K"),
+];
+
+const PIECES: [&str; 44] = [
+    "\\frac",
+    "{",
+    "}",
+    "$",
+    "$$",
+    "\\(",
+    "\\[",
+    "^",
+    "_",
+    "=",
+    "≈",
+    "(",
+    ")",
+    "[",
+    "]",
+    "|",
+    "\\begin{align}",
+    "\\end{align}",
+    "\\\\",
+    "&",
+    "<math>",
+    "</math>",
+    "<mrow>",
+    "<msup>",
+    "&#x1F600;",
+    "°C",
+    "10^{",
+    "e",
+    "1e999",
+    "99999999999999999999",
+    "0",
+    "-",
+    "\\sqrt",
+    "\\text{",
+    "\u{0}",
+    "\u{202e}",
+    "é",
+    "\n\n",
+    "!",
+    "±",
+    "%",
+    "\\SI{1}{",
+    "\"",
+    "\\x",
+];
+
+fn mutated(text: &str, dice: &mut fastrand::Rng) -> String {
+    let mut letters: Vec<char> = text.chars().collect();
+    for _ in 0..dice.usize(1..8) {
+        let at = dice.usize(0..=letters.len());
+        match dice.u8(0..5) {
+            0 if at < letters.len() => drop(letters.remove(at)),
+            1 => {
+                let end = (at + dice.usize(0..20)).min(letters.len());
+                let copied = letters[at..end].to_vec();
+                letters.splice(at..at, copied);
+            }
+            2 => {
+                let end = (at + dice.usize(0..30)).min(letters.len());
+                letters.drain(at..end);
+            }
+            _ => {
+                let piece = PIECES[dice.usize(0..PIECES.len())];
+                let often = if dice.u8(0..20) == 0 { dice.usize(1..200) } else { 1 };
+                letters.splice(at..at, piece.repeat(often).chars());
+            }
+        }
+    }
+    letters.into_iter().collect()
+}
+
+fn check(text: &str, format: Format) {
+    let options = Options { follow: Follow::Always, agreeing: true };
+    let Ok(report) = proofread(text, format, options) else {
+        assert!(format == Format::Notebook || text.len() > proofread::reader::LONGEST);
+        return;
+    };
+    for finding in report.findings {
+        for span in [finding.at, finding.span, finding.left_span, finding.right_span] {
+            assert!(text.get(span.range()).is_some(), "{span:?} is no place in {text:?}");
+        }
+    }
+}
+
+/// Tells the text that was tried, if it panics.
+struct Tried<'t>(&'t str, Format);
+
+impl Drop for Tried<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("tried: {:?} {:?}", self.1, self.0);
+        }
+    }
+}
+
+#[test]
+fn fuzz_mutated_documents_are_read() {
+    let cases = given("GENEVA_FUZZ", 3000);
+    let mut dice = fastrand::Rng::with_seed(given("GENEVA_FUZZ_SEED", 0x5eed).max(1));
+    for _ in 0..cases {
+        let (format, seed) = SEEDS[dice.usize(0..SEEDS.len())];
+        let text = mutated(seed, &mut dice);
+        // Now and then as another format than it is.
+        let format = if dice.u8(0..5) == 0 { Format::ALL[dice.usize(0..Format::ALL.len())].1 } else { format };
+        let tried = Tried(&text, format);
+        check(tried.0, tried.1);
+    }
+}
+
+#[test]
+fn nesting_and_length_are_bounded() {
+    let begun = Instant::now();
+    for (open, close) in [
+        ("{", "}"),
+        ("(", ")"),
+        ("\\sqrt{", "}"),
+        ("\\frac{1}{", "}"),
+        ("2^{", "}"),
+        ("|", "|"),
+        ("\\sin(", ")"),
+        ("-(", ")"),
+        ("x_{", "}"),
+        ("\\text{", "}"),
+        ("\\left[", "\\right]"),
+    ] {
+        let n = 3000;
+        let text = format!("${}1{} = 2$", open.repeat(n), close.repeat(n));
+        for format in [Format::Markdown, Format::Latex, Format::Plain] {
+            check(&text, format);
+        }
+    }
+    for tag in ["mrow", "msup", "mfrac", "msqrt", "mtable", "p", "math"] {
+        let n = 20_000;
+        let text = format!("<math>{}<mn>1</mn>{}</math>", format!("<{tag}>").repeat(n), format!("</{tag}>").repeat(n));
+        check(&text, Format::Html);
+    }
+    check("\\def\\a{\\b\\b}\\def\\b{\\c\\c}\\def\\c{\\a\\a}$\\a = 1$", Format::Latex);
+    check(&format!("$1 = {}$", "1 + ".repeat(4000)), Format::Markdown);
+    for piece in PIECES {
+        for format in Format::ALL.map(|(_, format)| format) {
+            check(&piece.repeat(20_000), format);
+        }
+    }
+    assert!(begun.elapsed() < Duration::from_secs(120), "{:?}", begun.elapsed());
+}
+
+#[test]
+fn time_grows_as_the_text_does() {
+    for (format, seed) in SEEDS {
+        if format == Format::Notebook {
+            continue;
+        }
+        let time = |times: usize| {
+            let text = format!("{seed}\n\n").repeat(times);
+            let begun = Instant::now();
+            check(&text, format);
+            begun.elapsed().as_secs_f64()
+        };
+        let (short, long) = (time(30).max(time(30)).max(0.002), time(240));
+        assert!(long < short * 8.0 * 6.0, "{format:?}: {short} s, and {long} s for 8 times as much");
+    }
+}

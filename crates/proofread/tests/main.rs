@@ -1,0 +1,30 @@
+//! Does the proofreader find what is wrong, leave alone what is right, and read whatever it is given?
+
+mod chains;
+#[cfg(feature = "cli")]
+mod command;
+mod formats;
+mod fuzz;
+mod judged;
+
+use proofread::{Follow, Format, List, Options, Report, proofread};
+
+/// What is found in a text, with the pairs that agree.
+fn report(text: &str, format: Format) -> Report {
+    proofread(text, format, Options { follow: Follow::Once, agreeing: true }).expect("it can be read")
+}
+
+/// The verdicts of the pairs in a formula of TeX.
+fn verdicts(tex: &str) -> Vec<&'static str> {
+    report(&format!("$${tex}$$"), Format::Markdown).findings.iter().map(|of| of.verdict.name()).collect()
+}
+
+/// What is listed as wrong in a text.
+fn wrong(text: &str, format: Format) -> Vec<String> {
+    let findings = report(text, format).findings;
+    findings
+        .into_iter()
+        .filter(|of| of.list != List::Agreeing)
+        .map(|of| format!("{} | {}", of.left, of.right))
+        .collect()
+}
