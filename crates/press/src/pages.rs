@@ -103,6 +103,8 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
         chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
         chapter(WILD, "wild", "Geneva formulas on the web, checked"),
+        chapter(WILD, "proofread", "Proofread your own text"),
+        chapter(WILD, "found", "What proofreading found"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
             ..chapter(RECORDS, "errata", "Errata")
@@ -129,6 +131,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         Page { records: Records::Claims, ..behind(LEDGER, "The ledger: every claim") },
         Page { records: Records::Coverage, ..behind(COVERAGE, "Coverage of the sources") },
         behind("fields", "The data, field by field"),
+        behind("tests", "The tests behind the chapters"),
         behind("solver", "The solver"),
         behind("mimic", "The language MIMIC"),
         behind("architecture", "Architecture"),
@@ -175,8 +178,9 @@ pub fn page_of_slip(slip: &Slip) -> &'static str {
 
 /// Whether a page is one to look things up in, by its name: what it says of a thing stands behind what a chapter says.
 pub fn is_looked_up(name: &str) -> bool {
-    let is_record =
-        |page: &Page| page.place == Place::Behind || [OPEN, ELSEWHERE].contains(&page.name) || !matches!(page.records, Records::None);
+    let is_record = |page: &Page| {
+        page.place == Place::Behind || [OPEN, ELSEWHERE].contains(&page.name) || !matches!(page.records, Records::None)
+    };
     PAGES.iter().any(|page| page.name == name && is_record(page))
 }
 

@@ -5,7 +5,6 @@ mod baseline;
 mod documents;
 mod json;
 mod output;
-mod place;
 mod sarif;
 mod since;
 mod text;
@@ -176,9 +175,9 @@ impl<'a> Run<'a> {
 
     /// The findings that were asked for.
     fn report(&self, text: &str, format: Format) -> Result<Report, String> {
-        let mut report =
-            proofread(text, format, Options { follow: self.arguments.follow, agreeing: self.arguments.agreeing })
-                .map_err(|why| why.to_string())?;
+        let options =
+            Options { follow: self.arguments.follow, agreeing: self.arguments.agreeing, ..Options::default() };
+        let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
         report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
         Ok(report)
     }

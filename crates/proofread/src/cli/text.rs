@@ -1,9 +1,9 @@
 //! Findings for people.
 
 use super::output::{bold, count, printable};
-use super::place::Lines;
 use super::{Checked, Sum, Writer};
 use crate::finding::{Finding, List};
+use crate::place::Lines;
 use crate::reader::Format;
 use clap::builder::styling::AnsiColor;
 
@@ -123,23 +123,11 @@ fn said(finding: &Finding) -> String {
     }
 }
 
-/// The chain as one line, with the right or left side marked.
+/// The chain as one line, with the printed side marked.
 fn of_chain(finding: &Finding) -> (String, usize, usize) {
-    let chain = &finding.chain;
-    let right_is_meant = finding.at == finding.right_span;
-    let wanted = if right_is_meant { &finding.right } else { &finding.left };
-    // The pair stands in the chain as `left = right`.
-    let pair_at =
-        [" = ", " ≈ "].iter().find_map(|sign| chain.find(&format!("{}{sign}{}", finding.left, finding.right)));
-    let start = match pair_at {
-        Some(at) if right_is_meant => {
-            at + finding.left.len() + chain[at + finding.left.len()..].find(wanted.as_str()).unwrap_or(0)
-        }
-        Some(at) => at,
-        None => chain.rfind(wanted.as_str()).unwrap_or(0),
-    };
-    let column = chain[..start].chars().count() + 1;
-    window(chain, column, column + wanted.chars().count())
+    let [before, marked] =
+        [0..finding.marked.start, finding.marked.clone()].map(|part| finding.chain[part].chars().count());
+    window(&finding.chain, before + 1, before + 1 + marked)
 }
 
 /// A part of a line around a place, how many columns are before the place, and how many it takes.
