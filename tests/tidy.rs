@@ -15,11 +15,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("proofread", &[]),
     ("workshop", &["kinematics"]),
     ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
-    (
-        "geneva",
-        &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"],
-    ),
+    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "proofread", "proofread-page"]),
+    ("proofread-page", &["proofread"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.

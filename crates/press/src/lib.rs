@@ -19,6 +19,7 @@ pub mod readme;
 mod search;
 
 // A chapter.
+mod chapter_tests;
 pub mod fences;
 mod formula;
 pub mod maths;
@@ -36,6 +37,7 @@ pub mod computed;
 pub mod figures;
 mod ledger_pages;
 pub mod live;
+pub mod proofread;
 mod tables;
 
 // What these need.

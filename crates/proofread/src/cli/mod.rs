@@ -4,7 +4,6 @@ mod baseline;
 mod documents;
 mod json;
 mod output;
-mod place;
 mod sarif;
 mod since;
 mod text;
@@ -307,8 +306,9 @@ impl<'a> Run<'a> {
             Names::Once => Follow::Once,
             Names::Always => Follow::Always,
         };
-        let mut report = proofread(text, format, Options { follow, agreeing: self.arguments.agreeing })
-            .map_err(|why| why.to_string())?;
+        let mut report =
+            proofread(text, format, Options { follow, agreeing: self.arguments.agreeing, ..Options::default() })
+                .map_err(|why| why.to_string())?;
         report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
         Ok(report)
     }
