@@ -15,7 +15,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("proofread", &[]),
     ("workshop", &["kinematics"]),
     ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
+    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "proofread", "proofread-page"]),
+    ("proofread-page", &["proofread"]),
     ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"]),
 ];
 

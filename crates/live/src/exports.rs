@@ -1,7 +1,8 @@
 //! What WebAssembly exports: memory for a question, and the answer.
 //!
 //! A page asks for room by [`room`], writes its question there in UTF-8, calls [`ask`], and reads so many bytes of UTF-8
-//! at [`answer`]. The question is `name?arguments` as in [`answer`](crate::answer).
+//! at [`answer`]. Question and answer are those of [`answer`](crate::answer). Two crates have these exports, each in a module
+//! of its own: the figures that a reader moves, and the proofreader.
 #![allow(unsafe_code, reason = "the attribute that exports a name; nothing here is an unsafe operation")]
 
 use std::cell::RefCell;

@@ -37,6 +37,7 @@ pub mod computed;
 pub mod figures;
 mod ledger_pages;
 pub mod live;
+pub mod proofread;
 mod tables;
 
 // What these need.

@@ -103,6 +103,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
         chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
         chapter(WILD, "wild", "Geneva formulas on the web, checked"),
+        chapter(WILD, "proofread", "Proofread your own text"),
         chapter(WILD, "found", "What proofreading found"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),

@@ -7,7 +7,7 @@ use crate::data::File;
 use crate::edition::Edition;
 use crate::html::{Table, code, escape};
 use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
-use crate::{address, bibliography, citing, computed, figures, live, maths, measurements, tables};
+use crate::{address, bibliography, citing, computed, figures, live, maths, measurements, proofread, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -71,6 +71,8 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("open-count", "how many open claims a group has", Of(open::count)),
     ("picture", "a figure without number and caption", Of(figures::picture)),
     ("printed", "a claim's printed characters", Of(inline::printed)),
+    ("proofread", "the form for a text of the reader's own, with an example", Alone(proofread::form)),
+    ("proofread-weight", "what that form loads at most", Alone(|| Ok(proofread::weight()))),
     (
         "recorded",
         "what the record of the benchmarks says of its making: processor, cores, compiler, date",

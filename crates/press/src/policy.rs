@@ -3,7 +3,7 @@
 //! Scripts and styles that stand in a page are allowed by their hashes, so that text that finds its way into a page is never
 //! run as a script. Scripts, styles, fonts and pictures in files are allowed from the book's own place. (A hash for a
 //! script in a file needs subresource integrity, and browsers refuse that for a page that is opened from disk.) WebAssembly
-//! and a thread of its own are allowed where a figure moves. Nothing may be sent anywhere.
+//! and a thread of its own are allowed where a figure moves or a text is proofread. Nothing may be sent anywhere.
 
 use anyhow::{Context, ensure};
 use html5ever::tokenizer::states::RawKind;
@@ -77,7 +77,7 @@ impl TokenSink for Found {
         match token {
             Token::TagToken(tag) if tag.kind == StartTag => {
                 let has = |name: &str| tag.attrs.iter().any(|of| &*of.name.local == name);
-                state.inline.moves |= has("data-live");
+                state.inline.moves |= has("data-live") || has("data-proofread");
                 let raw = match &*tag.name {
                     "script" => RawKind::ScriptData,
                     "style" => RawKind::Rawtext,

@@ -8,7 +8,6 @@ use anyhow::{Context, bail};
 use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
-use std::path::Path;
 
 /// Turns a chapter with formulas and placeholders into one that is all there.
 ///
@@ -65,7 +64,12 @@ impl Preprocessor for Geneva {
             bail!("{}", errors.join("\n"));
         }
         files.extend(data::File::records()?);
-        files.extend(scripts_of_moved_figures(&mut book, &context.root));
+        let root = context.root.parent().unwrap_or(&context.root);
+        let mut contents = Vec::new();
+        book.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
+        files.extend(live::on_pages(&mut contents.iter_mut(), root));
+        let mut contents = contents.into_iter();
+        book.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
         data::write(&context.root.join(&context.config.book.src), &files)?;
         Ok(book)
     }
@@ -73,23 +77,6 @@ impl Preprocessor for Geneva {
     fn supports_renderer(&self, renderer: &str) -> Result<bool> {
         Ok(matches!(renderer, "html" | "test"))
     }
-}
-
-/// The scripts of the figures that a reader moves, if a page shows one; such a page loads the first of them.
-fn scripts_of_moved_figures(book: &mut Book, root: &Path) -> Vec<data::File> {
-    let is_moved = |chapter: &Chapter| chapter.content.contains(" data-live=\"");
-    if !book.chapters().any(is_moved) {
-        return Vec::new();
-    }
-    let scripts = live::scripts(root.parent().unwrap_or(root));
-    if !scripts.is_empty() {
-        book.for_each_chapter_mut(|chapter| {
-            if is_moved(chapter) {
-                chapter.content = live::on_a_page(&chapter.content);
-            }
-        });
-    }
-    scripts
 }
 
 /// Links to the pages before and behind the one of this name, by their titles.

@@ -16,6 +16,7 @@ use crate::address::Address;
 use crate::citing::{AUTHORS, SUBTITLE, TITLE};
 use crate::edition::Edition;
 use crate::html::escape;
+use crate::live;
 use crate::pages::{PAGES, Place};
 use anyhow::Context;
 use html5ever::tokenizer::states::RawKind;
@@ -30,7 +31,6 @@ use std::path::Path;
 pub const FILE: &str = "print.html";
 /// The style sheet that it alone loads.
 const STYLE: (&str, &str) = ("theme/print.css", include_str!("../../../book/theme/print.css"));
-const LIVE_STYLE: &str = "data/live.css";
 /// Pages behind the book that belong to what a reader reads.
 const APPENDICES: [&str; 2] = ["solver", "mimic"];
 /// What has no place on paper, by the class of the element.
@@ -91,9 +91,9 @@ pub fn write(book: &Path, edition: &Edition, address: Option<&Address>) -> anyho
     if chapters.is_empty() {
         return Ok(());
     }
-    // What stands beside a figure that moves is set by a sheet of its own, which is there where such figures are.
-    if book.join(LIVE_STYLE).is_file() {
-        styles.push_str(&format!("\n<link rel=\"stylesheet\" href=\"{LIVE_STYLE}\">"));
+    // What is live is set by a sheet of its own, which is there where it is.
+    for style in live::styles().filter(|style| book.join(style).is_file()) {
+        styles.push_str(&format!("\n<link rel=\"stylesheet\" href=\"{style}\">"));
     }
     for (name, text) in [STYLE, (FILE, &*document(&styles, &chapters, edition, address))] {
         let path = book.join(name);
@@ -232,7 +232,9 @@ impl State {
                     continue;
                 }
                 "open" => continue,
-                _ if key.starts_with("data-live") || key == "data-given" => continue,
+                _ if key.starts_with("data-live") || key.starts_with("data-proofread") || key == "data-given" => {
+                    continue;
+                }
                 "id" | "for" => format!("{}--{value}", self.page),
                 "aria-labelledby" | "aria-describedby" | "aria-controls" => {
                     value.split(' ').map(|id| format!("{}--{id}", self.page)).collect::<Vec<_>>().join(" ")

@@ -12,12 +12,20 @@ use crate::value::Literal;
 use crate::verdict::{Judgement, Verdict, evaluated, judge};
 
 /// What to look for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Which values of names are put into formulas.
     pub follow: Follow,
     /// Whether pairs that agree are kept, too.
     pub agreeing: bool,
+    /// Most findings for which a hint is searched, the first ones: the search takes longer than the rest.
+    pub hints: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { follow: Follow::default(), agreeing: false, hints: MOST_HINTS }
+    }
 }
 
 /// How much of a document was checked.
@@ -71,7 +79,7 @@ pub struct Report {
 /// Most findings that are kept of one document; the tally counts all.
 const MOST_FINDINGS: usize = 10_000;
 
-/// Most findings of one document for which a hint is searched.
+/// Most findings of one document for which a hint is searched, unless the caller says otherwise.
 const MOST_HINTS: usize = 300;
 
 /// Recomputes every chain of numbers that a text prints.
@@ -202,7 +210,7 @@ impl Check<'_> {
         if self.report.findings.len() >= MOST_FINDINGS {
             return;
         }
-        let wanted = list == List::Numbers && self.report.findings.len() < MOST_HINTS;
+        let wanted = list == List::Numbers && self.report.findings.len() < self.options.hints;
         let hint = wanted.then(|| hint::hint(left, right, relation)).flatten();
         self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
     }

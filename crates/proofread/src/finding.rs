@@ -1,12 +1,13 @@
 //! What was found at one place.
 
-use crate::chain::{Chain, Side};
+use crate::chain::{Chain, Relation, Side};
 use crate::hint::Hint;
 use crate::printed::{power_of_ten, written};
 use crate::reading::Reading;
 use crate::token::{Kind, Span, Token, show};
 use crate::value::Value;
 use crate::verdict::{Judgement, Verdict};
+use std::ops::Range;
 
 /// The lists that findings belong to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -55,8 +56,10 @@ pub struct Finding {
     pub verdict: Verdict,
     /// Which list it belongs to.
     pub list: List,
-    /// The whole chain, as one line.
+    /// The chain, as one line; of a long one, the part around the two sides.
     pub chain: String,
+    /// The bytes of `chain` that are the place to look at.
+    pub marked: Range<usize>,
     /// The chain's place in the text.
     pub span: Span,
     /// The left side, as one line.
@@ -83,6 +86,9 @@ pub struct Finding {
     pub names: Vec<String>,
 }
 
+/// Sides of a chain that are shown before and behind the two sides that do not agree.
+const SHOWN_AROUND: usize = 12;
+
 impl Finding {
     pub(crate) fn new(
         chain: &Chain,
@@ -92,20 +98,12 @@ impl Finding {
         list: List,
         hint: Option<Hint>,
     ) -> Self {
-        let span = chain.sides.iter().fold(left.span.join(right.span), |span, side| span.join(side.span));
-        let mut line = String::new();
-        for side in &chain.sides {
-            line += match side.relation {
-                None => "",
-                Some(crate::chain::Relation::Equal) => " = ",
-                Some(crate::chain::Relation::Approximate) => " ≈ ",
-                Some(crate::chain::Relation::Other) => " … ",
-            };
-            line += &show(&side.tokens);
-        }
         let values = judgement.values.as_ref();
         let right_is_printed = values.is_none_or(|(left, right)| right.is_literal() || !left.is_literal());
         let printed = if right_is_printed { right } else { left };
+        let ends = chain.sides.first().into_iter().chain(chain.sides.last());
+        let span = ends.fold(left.span.join(right.span), |span, side| span.join(side.span));
+        let (line, marked) = line(chain, right, printed);
         let recomputed = values.and_then(|(left, right)| {
             let (computed, printed_value) = if right_is_printed { (left, right) } else { (right, left) };
             recomputed(computed, printed_value, &printed.tokens, judgement)
@@ -114,6 +112,7 @@ impl Finding {
             verdict: judgement.verdict,
             list,
             chain: line,
+            marked,
             span,
             left: show(&left.tokens),
             left_span: left.span,
@@ -128,6 +127,31 @@ impl Finding {
             names: judgement.used.clone(),
         }
     }
+}
+
+/// The chain around the side `right` as one line, and where the side `printed` is in it.
+fn line(chain: &Chain, right: &Side, printed: &Side) -> (String, Range<usize>) {
+    let at = chain.sides.iter().position(|side| std::ptr::eq(side, right)).unwrap_or(0);
+    let shown = at.saturating_sub(SHOWN_AROUND)..chain.sides.len().min(at + SHOWN_AROUND);
+    let mut line = if shown.start > 0 { "…".to_owned() } else { String::new() };
+    let mut marked = 0..0;
+    for side in &chain.sides[shown.clone()] {
+        line += match side.relation {
+            None => "",
+            Some(Relation::Equal) => " = ",
+            Some(Relation::Approximate) => " ≈ ",
+            Some(Relation::Other) => " … ",
+        };
+        let start = line.len();
+        line += &show(&side.tokens);
+        if std::ptr::eq(side, printed) {
+            marked = start..line.len();
+        }
+    }
+    if shown.end < chain.sides.len() {
+        line += " …";
+    }
+    (line, marked)
 }
 
 /// The computed value in the unit and with the digits of the printed one.

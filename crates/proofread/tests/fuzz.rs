@@ -108,7 +108,7 @@ fn mutated(text: &str, dice: &mut fastrand::Rng) -> String {
 }
 
 fn check(text: &str, format: Format) {
-    let options = Options { follow: Follow::Always, agreeing: true };
+    let options = Options { follow: Follow::Always, agreeing: true, ..Options::default() };
     let Ok(report) = proofread(text, format, options) else {
         assert!(format == Format::Notebook || text.len() > proofread::reader::LONGEST);
         return;

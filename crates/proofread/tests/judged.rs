@@ -38,7 +38,7 @@ fn all() -> Vec<Chain> {
 fn found(chain: &Chain) -> &'static str {
     let text = if chain.snippet.is_empty() { &chain.chain } else { &chain.snippet };
     let format = Format::named(&chain.format).expect("a format");
-    let options = Options { follow: Follow::Never, agreeing: false };
+    let options = Options { follow: Follow::Never, agreeing: false, hints: 0 };
     let findings = proofread(text, format, options).expect("a text").findings;
     let on = |list| findings.iter().any(|finding| finding.list == list);
     [List::Numbers, List::Units].into_iter().find(|list| on(*list)).map_or("quiet", List::name)

@@ -11,7 +11,8 @@ use proofread::{Follow, Format, List, Options, Report, proofread};
 
 /// What is found in a text, with the pairs that agree.
 fn report(text: &str, format: Format) -> Report {
-    proofread(text, format, Options { follow: Follow::Once, agreeing: true }).expect("it can be read")
+    proofread(text, format, Options { follow: Follow::Once, agreeing: true, ..Options::default() })
+        .expect("it can be read")
 }
 
 /// The verdicts of the pairs in a formula of TeX.

@@ -32,10 +32,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.first.commas", || commas()),
     ("found.after.flags", || Ok(after()?.len().to_string())),
     ("found.after.real", || Ok(right(&after()?).to_string())),
-    ("found.second.texts", || Ok(texts("second")?)),
-    ("found.second.flags", || Ok(round("second")?.len().to_string())),
-    ("found.second.real", || Ok(right(&round("second")?).to_string())),
-    ("found.second.precision", || Ok(precision(right(&round("second")?), round("second")?.len()))),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {

@@ -2,7 +2,7 @@
 
 mod module;
 
-pub use module::{on_a_page, scripts};
+pub use module::{on_pages, styles};
 
 use crate::html::escape;
 use crate::lookup;

@@ -1,4 +1,4 @@
-//! The module that answers the pages: compiled for WebAssembly, packed as text in a script.
+//! The modules that answer the pages: compiled for WebAssembly, packed as text in a script.
 
 use crate::base64::base64;
 use crate::data::{FOLDER, File};
@@ -11,62 +11,115 @@ use std::process::{Command, Stdio};
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
 const TARGET: &str = "wasm32-wasip1";
 const PROFILE: &str = "live";
-/// The controls, and how they look.
-const SHELL: &str = include_str!("../../../../book/theme/live.js");
-const STYLE: &str = include_str!("../../../../book/theme/live.css");
-const SHELL_NAME: &str = "live.js";
-const STYLE_NAME: &str = "live.css";
+/// What asks a module, in a thread of its own: the first part of every script that has one.
+const THREAD: &str = include_str!("../../../../book/theme/thread.js");
 /// Of ten levels, the one that packs best.
 const LEVEL: u8 = 10;
 
-/// The scripts of the figures that a reader moves, made from the workspace `root`: the controls, and the module as text.
+/// A module, and what loads it into a page.
+struct Module {
+    /// The attribute of an element by which a page asks for it, and the name of its files.
+    attribute: &'static str,
+    name: &'static str,
+    /// The package that is compiled, and its folder among the crates.
+    package: &'static str,
+    folder: &'static str,
+    /// The controls, and how they look.
+    script: &'static str,
+    style: &'static str,
+}
+
+const MODULES: [Module; 2] = [
+    Module {
+        attribute: " data-live=\"",
+        name: "live",
+        package: "geneva-live",
+        folder: "live",
+        script: include_str!("../../../../book/theme/live.js"),
+        style: include_str!("../../../../book/theme/live.css"),
+    },
+    Module {
+        attribute: " data-proofread=\"",
+        name: "proofread",
+        package: "geneva-proofread-page",
+        folder: "proofread-page",
+        script: include_str!("../../../../book/theme/proofread.js"),
+        style: include_str!("../../../../book/theme/proofread.css"),
+    },
+];
+
+/// The style sheets of all modules, from a page.
+pub fn styles() -> impl Iterator<Item = String> {
+    MODULES.iter().map(Module::style_path)
+}
+
+/// Puts into each page what loads the module that it asks for, and gives the scripts: the controls, and the module as text,
+/// made from the workspace `root`.
 ///
-/// None where they cannot be made, with the reason on standard error: the book is whole without them.
-pub fn scripts(root: &Path) -> Vec<File> {
-    match module(root) {
-        Ok(code) => {
-            let text = format!("genevaModule('{}');\n", base64(&compress_to_vec(&code, LEVEL)));
-            vec![
-                File::script(SHELL_NAME, SHELL.to_owned()),
-                File::script(STYLE_NAME, STYLE.to_owned()),
-                File::script("live-module.js", text),
-            ]
+/// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
+pub fn on_pages<'p>(pages: &mut dyn Iterator<Item = &'p mut String>, root: &Path) -> Vec<File> {
+    let mut pages: Vec<&mut String> = pages.collect();
+    let mut files = Vec::new();
+    for module in &MODULES {
+        let mut asking = pages.iter_mut().filter(|page| page.contains(module.attribute)).peekable();
+        if asking.peek().is_none() {
+            continue;
         }
-        Err(why) => {
-            eprintln!("The figures that a reader moves stand still in this book: {why}");
-            Vec::new()
+        match module.scripts(root) {
+            Ok(scripts) => {
+                asking.for_each(|page| **page = module.on_a_page(page));
+                files.extend(scripts);
+            }
+            Err(why) => eprintln!("What `{}` makes live stands still in this book: {why}", module.package),
         }
     }
+    files
 }
 
-/// A page with what it must load to move its figures; the module comes later, when a figure is near.
-pub fn on_a_page(content: &str) -> String {
-    format!(
-        "<link rel=\"stylesheet\" href=\"{FOLDER}/{STYLE_NAME}\">\n\n{content}\n<script src=\"{FOLDER}/{SHELL_NAME}\" \
-         defer></script>\n"
-    )
-}
-
-/// The compiled module.
-fn module(root: &Path) -> Result<Vec<u8>, String> {
-    if !root.join("crates/live/Cargo.toml").is_file() {
-        return Err(format!("{} does not hold their program", root.display()));
+impl Module {
+    fn style_path(&self) -> String {
+        format!("{FOLDER}/{}.css", self.name)
     }
-    let compiled = compile(root).or_else(|first| {
-        add_target(root)?;
-        compile(root).map_err(|_| first)
-    });
-    let target = compiled?;
-    let path = target.join(TARGET).join(PROFILE).join("geneva_live.wasm");
-    fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+
+    fn scripts(&self, root: &Path) -> Result<[File; 3], String> {
+        let packed = base64(&compress_to_vec(&self.code(root)?, LEVEL));
+        Ok([
+            File::script(&format!("{}.js", self.name), format!("{THREAD}{}", self.script)),
+            File::script(&format!("{}.css", self.name), self.style.to_owned()),
+            File::script(&format!("{}-module.js", self.name), format!("genevaModule('{packed}');\n")),
+        ])
+    }
+
+    /// A page with what it must load; the module comes later, when it is needed.
+    fn on_a_page(&self, content: &str) -> String {
+        format!(
+            "<link rel=\"stylesheet\" href=\"{}\">\n\n{content}\n<script src=\"{FOLDER}/{}.js\" defer></script>\n",
+            self.style_path(),
+            self.name
+        )
+    }
+
+    /// The compiled module.
+    fn code(&self, root: &Path) -> Result<Vec<u8>, String> {
+        if !root.join("crates").join(self.folder).join("Cargo.toml").is_file() {
+            return Err(format!("{} does not hold their program", root.display()));
+        }
+        let compiled = compile(root, self.package).or_else(|first| {
+            add_target(root)?;
+            compile(root, self.package).map_err(|_| first)
+        });
+        let file = format!("{}.wasm", self.package.replace('-', "_"));
+        let path = compiled?.join(TARGET).join(PROFILE).join(file);
+        fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+    }
 }
 
 /// Lets Cargo compile it; the target directory, or Cargo's reason.
-fn compile(root: &Path) -> Result<std::path::PathBuf, String> {
+fn compile(root: &Path, package: &str) -> Result<std::path::PathBuf, String> {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |own| root.join(own));
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.current_dir(root).args(["rustc", "--quiet", "--package", "geneva-live", "--lib", "--crate-type", "cdylib"]);
+    command.current_dir(root).args(["rustc", "--quiet", "--package", package, "--lib", "--crate-type", "cdylib"]);
     command.args(["--target", TARGET, "--profile", PROFILE]).stdin(Stdio::null());
     // What is set for tests or documentation of the machine at hand is not for this.
     command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
@@ -97,7 +150,13 @@ mod tests {
     #[test]
     fn a_folder_without_the_program_gets_still_figures_and_a_reason() {
         let folder = tempfile::TempDir::new().expect("a folder");
-        assert!(module(folder.path()).expect_err("nothing to compile").contains("does not hold their program"));
-        assert!(scripts(folder.path()).is_empty());
+        for module in &MODULES {
+            let why = module.scripts(folder.path()).err().expect("nothing to compile");
+            assert!(why.contains("does not hold their program"), "{why}");
+            let mut page = format!("<p{}\"></p>", module.attribute);
+            let still = page.clone();
+            assert!(on_pages(&mut std::iter::once(&mut page), folder.path()).is_empty());
+            assert_eq!(page, still);
+        }
     }
 }

@@ -1,9 +1,9 @@
 //! Findings for programs: JSON, and lines of JSON.
 
-use super::place::{Lines as TextLines, Place};
 use super::{Checked, Sum, Writer};
 use crate::check::Tally;
 use crate::finding::Finding;
+use crate::place::{Lines as TextLines, Place};
 use crate::token::Span;
 use crate::verdict::Verdict;
 use serde_json::{Map, Value, json};

@@ -1,9 +1,9 @@
 //! Findings for code review: the Static Analysis Results Interchange Format, version 2.1.0 (OASIS).
 
 use super::baseline::fingerprint;
-use super::place::Lines;
 use super::{Checked, Sum, Writer};
 use crate::finding::{Finding, List};
+use crate::place::Lines;
 use crate::verdict::Verdict;
 use serde_json::{Value, json};
 

@@ -1,9 +1,9 @@
 //! Findings for people.
 
 use super::output::{bold, count, printable};
-use super::place::Lines;
 use super::{Checked, Sum, Writer};
 use crate::finding::{Finding, List};
+use crate::place::Lines;
 use crate::reader::Format;
 use clap::builder::styling::AnsiColor;
 
@@ -32,7 +32,15 @@ impl Writer for Text {
         );
         let others = tally.chains.saturating_sub(tally.checkable.max(tally.checked));
         if others > 0 {
-            text += &format!("{} only define something or contain letters.\n", count(others, "other chain"));
+            text += &format!(
+                "{} only {}.\n",
+                count(others, "other chain"),
+                if others == 1 {
+                    "defines something or contains letters"
+                } else {
+                    "define something or contain letters"
+                }
+            );
         }
         let [numbers, units, bindings, _] = sum.found;
         let green = AnsiColor::Green.on_default().bold();
@@ -45,7 +53,7 @@ impl Writer for Text {
                 [(numbers, "on a number"), (bindings, "with values from elsewhere"), (units, "on units alone")]
             {
                 if number > 0 {
-                    parts.push(format!("{number} {of}"));
+                    parts.push(format!("{} {of}", count(number, "").trim_end_matches([' ', 's'])));
                 }
             }
             text += &format!("{red}{}{red:#}: {}.\n", count(numbers + units + bindings, "finding"), parts.join(", "));
@@ -115,43 +123,33 @@ fn said(finding: &Finding) -> String {
     }
 }
 
-/// The chain as one line, with the right or left side marked.
+/// The chain as one line, with the printed side marked.
 fn of_chain(finding: &Finding) -> (String, usize, usize) {
-    let chain = &finding.chain;
-    let right_is_meant = finding.at == finding.right_span;
-    let wanted = if right_is_meant { &finding.right } else { &finding.left };
-    // The pair stands in the chain as `left = right`.
-    let pair_at =
-        [" = ", " ≈ "].iter().find_map(|sign| chain.find(&format!("{}{sign}{}", finding.left, finding.right)));
-    let start = match pair_at {
-        Some(at) if right_is_meant => {
-            at + finding.left.len() + chain[at + finding.left.len()..].find(wanted.as_str()).unwrap_or(0)
-        }
-        Some(at) => at,
-        None => chain.rfind(wanted.as_str()).unwrap_or(0),
-    };
-    let column = chain[..start].chars().count() + 1;
-    window(chain, column, column + wanted.chars().count())
+    let [before, marked] =
+        [0..finding.marked.start, finding.marked.clone()].map(|part| finding.chain[part].chars().count());
+    window(&finding.chain, before + 1, before + 1 + marked)
 }
 
 /// A part of a line around a place, how many columns are before the place, and how many it takes.
 fn window(line: &str, column: usize, end: usize) -> (String, usize, usize) {
-    let letters: Vec<char> = line.chars().collect();
-    let start = (column - 1).min(letters.len());
-    let end = end.saturating_sub(1).clamp(start, letters.len());
-    if letters.len() <= WIDTH {
-        let indent = letters.iter().take_while(|c| c.is_whitespace()).count().min(start);
-        return (letters[indent..].iter().collect(), start - indent, end - start);
-    }
-    let from = start.saturating_sub(WIDTH * 2 / 3);
-    let to = (from + WIDTH).min(letters.len());
-    let mut text: String = letters[from..to].iter().collect();
+    let length = line.chars().count();
+    let start = (column - 1).min(length);
+    let end = end.saturating_sub(1).clamp(start, length);
+    let indent = line.chars().take_while(|c| c.is_whitespace()).count().min(start);
+    let (from, to) = if length <= WIDTH {
+        (indent, length)
+    } else {
+        let from = start.saturating_sub(WIDTH * 2 / 3);
+        (from, (from + WIDTH).min(length))
+    };
+    // A line may be as long as the document, so only this much of it is copied.
+    let mut text: String = line.chars().skip(from).take(to - from).collect();
     let mut before = start - from;
-    if from > 0 {
+    if from > indent {
         text.insert(0, '…');
         before += 1;
     }
-    if to < letters.len() {
+    if to < length {
         text.push('…');
     }
     (text, before, end.min(to) - start.min(to))

@@ -7,6 +7,7 @@ mod markup;
 mod mathml;
 mod notebook;
 mod plain;
+mod recognised;
 mod siunitx;
 mod symbols;
 mod tex;

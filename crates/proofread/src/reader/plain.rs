@@ -135,6 +135,10 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 }
                 let calls = rest.peek().is_some_and(|next| next.is('('));
                 let single = word.chars().count() == 1;
+                let before_word = next.as_ref().is_some_and(|next| next.word().is_some());
+                let letter = single && !(before_word && PROSE.contains(&word.as_str()));
+                let before_equals = next.as_ref().is_some_and(|next| next.is('='));
+                let named = letter || ((before_equals || calls) && !follows_unit);
                 let kind = if word == "pi" {
                     Kind::Name("π".to_owned())
                 } else if word == "sqrt" {
@@ -143,11 +147,7 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     Kind::Function(function)
                 } else if follows_unit && unit(&word).is_some() && (touching || !PROSE.contains(&word.as_str())) {
                     Kind::Word(word)
-                } else if single
-                    && !(PROSE.contains(&word.as_str()) && next.as_ref().is_some_and(|next| next.word().is_some()))
-                {
-                    Kind::Name(word)
-                } else if (next.as_ref().is_some_and(|next| next.is('=')) || calls) && !follows_unit {
+                } else if named {
                     Kind::Name(word)
                 } else {
                     // Prose, or a unit that is not known.

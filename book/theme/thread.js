@@ -1,0 +1,91 @@
+// Questions to a module of WebAssembly, which runs in a thread of its own. `source` is the script that holds it as text. `load`
+// gets the module, `ask` the text of an answer.
+const genevaThread = source => {
+    // How long an answer may take, in milliseconds, before the module is taken to be stuck.
+    const patience = 5000;
+    let module, thread, queue = Promise.resolve();
+
+    // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
+    const load = () => module ??= new Promise((done, failed) => {
+        globalThis.genevaModule = async text => {
+            try {
+                const packed = Uint8Array.from(atob(text), character => character.charCodeAt(0));
+                const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+                done(await WebAssembly.compile(await new Response(unpacked).arrayBuffer()));
+            } catch (error) {
+                failed(error);
+            }
+        };
+        const script = document.createElement('script');
+        script.src = source;
+        script.onerror = () => failed(new Error('its module does not load'));
+        document.head.append(script);
+    });
+
+    // What runs in the module's own thread: it gets the module, then questions one at a time.
+    const answering = () => {
+        let instance;
+        const start = async code => {
+            // It asks the system for nothing: each function that it could call gives zero.
+            const system = {};
+            for (const { module, name } of WebAssembly.Module.imports(code)) {
+                (system[module] ??= {})[name] = () => 0;
+            }
+            const { exports } = await WebAssembly.instantiate(code, system);
+            exports._initialize?.();
+            return exports;
+        };
+        onmessage = async ({ data: { code, question } }) => {
+            if (code) {
+                instance = start(code);
+                return;
+            }
+            try {
+                const exports = await instance;
+                const bytes = new TextEncoder().encode(question);
+                const room = exports.room(bytes.length);
+                new Uint8Array(exports.memory.buffer, room, bytes.length).set(bytes);
+                const length = exports.ask();
+                postMessage({ text: new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.answer(), length)) });
+            } catch (error) {
+                postMessage({ failed: error.message });
+            }
+        };
+    };
+    const begun = code => {
+        const address = URL.createObjectURL(new Blob([`(${answering})()`], { type: 'text/javascript' }));
+        const worker = new Worker(address);
+        URL.revokeObjectURL(address);
+        worker.postMessage({ code });
+        return worker;
+    };
+    const answered = async question => {
+        const code = await load();
+        thread ??= begun(code);
+        return new Promise((done, failed) => {
+            const fail = why => {
+                // The next question gets a fresh module.
+                thread?.terminate();
+                thread = undefined;
+                failed(new Error(why));
+            };
+            const timer = setTimeout(() => fail(`no answer within ${patience / 1000} s`), patience);
+            thread.onmessage = ({ data: { text, failed: why } }) => {
+                clearTimeout(timer);
+                why === undefined ? done(text) : fail(why);
+            };
+            thread.onerror = event => {
+                clearTimeout(timer);
+                fail(event.message ?? 'its thread does not start');
+            };
+            thread.postMessage({ question });
+        });
+    };
+    // The text of an answer; questions are asked one after the other.
+    const ask = question => {
+        const answer = queue.then(() => answered(question));
+        queue = answer.catch(() => {});
+        return answer;
+    };
+    return { load, ask };
+};

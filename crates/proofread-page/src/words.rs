@@ -1,0 +1,92 @@
+//! What is said of a text and of a finding.
+
+use crate::answer::Fact;
+use proofread::{Finding, Format, List, Tally, Verdict};
+
+/// What a format is called in a sentence and in the list of choices.
+pub fn name_of_format(format: Format) -> &'static str {
+    match format {
+        Format::Markdown => "Markdown with TeX",
+        Format::Latex => "LaTeX",
+        Format::Xml => "XML with MathML",
+        Format::Html => "HTML with MathML or TeX",
+        Format::Notebook => "Jupyter notebook",
+        Format::Plain => "plain lines",
+    }
+}
+
+/// What was checked and what was found, in sentences.
+pub(crate) fn summary(format: Format, tally: &Tally, found: &[&Finding], units_listed: bool) -> Vec<String> {
+    let in_list = |list: List| found.iter().filter(|finding| finding.list == list).count();
+    let parts = [
+        (in_list(List::Numbers), "on a number"),
+        (in_list(List::Bindings), "with values from elsewhere in the text"),
+        (in_list(List::Units), "on units alone"),
+    ];
+    let parts: Vec<String> =
+        parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
+    let mut said = Vec::new();
+    said.push(match found.len() {
+        0 => "Nothing found.".to_owned(),
+        number => format!("{}: {}.", count(number, "finding"), parts.join(", ")),
+    });
+    let checkable = tally.checkable.max(tally.checked);
+    said.push(match (checkable, tally.checked) {
+        (0, _) => {
+            format!("Read as {}, the text has no chain of numbers that arithmetic can check.", name_of_format(format))
+        }
+        (1, 1) => format!(
+            "Read as {}, the text has 1 chain that arithmetic can check, and it was checked.",
+            name_of_format(format)
+        ),
+        (all, checked) => {
+            let left = match all - checked {
+                0 => "all were checked".to_owned(),
+                1 => "1 could not be evaluated".to_owned(),
+                left => format!("{left} could not be evaluated"),
+            };
+            let all = count(all, "chain");
+            format!("Read as {}, the text has {all} that arithmetic can check, and {left}.", name_of_format(format))
+        }
+    });
+    match tally.chains.saturating_sub(checkable) {
+        0 => {}
+        1 => said.push("1 other chain defines something or contains letters, and it was not checked.".to_owned()),
+        others => {
+            said.push(format!("{others} other chains define something or contain letters, and they were not checked."))
+        }
+    }
+    match tally.with(Verdict::Units) {
+        _ if units_listed => {}
+        0 => {}
+        1 => said.push("In 1 place the numbers agree, but the units do not.".to_owned()),
+        places => said.push(format!("In {places} places the numbers agree, but the units do not.")),
+    }
+    said
+}
+
+/// What is known about a finding, beyond its chain.
+pub(crate) fn facts(finding: &Finding) -> Vec<Fact> {
+    let mut facts = vec![Fact { label: "printed", text: finding.printed.clone() }];
+    let mut say = |label, text: Option<String>| facts.extend(text.map(|text| Fact { label, text }));
+    say("recomputed", finding.recomputed.clone());
+    say("why", finding.why.clone());
+    say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", hint.words)));
+    let listed = |words: &[&str]| (!words.is_empty()).then(|| words.join(", "));
+    say("nearest reading", listed(&finding.reading));
+    let names: Vec<&str> = finding.names.iter().map(String::as_str).collect();
+    say("with values from elsewhere", listed(&names));
+    facts
+}
+
+/// A number of things.
+fn count(number: usize, thing: &str) -> String {
+    if number == 1 { format!("1 {thing}") } else { format!("{number} {thing}s") }
+}
+
+/// A sentence with a capital letter, and a point at its end.
+pub(crate) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    format!("{first}{}.", letters.as_str().trim_end_matches('.'))
+}

@@ -1,0 +1,71 @@
+//! Which format a text is written in, told by what is in it.
+
+use super::Format;
+
+/// Commands that a document in LaTeX has and a formula does not.
+const LATEX: [&str; 9] = [
+    "\\documentclass",
+    "\\usepackage",
+    "\\begin{document}",
+    "\\chapter{",
+    "\\section{",
+    "\\section*{",
+    "\\subsection{",
+    "\\newcommand",
+    "\\item",
+];
+
+/// Environments of LaTeX with a formula in them, which stand in Markdown between dollar signs only.
+const DISPLAYS: [&str; 4] = ["\\begin{equation", "\\begin{align", "\\begin{eqnarray", "\\begin{gather"];
+
+/// Elements of HTML that other formats of XML seldom have.
+const HTML: [&str; 5] = ["<!doctype html", "<html", "<body", "<p>", "<div"];
+
+impl Format {
+    /// The format in which a text is most probably written, by what is in it.
+    ///
+    /// Every text has one: what shows no marks of another format is read as plain lines.
+    pub fn of_text(text: &str) -> Self {
+        let start = text.trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']);
+        if start.starts_with('{') && text.contains("\"cells\"") {
+            return Self::Notebook;
+        }
+        let has = |marks: &[&str]| marks.iter().any(|mark| text.contains(mark));
+        if start.starts_with('<') || has(&["<math", "<m:math", "<mml:math"]) {
+            let lower = text.to_ascii_lowercase();
+            let is_xml = start.starts_with("<?xml") && !lower.contains("<html") || has(&["<m:math"]);
+            let is_html = !is_xml && HTML.iter().any(|mark| lower.contains(mark));
+            return if is_html { Self::Html } else { Self::Xml };
+        }
+        if has(&LATEX) || has(&DISPLAYS) && !text.contains("$$") {
+            return Self::Latex;
+        }
+        let has_heading = text.lines().any(|line| line.starts_with("# ") || line.starts_with("## "));
+        if has_heading || has(&["$", "\\(", "\\[", "```", "]("]) { Self::Markdown } else { Self::Plain }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_format_is_told_by_its_marks() {
+        for (text, format) in [
+            ("\u{feff}{\n \"cells\": []}", Format::Notebook),
+            ("<?xml version=\"1.0\"?><document><m:math/></document>", Format::Xml),
+            ("<para><math><mn>1</mn></math></para>", Format::Xml),
+            ("<!DOCTYPE html>\n<p>\\(1+1=2\\)</p>", Format::Html),
+            ("\\documentclass{article}\n$1+1=2$", Format::Latex),
+            ("\\begin{align*} 1+1 &= 2 \\end{align*}", Format::Latex),
+            ("$$\\begin{aligned} 1+1 &= 2 \\end{aligned}$$", Format::Markdown),
+            ("# Heading\n\n1 + 1 = 2", Format::Markdown),
+            ("It is $1+1=2$.", Format::Markdown),
+            ("F = 2 kg × 3 m/s² = 6 N", Format::Plain),
+            ("a < b, 1 + 1 = 2", Format::Plain),
+            ("", Format::Plain),
+        ] {
+            assert_eq!(Format::of_text(text), format, "{text}");
+        }
+    }
+}
