@@ -21,6 +21,7 @@ chapters! {
     timer = "src/timer.md",
     joints = "src/joints.md",
     wild = "src/wild.md",
+    proofread = "src/proofread.md",
     errata = "src/errata.md",
     errata_small = "src/errata-small.md",
     errata_elsewhere = "src/errata-elsewhere.md",

@@ -27,7 +27,7 @@
 
     const found = ({ list, verdict, line, column, from, to, chain: [before, marked, after], facts }) => {
         const item = element('li', '', { 'data-list': list });
-        const head = element('p', '', { class: 'verdict' });
+        const head = element('p', '', { class: 'where' });
         head.append(element('a', `line ${line}, column ${column}`, {
             href: `#${area.id}`, 'data-from': from, 'data-to': to,
         }), ': ', element('strong', verdict));
