@@ -206,6 +206,7 @@ fn every_command_explains_itself_with_an_example() {
         ("help-quick-return", &["quick-return", "--help"]),
         ("help-escapement", &["escapement", "--help"]),
         ("help-sweep", &["sweep", "--help"]),
+        ("help-proofread", &["proofread", "--help"]),
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-print", &["book", "print", "--help"]),

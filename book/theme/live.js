@@ -5,8 +5,8 @@
     const svgSpace = 'http://www.w3.org/2000/svg';
     // The elements and attributes of the book's drawings. A drawing with any other is not shown.
     const elements = new Set('circle desc g line path svg text title tspan'.split(' '));
-    const attributes = new Set(('aria-labelledby class cx cy d dx dy fill fill-opacity fill-rule font-family font-size font-style ' +
-        'id opacity paint-order r role stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width ' +
+    const attributes = new Set(('aria-labelledby class cx cy d data-letter dx dy fill fill-opacity fill-rule font-family font-size ' +
+        'font-style id opacity paint-order r role stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width ' +
         'text-anchor viewBox width x x1 x2 xmlns y y1 y2').split(' '));
     const { load, ask } = genevaThread('data/live-module.js');
 

@@ -190,7 +190,7 @@ Examples:
     )]
     Mimic(MimicArguments),
     /// Recompute every chain of numbers in texts of yours, with units and to the printed digits
-    #[command(after_help = proofread::cli::EXAMPLES)]
+    #[command(after_help = proofread::cli::EXAMPLES.replace("proofread ", "geneva proofread "))]
     Proofread(proofread::cli::Arguments),
     /// Build the book, or test its chapters
     #[command(

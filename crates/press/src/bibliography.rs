@@ -55,6 +55,16 @@ const WORKS: &[Work] = &[
         read: "Reference list of a public repository, which also names the chapter on Geneva mechanisms",
     },
     Work {
+        key: "blumenthal",
+        short: "Blumenthal and Nosonovsky",
+        authors: "A. S. Blumenthal and M. Nosonovsky",
+        title: "Friction and Dynamics of Verge and Foliot: How the Invention of the Pendulum Made Clocks Much More Accurate",
+        published: "Applied Mechanics 1, no. 2, pages 111–122",
+        year: "2020",
+        address: "https://doi.org/10.3390/applmech1020008",
+        read: "Abstract at https://www.mdpi.com/2673-3161/1/2/8",
+    },
+    Work {
         key: "britannica",
         short: "Britannica",
         authors: "Encyclopædia Britannica",
@@ -73,6 +83,16 @@ const WORKS: &[Work] = &[
         year: "2015",
         address: "",
         read: "Title page of the tenth edition in a copy at slideshare.net; the publisher's slides for it",
+    },
+    Work {
+        key: "canter",
+        short: "Canter",
+        authors: "A. Canter",
+        title: "The Greatest Horological Inventions of All Time: the Pendulum Clock and Improving the Accuracy of Timekeeping",
+        published: "Worn & Wound, a magazine",
+        year: "",
+        address: "https://wornandwound.com/the-greatest-horological-inventions-of-all-time-the-pendulum-clock-and-improving-the-accuracy-of-timekeeping",
+        read: "The beginning of the page at its address",
     },
     Work {
         key: "champneys",
@@ -125,6 +145,16 @@ const WORKS: &[Work] = &[
         read: "Title page and contents in a copy at scribd.com, document 35165668",
     },
     Work {
+        key: "hahn",
+        short: "Hahn",
+        authors: "E. Hahn",
+        title: "Coefficients of Friction for Various Horological Materials",
+        published: "TimeZone, a forum; he quotes the CRC Handbook",
+        year: "2000",
+        address: "http://people.timezone.com/library/tmachine/tmachine631687701628067249",
+        read: "http://people.timezone.com/library/tmachine/tmachine631687701628067249",
+    },
+    Work {
         key: "hasty",
         short: "Hasty and Potts",
         authors: "C. E. Hasty and J. F. Potts",
@@ -133,6 +163,16 @@ const WORKS: &[Work] = &[
         year: "",
         address: "",
         read: "First page in a copy at cupdf.com",
+    },
+    Work {
+        key: "hoyng",
+        short: "Hoyng and Nieuwenhuizen",
+        authors: "P. Hoyng and A. C. T. Nieuwenhuizen",
+        title: "Dynamics of the verge and foliot clock escapement",
+        published: "arXiv:1604.06681",
+        year: "2016",
+        address: "https://arxiv.org/abs/1604.06681",
+        read: "Abstract at https://www.emergentmind.com/papers/1604.06681; the year by the number at arXiv",
     },
     Work {
         key: "iso-2768",
@@ -157,6 +197,16 @@ const WORKS: &[Work] = &[
         read: "http://to-pdf.com/iso-286-1 and https://standards.globalspec.com/std/1257201/en-iso-286-1",
     },
     Work {
+        key: "iso-3159",
+        short: "ISO 3159",
+        authors: "International Organization for Standardization",
+        title: "ISO 3159: Timekeeping instruments – Wrist-chronometers with spring balance oscillator",
+        published: "second edition",
+        year: "2009",
+        address: "",
+        read: "Title page in a copy at 123doc.top; criteria at https://www.observatoirechronometrique.ch/en/chronometre.html",
+    },
+    Work {
         key: "johnson",
         short: "Johnson",
         authors: "K. L. Johnson",
@@ -165,6 +215,16 @@ const WORKS: &[Work] = &[
         year: "1985",
         address: "",
         read: "Reference list at globalauthorid.com; contents at https://www.twirpx.club/file/760701",
+    },
+    Work {
+        key: "menezes",
+        short: "Menezes, Kishore and Kailas",
+        authors: "P. L. Menezes, Kishore and S. V. Kailas",
+        title: "Influence of roughness parameters on coefficient of friction under lubricated conditions",
+        published: "Sādhanā 33, part 3, pages 181–190",
+        year: "2008",
+        address: "",
+        read: "Abstract in a copy at https://studylib.net/doc/13482417",
     },
     Work {
         key: "nuijten",
@@ -234,7 +294,8 @@ const WORKS: &[Work] = &[
         published: "a page of the encyclopedia",
         year: "",
         address: "https://en.wikipedia.org/wiki/Verge_escapement",
-        read: "A copy of the page at https://wikimili.com/wiki/Verge_escapement",
+        read: "Copies of the page at https://wikimili.com/wiki/Verge_escapement and, on the accuracy of early clocks, \
+               https://wikisum.wiki/wiki/Verge_and_foliot",
     },
 ];
 

@@ -122,7 +122,29 @@ fn markup(tex: &str, display: bool) -> anyhow::Result<String> {
     let math = first.map_err(|error| explained(&error, tex))?.mathml;
     let numbered = !counted.is_ok_and(|equation| equation.mathml.contains("(1)"));
     ensure!(!numbered, "an equation without a \\tag{{…}} or \\notag would get a number of its own");
-    shield(&math)
+    shield(&bare(&math))
+}
+
+/// The markup without spaces of no width, and without the rows around an upright letter that held nothing else.
+fn bare(markup: &str) -> String {
+    const ROW: &str = "<mrow><mspace/>";
+    let mut out = String::with_capacity(markup.len());
+    let mut rest = markup;
+    while let Some((before, after)) = rest.split_once(ROW) {
+        out.push_str(before);
+        rest = match after.split_once("</mi></mrow>") {
+            Some((letter, behind)) if letter.starts_with("<mi") && letter.matches('<').count() == 1 => {
+                out.push_str(letter);
+                out.push_str("</mi>");
+                behind
+            }
+            _ => {
+                out.push_str(ROW);
+                after
+            }
+        };
+    }
+    out + rest
 }
 
 /// What is wrong, and where.
@@ -264,6 +286,9 @@ mod tests {
             formula(r"\dot r = R\dot\theta\sin\beta, \qquad r\dot\varphi = R\dot\theta\cos\beta", true).unwrap();
         assert_eq!(dotted.matches("<mover accent=\"true\">").count(), 4, "{dotted}");
         assert_eq!(dotted.matches("form=\"infix\"").count(), 2, "{dotted}");
+        // An upright letter is a letter and nothing besides.
+        let upright = formula(r"a^\mathrm{n}_\mathrm{rel}", false).unwrap();
+        assert_eq!(upright, "<math><msubsup><mi>a</mi><mi>rel</mi><mi mathvariant=\"normal\">n</mi></msubsup></math>");
         let whole = formula("\\frac{a_1 a_2 a_3 a_4 + b_1 b_2 b_3 b_4}{c = d}", true).unwrap();
         assert_eq!(whole.matches("<math").count(), 1, "{whole}");
         let display = formula(" a ", true).unwrap();

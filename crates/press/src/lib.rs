@@ -19,6 +19,7 @@ pub mod readme;
 mod search;
 
 // A chapter.
+mod chapter_tests;
 pub mod fences;
 mod formula;
 pub mod maths;
@@ -41,6 +42,7 @@ mod tables;
 
 // What these need.
 mod base64;
+mod found;
 mod html;
 mod lookup;
 mod measurements;

@@ -104,6 +104,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
         chapter(WILD, "wild", "Geneva formulas on the web, checked"),
         chapter(WILD, "proofread", "Proofread your own text"),
+        chapter(WILD, "found", "What proofreading found"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
             ..chapter(RECORDS, "errata", "Errata")
@@ -130,6 +131,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         Page { records: Records::Claims, ..behind(LEDGER, "The ledger: every claim") },
         Page { records: Records::Coverage, ..behind(COVERAGE, "Coverage of the sources") },
         behind("fields", "The data, field by field"),
+        behind("tests", "The tests behind the chapters"),
         behind("solver", "The solver"),
         behind("mimic", "The language MIMIC"),
         behind("architecture", "Architecture"),

@@ -169,7 +169,7 @@ impl Shown {
         let (kind, number, path) = (self.kind, &self.number, file.path());
         let caption = format!(
             "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
-             download>Data (CSV)</a>, made by <code>{}</code></small></figcaption>",
+             title=\"made by {}\" download>Data (CSV)</a></small></figcaption>",
             escape(source),
         );
         let inner = if kind == "Figure" { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };
@@ -233,9 +233,9 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         (DatedOf(put), Some(argument)) => put(argument, page.edition),
         (Put::Figure, Some(name)) => {
             let figure = figures::by_name(name)?;
-            let svg = figure.svg.trim_end();
+            let svg = figures::on_a_page(&figure);
             let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
-            let (html, file) = here()?.framed("class=\"fig\"", &caption, svg, figure.source, csv);
+            let (html, file) = here()?.framed("class=\"fig\"", &caption, &svg, figure.source, csv);
             files.push(file);
             Ok(html)
         }

@@ -3,7 +3,7 @@
 use crate::edition::Edition;
 use crate::html::escape;
 use crate::placeholders::Page;
-use crate::{address, data, fences, live, maths, placeholders};
+use crate::{address, chapter_tests, data, fences, live, maths, placeholders};
 use anyhow::{Context, bail};
 use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::Result;
@@ -27,6 +27,15 @@ impl Preprocessor for Geneva {
             });
             return Ok(book);
         }
+        let mut programs = String::new();
+        book.for_each_chapter_mut(|chapter| {
+            let name = Place::of(chapter).name;
+            programs += &chapter_tests::take(&name, &chapter.name, &mut chapter.content);
+        });
+        book.for_each_chapter_mut(|chapter| {
+            let name = Place::of(chapter).name;
+            chapter_tests::put(&name, &programs, &mut chapter.content);
+        });
         let mut errors = Vec::new();
         book.for_each_chapter_mut(|chapter| match maths::render(&chapter.content).with_context(|| file(chapter)) {
             Ok(content) => chapter.content = fences::fold(&content),

@@ -150,12 +150,12 @@ fn variants(tokens: &[Token], near: Near, out: &mut Vec<Edit>) {
                     }
                 }
             }
-            Kind::Operator(')') if near == Near::Step => {
-                if !tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_))) {
-                    let squared =
-                        vec![token.clone(), Token::new(Kind::Power(vec![number("2".to_owned(), span)]), span)];
-                    push(with(squared, 1), format!("the square of `{}`", cut(&show(&bracketed(tokens, at)))));
-                }
+            Kind::Operator(')')
+                if near == Near::Step
+                    && !tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_))) =>
+            {
+                let squared = vec![token.clone(), Token::new(Kind::Power(vec![number("2".to_owned(), span)]), span)];
+                push(with(squared, 1), format!("the square of `{}`", cut(&show(&bracketed(tokens, at)))));
             }
             _ => {}
         }

@@ -325,6 +325,6 @@ fn is_cut(computed: &Value, printed: &Value) -> bool {
 fn is_near(computed: &Value, printed: &Value) -> bool {
     computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
         let more = 2.0001 * printed.half();
-        computed.high >= printed.low - more && computed.low <= printed.high + more
+        more <= printed.point.abs() && computed.high >= printed.low - more && computed.low <= printed.high + more
     })
 }

@@ -5,6 +5,7 @@ mod chains;
 mod command;
 mod formats;
 mod fuzz;
+mod judged;
 
 use proofread::{Follow, Format, List, Options, Report, proofread};
 

@@ -83,11 +83,11 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
             short(friction, 3)
         ),
         format!(
-            "Forces at θ = {}, with a driver's speed of {} roots of the spring's torque over the follower's moment of \
-             inertia: {}. F counts as positive where the pin drives the follower. F R/K is the moment that F would have \
-             at the crank radius, in torques K of the spring; the other two are the moments on the driver and on the \
-             follower in the same unit. The friction acts on the pin against its sliding, with the arm l sin φ about B. \
-             Forces through O have no moment about it and are left out; arrows show directions, not sizes. {}",
+            "Forces at θ = {}, with a driver's speed of {} roots of the spring's torque over the follower's moment \
+             of inertia: {}. F R/K is the moment that F would have at the crank radius, in torques K of the spring; \
+             the other two are the moments on driver and follower in the same unit. The friction acts on the pin \
+             against its sliding, with the arm l sin φ about B. Arrows show directions, not sizes. Forces through O \
+             have no moment about it and are left out. {}",
             degrees(crank),
             significant(speed / parameters.drive().sqrt(), 3),
             senses.flank_words(),

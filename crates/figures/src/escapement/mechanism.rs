@@ -66,9 +66,9 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
             degrees(without_noise(bodies.phi, 1.0))
         ),
         format!(
-            "The escapement with {m} pins and {n} slots, to scale. The driver, at the left, turns counter-clockwise, and \
-             its disc lies behind the follower; the follower turns clockwise. A pin enters at the lower crossing of \
-             the dashed lines and leaves at the upper one, π/{m} before and after the line of centres."
+            "The escapement with {m} pins and {n} slots, to scale. The driver, at the left, turns counter-clockwise, the \
+             follower clockwise. A pin enters at the lower crossing of the dashed lines and leaves at the upper one, \
+             π/{m} before and after the line of centres."
         ),
     );
     Ok(words.figure(canvas, Kind::Mechanism, series))

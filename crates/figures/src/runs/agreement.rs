@@ -85,8 +85,8 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
             "By how many units of its last digit does each printed number differ from the computed one? Each mark is a peak or \
              a minimum of the driver's speed, or a period, in one of the 49 runs of Appendix E.",
             &format!("A unit is {units}; the shaded band is one unit either way."),
-            "Above, we computed the mechanisms, each with its own reset angle and its true peaks. Below, we ran the program as \
-             it is listed: it resets all three after 90°, and a peak is the largest speed on the print-out.",
+            "Above: the real mechanisms, each with its own reset angle and its true peaks. Below: the program as \
+             listed, which resets all three after 90°; a peak is the largest speed on its print-out.",
             beyond,
             others,
         ]

@@ -74,7 +74,7 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         let first = |number: usize| (0..=k).find(|k| families[number].iter().any(|point| point[k + 1].is_finite()));
         names.iter().enumerate().filter(|(number, _)| first(*number) == Some(k)).fold(panel, |panel, (number, name)| {
             let points = || families[number].iter().map(|point| (point[k + 1], point[0]));
-            let ends = points().take(1).chain(points().last());
+            let ends = points().take(1).chain(points().next_back());
             panel.near(
                 ends,
                 if number % 2 == 0 { PI } else { 0.0 },

@@ -14,7 +14,7 @@ const PANELS: usize = 4;
 /// The greatest accelerations of driver and follower, the jump of the follower's acceleration as the next pin takes over,
 /// and the greatest force on the pin, over the friction.
 ///
-/// Accelerations are times I_f / K and forces over K / r, so that the curves hold for every torque. Sizes, without signs.
+/// Accelerations are times I_f / K and forces over K / R, so that the curves hold for every torque. Sizes, without signs.
 /// Marks are the frictions of the runs. Series: pins, friction, and the four quantities.
 ///
 /// # Errors
@@ -47,7 +47,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         scaled("driver's acceleration ", "θ", "″ × "),
         scaled("follower's acceleration ", "φ", "″ × "),
         scaled("follower's jump of ", "φ", "″ × "),
-        Label::words("pin force ").and_symbol("N r").and(" / ").and_symbol("K"),
+        Label::words("pin force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K"),
     ];
     let panels = titles.into_iter().enumerate().map(|(k, title)| {
         let most = rows.iter().map(|row| row[2 + k]).fold(0.0, f64::max);
@@ -77,7 +77,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         "The greatest accelerations and forces over the friction",
         format!(
             "Four panels over the coefficient of friction, in each a curve for every mechanism, most of them falling. In units \
-             of K / I f and of K / r: {}.",
+             of K / I f and of K / R: {}.",
             said.collect::<Vec<_>>().join("; ")
         ),
         format!(
@@ -89,6 +89,6 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         ),
     );
     let columns =
-        [("m", "1"), ("mu", "1"), ("theta'' I_f/K", "1"), ("phi'' I_f/K", "1"), ("jump I_f/K", "1"), ("N r/K", "1")];
+        [("m", "1"), ("mu", "1"), ("theta'' I_f/K", "1"), ("phi'' I_f/K", "1"), ("jump I_f/K", "1"), ("F R/K", "1")];
     Ok(Chart::new(panels).key(key(all)).figure(words, Series::new(columns, rows)))
 }

@@ -133,9 +133,9 @@ pub const ONE_AS_L: Slip = Slip {
 pub const SOLVED_WITH_BARS: Slip = Slip {
     id: "meyer.app-b.cannot-be-solved",
     reason: "Where A > |D|, as in all runs of the thesis, θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − \
-             D²). This is so because the left side of the equation then grows with θ'' throughout, and the formula is \
-             the solution whichever sign the bars have. So we need not know any sign, or any acceleration of a moment \
-             before.",
+             D²). The left side of the equation then grows with θ'' throughout, so there is one solution, and the \
+             formula gives it whichever sign there is between the bars. So we need to know neither that sign nor an \
+             earlier acceleration.",
     witness: "With the factors from the mechanism by coordinates and Newton's laws, the formula gives the \
               acceleration that these laws require.",
     origin: Origin::Concept,
@@ -171,13 +171,14 @@ pub const SAMPLED_PEAKS: Slip = Slip {
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
 pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     id: "meyer.conclusion.three",
-    reason: "A pin strikes the slot's wall if the two have different velocities across the slot. So the pin must move \
-             along the slot if the follower is at rest, but it must not if the follower turns. The velocity ratio is \
-             an even function of the driver's angle. Therefore the leaving and the entering pin ask the follower for \
-             one speed, whatever the numbers of pins and slots, and nothing strikes (few of either do not make a \
-             mechanism). Five pins and five slots, with the axes a golden ratio of the pins' radius apart, hand over \
-             in this way although the follower never stops. Eq. (1-3) tells which mechanisms have the follower at \
-             rest at each hand-over, and these are the three.",
+    reason: "A pin strikes the slot's wall if the two have different velocities across the slot. So the pin must \
+             move along the slot if the follower is at rest, but it must not if the follower turns. The velocity \
+             ratio is an even function of the driver's angle. Therefore the leaving and the entering pin require the \
+             same speed of the follower, whatever the numbers of pins and slots, and nothing strikes (if there are \
+             enough of both to make a mechanism). For example, with five pins, five slots and a centre distance of \
+             the golden ratio times the crank radius, one pin takes over from the one before without a blow although \
+             the follower never stops. Eq. (1-3) says which mechanisms have the follower at rest at each hand-over, \
+             and there are three.",
     witness: "Pins and slots by coordinates, and the motion of the other pairs in steps, with friction. This motion \
               reaches a terminal velocity.",
     origin: Origin::Concept,

@@ -85,8 +85,8 @@ pub fn of_parameters() -> Vec<Claim> {
                     reason: "The least inertia of the tables is several times the estimate, and the greatest is a \
                              hundred times the estimate. We do not know how the estimate came to be printed beside \
                              them.",
-                    witness: "The periods of the four-pin table, to a unit of their last place, belong to inertias so \
-                              large.",
+                    witness: "Only inertias of about the tables' size give the printed periods of the four-pin \
+                              table, to a unit of their last place.",
                     origin: Origin::Concept,
                     consequence: Consequence::Remark,
                     changes: "The parts in the tables are not like the parts described, because discs as thick would \

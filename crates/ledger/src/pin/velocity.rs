@@ -190,8 +190,8 @@ const ROUNDED_ANGLE: Slip = Slip {
     witness: "If we differentiate the pin's position, which uses no angle, we get the corrected digits.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
-    changes: "The fourth digit of this speed changes. The wheel's angular velocity is computed from this speed, but it \
-              keeps its three digits.",
+    changes: "The fourth digit of this speed changes. The wheel's angular velocity, which is computed from this \
+              speed, keeps its three printed digits.",
 };
 
 /// How the letter v is read that has a disk's name for an index.

@@ -3,63 +3,53 @@
 use super::{Number, least, most};
 use crate::numbers::fixed;
 use crate::rows::{parameters, weakest};
+use crate::tables::joints::effect;
 use geneva_dynamics::joints::{Joints, effects};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::comparable;
 
-/// Radius of the pin, in crank radii, and radius and friction of the journals, of which the chapter speaks first.
-const PIN: f64 = 0.1;
-const JOURNALS: (f64, f64) = (0.1, 0.2);
+/// Radius of the pin, radius and friction of the journals, of which the chapter speaks first; radii in crank radii.
+const WITH_PIN: (f64, f64, f64) = (0.1, 0.0, 0.0);
+const WITH_JOURNALS: (f64, f64, f64) = (0.0, 0.1, 0.2);
+const WITH_BOTH: (f64, f64, f64) = (0.1, 0.1, 0.2);
 
 /// The numbers of this chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
-    ("joints.pin.least", || Ok(fixed(100.0 * least(&with(pin())?), 0))),
-    ("joints.pin.most", || Ok(per_cent(most(&with(pin())?)))),
+    ("joints.pin.least", || Ok(fixed(100.0 * least(&with(WITH_PIN)?), 0))),
+    ("joints.pin.most", || Ok(per_cent(most(&with(WITH_PIN)?)))),
     ("joints.journals.least", || Ok(fixed(100.0 * least(&slower()?), 0))),
     ("joints.journals.most", || Ok(per_cent(most(&slower()?)))),
     ("joints.friction", || Ok(parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?.friction().to_string())),
     ("joints.driver-over-follower.4", || driver_over_follower(Mechanism::FOUR_PIN)),
     ("joints.driver-over-follower.3", || driver_over_follower(Mechanism::THREE_PIN)),
     ("joints.driver-over-follower.6", || driver_over_follower(Mechanism::SIX_PIN)),
-    ("joints.both", || Ok(per_cent(most(&with(both())?.map(f64::abs))))),
+    ("joints.both", || Ok(per_cent(most(&with(WITH_BOTH)?.map(f64::abs))))),
 ];
 
 fn per_cent(share: f64) -> String {
     format!("{}&nbsp;%", fixed(100.0 * share, if share < 0.01 { 1 } else { 0 }))
 }
 
-fn pin() -> Joints {
-    Joints { pin_radius: PIN, ..Joints::IDEAL }
-}
-
-fn journals() -> Joints {
-    Joints::journals(JOURNALS.0, JOURNALS.1)
-}
-
-fn both() -> Joints {
-    Joints { pin_radius: PIN, ..journals() }
-}
-
 /// By what part journals slow down each mechanism.
 fn slower() -> anyhow::Result<[f64; 3]> {
-    Ok(with(journals())?.map(|change| -change))
+    Ok(with(WITH_JOURNALS)?.map(|change| -change))
 }
 
 /// By what part of itself these joints change the mean speed of each mechanism.
-fn with(joints: Joints) -> anyhow::Result<[f64; 3]> {
+fn with(joints: (f64, f64, f64)) -> anyhow::Result<[f64; 3]> {
     let mut changes = [0.0; 3];
     for (change, mechanism) in changes.iter_mut().zip(Mechanism::ALL) {
-        let found = effects(&parameters(weakest(comparable(mechanism))?)?, [(0.0, joints)])?;
-        *change = found.first().map_or(f64::NAN, |effect| effect.mean_speed - 1.0);
+        *change = effect(mechanism, joints)?.mean_speed - 1.0;
     }
     Ok(changes)
 }
 
 /// How many times as much of the mean speed the driver's journal takes as the follower's, alone.
 fn driver_over_follower(mechanism: Mechanism) -> anyhow::Result<String> {
+    let (_, radius, bearing_friction) = WITH_JOURNALS;
     let alone = [
-        Joints { driver_journal: JOURNALS.0, bearing_friction: JOURNALS.1, ..Joints::IDEAL },
-        Joints { follower_journal: JOURNALS.0, bearing_friction: JOURNALS.1, ..Joints::IDEAL },
+        Joints { driver_journal: radius, bearing_friction, ..Joints::IDEAL },
+        Joints { follower_journal: radius, bearing_friction, ..Joints::IDEAL },
     ];
     let found = effects(&parameters(weakest(comparable(mechanism))?)?, alone.map(|joints| (0.0, joints)))?;
     let lost: Vec<f64> = found.iter().map(|effect| 1.0 - effect.mean_speed).collect();

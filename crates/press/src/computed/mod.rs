@@ -1,6 +1,7 @@
 //! Our numbers in a sentence: what a chapter says with a number that no source prints.
 
 mod escapement;
+mod found;
 mod front;
 mod jazar;
 mod joints;
@@ -26,6 +27,7 @@ pub type Number = fn() -> anyhow::Result<String>;
 /// The numbers of each chapter.
 const ALL: &[&[(&str, Number)]] = &[
     escapement::NUMBERS,
+    found::NUMBERS,
     front::NUMBERS,
     jazar::NUMBERS,
     joints::NUMBERS,

@@ -60,14 +60,13 @@ pub const NUMBERS: &[(&str, Number)] = &[
 /// Friction at which the plot over the friction is set right: one that the thesis ran with all three mechanisms.
 pub const SET: f64 = 0.25;
 
-/// Static coefficients of friction of steel on brass, from the CRC Handbook as E. Hahn quotes it for watchmakers
-/// (Coefficients of Friction for Various Horological Materials, TimeZone, 31 January 2000,
-/// people.timezone.com/library/tmachine/tmachine631687701628067249).
+/// Static coefficients of friction of steel on brass, from the CRC Handbook as Hahn quotes it for watchmakers: `hahn` in the
+/// bibliography.
 pub const STEEL_ON_BRASS: [(f64, &str); 3] = [(0.11, "castor oil"), (0.19, "mineral oil"), (0.35, "dry")];
 
-/// What is reported of other timekeepers: verge and foliot (Wikipedia, Verge escapement); clocks and watches about 1600
-/// (Canter, Worn & Wound); the factor that the pendulum gained (Blumenthal and Nosonovsky 2020); the mean daily rate of a
-/// chronometer (ISO 3159).
+/// What is reported of other timekeepers: verge and foliot, clocks and watches before the pendulum, the factor that the
+/// pendulum gained, and the mean daily rate of a chronometer; `wikipedia-verge`, `canter`, `blumenthal` and `iso-3159` in the
+/// bibliography.
 const REPORTED: [&str; 4] = [
     "1 to 2 hours by some estimates, minutes in modern experiments with carefully kept clocks",
     "15 to 30 minutes",

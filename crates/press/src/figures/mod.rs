@@ -108,7 +108,14 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
 
 /// The drawing alone, without number and caption: a picture of a page that has no number.
 pub fn picture(name: &str) -> anyhow::Result<String> {
-    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", by_name(name)?.svg.trim_end()))
+    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", on_a_page(&by_name(name)?)))
+}
+
+/// A drawing as it stands on a page, whose style sheet says how the halos of labels look.
+pub fn on_a_page(figure: &Figure) -> String {
+    const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+    let of_paper = format!(" stroke=\"var(--fig-paper, #ffffff)\"{HALO}");
+    figure.svg.trim_end().replace(&of_paper, " class=\"halo\"").replace(HALO, "")
 }
 
 /// A drawing of the pin in the slot at the printed instant.

@@ -3,9 +3,11 @@
 use crate::html::{Cells, Table, table};
 use crate::numbers::signed;
 use crate::rows::{parameters, weakest};
+use anyhow::Context;
 use geneva_dynamics::joints::{Effect, Joints, effects as all_effects, largest_pin_radius};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::comparable;
+use std::sync::OnceLock;
 
 /// Radii in crank radii: of the pin, of both journals, and the friction of the journals.
 const COMPARED: [(f64, f64, f64); 8] = [
@@ -51,10 +53,34 @@ fn compared(caption: &str, shown: fn(&Effect) -> String) -> anyhow::Result<Table
 
 /// What is shown of ideal joints and of those compared, and whether it is on paper only.
 fn effects(mechanism: Mechanism, shown: fn(&Effect) -> String) -> anyhow::Result<Vec<(String, bool)>> {
-    let list = std::iter::once(Joints::IDEAL).chain(COMPARED.map(joints));
-    let of = parameters(weakest(comparable(mechanism))?)?;
-    let found = all_effects(&of, list.map(|joints| (joints.pin_radius, joints)))?;
+    let found = found(mechanism)?;
     Ok(found.iter().map(|effect| (shown(effect), effect.value >= largest_pin_radius(mechanism))).collect())
+}
+
+/// The effects of ideal joints and of those compared on a mechanism of the thesis, found once.
+fn found(mechanism: Mechanism) -> anyhow::Result<&'static [Effect]> {
+    static FOUND: [OnceLock<Vec<Effect>>; 3] = [const { OnceLock::new() }; 3];
+    let kept = Mechanism::ALL.iter().position(|of| *of == mechanism).and_then(|at| FOUND.get(at));
+    let kept = kept.context("a mechanism of the thesis")?;
+    if kept.get().is_none() {
+        let list = std::iter::once(Joints::IDEAL).chain(COMPARED.map(joints));
+        let of = parameters(weakest(comparable(mechanism))?)?;
+        let all = all_effects(&of, list.map(|joints| (joints.pin_radius, joints)))?;
+        return Ok(kept.get_or_init(|| all));
+    }
+    Ok(kept.get().map_or(&[], Vec::as_slice))
+}
+
+/// The effect on a mechanism of the thesis of joints that the tables compare: the radius of the pin, and radius and friction
+/// of both journals, radii in crank radii.
+///
+/// # Errors
+///
+/// If the tables do not compare such joints.
+pub fn effect(mechanism: Mechanism, of: (f64, f64, f64)) -> anyhow::Result<&'static Effect> {
+    let at = COMPARED.iter().position(|compared| *compared == of);
+    let at = at.with_context(|| format!("the tables compare no joints {of:?}: choose one of {COMPARED:?}"))?;
+    found(mechanism)?.get(at + 1).context("one effect for each of the joints")
 }
 
 fn joints((pin_radius, journals, friction): (f64, f64, f64)) -> Joints {

@@ -1,6 +1,7 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
-mod joints;
+mod found;
+pub mod joints;
 mod locking;
 mod mimic;
 mod quick_return;
@@ -47,6 +48,9 @@ const TABLES: &[(&str, Draw)] = &[
     ("timer-sensitivity", timer::sensitivity),
     ("timer-accelerations", timer::accelerations),
     ("timer-mean-speed", timer::mean_speed),
+    ("found-texts", found::texts),
+    ("found-misprints", found::misprints),
+    ("found-units", found::units),
     ("readings", readings::readings),
 ];
 

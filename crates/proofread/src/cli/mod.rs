@@ -202,7 +202,7 @@ impl<'a> Run<'a> {
             _ => Baseline::default(),
         };
         let writer: Box<dyn Writer> = match arguments.format {
-            Written::Text => Box::new(text::Text::default()),
+            Written::Text => Box::new(text::Text),
             Written::Json => Box::new(json::Json::default()),
             Written::Jsonl => Box::new(json::Lines),
             Written::Sarif => Box::new(sarif::Sarif::default()),

@@ -10,7 +10,6 @@ use clap::builder::styling::AnsiColor;
 /// Longest line of the text that is shown around a place, in characters.
 const WIDTH: usize = 100;
 
-#[derive(Default)]
 pub(crate) struct Text;
 
 impl Writer for Text {
@@ -33,7 +32,15 @@ impl Writer for Text {
         );
         let others = tally.chains.saturating_sub(tally.checkable.max(tally.checked));
         if others > 0 {
-            text += &format!("{} only define something or contain letters.\n", count(others, "other chain"));
+            text += &format!(
+                "{} only {}.\n",
+                count(others, "other chain"),
+                if others == 1 {
+                    "defines something or contains letters"
+                } else {
+                    "define something or contain letters"
+                }
+            );
         }
         let [numbers, units, bindings, _] = sum.found;
         let green = AnsiColor::Green.on_default().bold();
@@ -46,7 +53,7 @@ impl Writer for Text {
                 [(numbers, "on a number"), (bindings, "with values from elsewhere"), (units, "on units alone")]
             {
                 if number > 0 {
-                    parts.push(format!("{number} {of}"));
+                    parts.push(format!("{} {of}", count(number, "").trim_end_matches([' ', 's'])));
                 }
             }
             text += &format!("{red}{}{red:#}: {}.\n", count(numbers + units + bindings, "finding"), parts.join(", "));
@@ -125,22 +132,24 @@ fn of_chain(finding: &Finding) -> (String, usize, usize) {
 
 /// A part of a line around a place, how many columns are before the place, and how many it takes.
 fn window(line: &str, column: usize, end: usize) -> (String, usize, usize) {
-    let letters: Vec<char> = line.chars().collect();
-    let start = (column - 1).min(letters.len());
-    let end = end.saturating_sub(1).clamp(start, letters.len());
-    if letters.len() <= WIDTH {
-        let indent = letters.iter().take_while(|c| c.is_whitespace()).count().min(start);
-        return (letters[indent..].iter().collect(), start - indent, end - start);
-    }
-    let from = start.saturating_sub(WIDTH * 2 / 3);
-    let to = (from + WIDTH).min(letters.len());
-    let mut text: String = letters[from..to].iter().collect();
+    let length = line.chars().count();
+    let start = (column - 1).min(length);
+    let end = end.saturating_sub(1).clamp(start, length);
+    let indent = line.chars().take_while(|c| c.is_whitespace()).count().min(start);
+    let (from, to) = if length <= WIDTH {
+        (indent, length)
+    } else {
+        let from = start.saturating_sub(WIDTH * 2 / 3);
+        (from, (from + WIDTH).min(length))
+    };
+    // A line may be as long as the document, so only this much of it is copied.
+    let mut text: String = line.chars().skip(from).take(to - from).collect();
     let mut before = start - from;
-    if from > 0 {
+    if from > indent {
         text.insert(0, '…');
         before += 1;
     }
-    if to < letters.len() {
+    if to < length {
         text.push('…');
     }
     (text, before, end.min(to) - start.min(to))

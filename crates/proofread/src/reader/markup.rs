@@ -197,7 +197,10 @@ pub(crate) fn element(text: &str, open: &Tag<'_>) -> (Element, usize) {
     let limit = text.len().min(open.start + LONGEST);
     let mut stack = vec![begun(open)];
     let mut at = open.end;
-    while !open.empty {
+    if open.empty {
+        return (begun(open), open.end);
+    }
+    loop {
         let tag = next_tag(text, at).filter(|tag| tag.start < limit);
         let text_end = tag.as_ref().map_or(limit, |tag| tag.start).max(at);
         if let (Some(current), Some(between)) = (stack.last_mut(), text.get(at..text_end)) {

@@ -102,6 +102,10 @@ fn into(of: &Element, out: &mut Vec<Token>) {
         }
         (name, _) => push(Kind::Unknown(name.to_owned())),
     }
+    // A leaf that was not closed has taken what follows it.
+    if matches!(of.name.as_str(), "mn" | "mi" | "mo" | "mtext" | "ms") {
+        out.extend(row(of));
+    }
 }
 
 fn identifier(of: &Element, text: &[Sign], out: &mut Vec<Token>) {

@@ -135,29 +135,22 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 }
                 let calls = rest.peek().is_some_and(|next| next.is('('));
                 let single = word.chars().count() == 1;
+                let before_word = next.as_ref().is_some_and(|next| next.word().is_some());
+                let letter = single && !(before_word && PROSE.contains(&word.as_str()));
+                let before_equals = next.as_ref().is_some_and(|next| next.is('='));
+                let named = letter || ((before_equals || calls) && !follows_unit);
                 let kind = if word == "pi" {
                     Kind::Name("π".to_owned())
                 } else if word == "sqrt" {
                     Kind::Operator('√')
                 } else if let Some(function) = Function::named(&word).filter(|_| word != "sec") {
                     Kind::Function(function)
-                } else if follows_unit && unit(&word).is_some() && !(PROSE.contains(&word.as_str()) && !touching) {
+                } else if follows_unit && unit(&word).is_some() && (touching || !PROSE.contains(&word.as_str())) {
                     Kind::Word(word)
-                } else if follows_number && touching && word.chars().all(|c| c.is_ascii_alphabetic()) && single {
+                } else if named {
                     Kind::Name(word)
-                } else if single
-                    && !(PROSE.contains(&word.as_str()) && next.as_ref().is_some_and(|next| next.word().is_some()))
-                {
-                    Kind::Name(word)
-                } else if unit(&word).is_some() && follows_unit {
-                    Kind::Operator(';')
-                } else if next.as_ref().is_some_and(|next| next.is('=')) || calls {
-                    Kind::Name(word)
-                } else if follows_unit {
-                    // Prose behind a result, or a unit that is not known.
-                    out.push(Token::new(Kind::Operator(';'), span));
-                    continue;
                 } else {
+                    // Prose, or a unit that is not known.
                     Kind::Operator(';')
                 };
                 out.push(Token::new(kind, span));

@@ -220,7 +220,8 @@ impl Tex<'_> {
     /// Takes a number with `,`, `{,}` or `\,` between its thousands.
     fn number(&mut self, out: &mut Vec<Token>) -> bool {
         let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
-        if !digit(self.ahead(0)) && !(self.ahead(0) == Some('.') && digit(self.ahead(1))) {
+        let starts = digit(self.ahead(0)) || (self.ahead(0) == Some('.') && digit(self.ahead(1)));
+        if !starts {
             return false;
         }
         let mut taken = Vec::new();

@@ -1,0 +1,70 @@
+//! What the library finds in every chain that a person judged: the records in `judged`.
+//!
+//! The records hold each chain as a short snippet of ours and what the library says of it now. If a change of the library
+//! changes that, this test names the chains, and whoever made the change says in the record whether it is for the better.
+
+use proofread::{Follow, Format, List, Options, proofread};
+
+const UNIVERSITY_PHYSICS: &str = include_str!("../judged/university-physics.csv");
+const CONTACT: &str = include_str!("../judged/contact.csv");
+const ERRATA: &str = include_str!("../judged/errata.csv");
+const UNITS: &str = include_str!("../judged/university-physics-units.csv");
+
+/// A judged chain.
+#[derive(serde::Deserialize)]
+struct Chain {
+    chain: String,
+    /// For an erratum that its publisher accepted there is no other judgement.
+    #[serde(default)]
+    judgement: String,
+    /// What the snippet is written in.
+    format: String,
+    /// Empty if the chain itself is the snippet.
+    snippet: String,
+    /// The list that the library puts it on, or `quiet`.
+    now: String,
+}
+
+fn read(record: &str) -> Vec<Chain> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(record.as_bytes());
+    reader.deserialize().map(|row| row.expect("a row of the record")).collect()
+}
+
+fn all() -> Vec<Chain> {
+    [UNIVERSITY_PHYSICS, UNITS, CONTACT, ERRATA].into_iter().flat_map(read).collect()
+}
+
+/// The list of the first finding that is on the most severe list.
+fn found(chain: &Chain) -> &'static str {
+    let text = if chain.snippet.is_empty() { &chain.chain } else { &chain.snippet };
+    let format = Format::named(&chain.format).expect("a format");
+    let options = Options { follow: Follow::Never, agreeing: false, hints: 0 };
+    let findings = proofread(text, format, options).expect("a text").findings;
+    let on = |list| findings.iter().any(|finding| finding.list == list);
+    [List::Numbers, List::Units].into_iter().find(|list| on(*list)).map_or("quiet", List::name)
+}
+
+#[test]
+fn judged_chains_are_found_as_the_records_say() {
+    let changed: Vec<String> = all()
+        .iter()
+        .filter(|chain| found(chain) != chain.now)
+        .map(|chain| format!("{} ({}): {}, was {}", chain.chain, chain.judgement, found(chain), chain.now))
+        .collect();
+    assert!(changed.is_empty(), "other than on record:\n{}", changed.join("\n"));
+}
+
+#[test]
+fn misprints_are_flagged() {
+    let quiet: Vec<_> = all().into_iter().filter(|chain| chain.judgement == "real" && chain.now == "quiet").collect();
+    let names: Vec<&str> = quiet.iter().map(|chain| chain.chain.as_str()).collect();
+    assert!(names.is_empty(), "a misprint that a run found is not flagged any more: {names:#?}");
+}
+
+#[test]
+fn each_judgement_has_a_reason_and_one_of_four_names() {
+    for chain in all() {
+        assert!(["", "real", "rounding", "convention", "ours"].contains(&chain.judgement.as_str()), "{}", chain.chain);
+        assert!(["numbers", "units", "quiet"].contains(&chain.now.as_str()), "{}", chain.chain);
+    }
+}
