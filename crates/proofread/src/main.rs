@@ -1,17 +1,9 @@
 //! The program `proofread`. Everything it does is in the library's module `cli`.
 
-use clap::Parser;
+use clap::{Args, Command, FromArgMatches};
 use proofread::cli::{self, Streams};
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
-
-/// Recompute every chain of numbers that a text prints.
-#[derive(Parser)]
-#[command(name = "proofread", version, max_term_width = 100, after_help = cli::EXAMPLES)]
-struct Line {
-    #[command(flatten)]
-    arguments: cli::Arguments,
-}
 
 /// The streams of this process, with colours where a terminal shows them.
 struct Own;
@@ -33,5 +25,13 @@ impl Streams for Own {
 }
 
 fn main() -> ExitCode {
-    cli::run(&Line::parse().arguments, &mut Own).into()
+    let command = Command::new("proofread")
+        .version(env!("CARGO_PKG_VERSION"))
+        .about("Recompute every chain of numbers that a text prints, with units and to the printed digits")
+        .after_help(cli::EXAMPLES);
+    let matches = cli::Arguments::augment_args(command).get_matches();
+    match cli::Arguments::from_arg_matches(&matches) {
+        Ok(arguments) => cli::run(&arguments, &mut Own).into(),
+        Err(error) => error.exit(),
+    }
 }

@@ -1,16 +1,16 @@
 //! The command: its output in each form, accepted cases, changes, and exit codes.
 
-use clap::Parser;
+use clap::{Args, FromArgMatches};
 use proofread::cli::{self, Streams};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-#[derive(Parser)]
-struct Line {
-    #[command(flatten)]
-    arguments: cli::Arguments,
+fn arguments(line: &[&str]) -> cli::Arguments {
+    let command = cli::Arguments::augment_args(clap::Command::new("proofread"));
+    let matches = command.try_get_matches_from(line).expect("a command line");
+    cli::Arguments::from_arg_matches(&matches).expect("a command line")
 }
 
 #[derive(Default)]
@@ -31,10 +31,9 @@ impl Streams for Kept {
 }
 
 /// Exit code, standard output and standard error.
-fn run(arguments: &[&str]) -> (u8, String, String) {
-    let line = Line::try_parse_from([&["proofread"], arguments].concat()).expect("a command line");
+fn run(line: &[&str]) -> (u8, String, String) {
     let mut kept = Kept::default();
-    let code = cli::run(&line.arguments, &mut kept);
+    let code = cli::run(&arguments(&[&["proofread"], line].concat()), &mut kept);
     (code, kept.out, kept.told)
 }
 
@@ -206,9 +205,8 @@ fn nothing_that_a_terminal_obeys_is_printed() {
     let (folder, _) = folder();
     let file = folder.path().join("c.md");
     fs::write(&file, "\u{1b}[31m\u{202e} $2 + 2 = 5$ \u{7}").expect("written");
-    let line = Line::try_parse_from(["proofread", file.to_str().expect("UTF-8")]).expect("a command line");
     let mut kept = Kept::default();
-    cli::run(&line.arguments, &mut kept);
+    cli::run(&arguments(&["proofread", file.to_str().expect("UTF-8")]), &mut kept);
     let obeyed = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
     assert!(!kept.out.contains(obeyed) && kept.out.contains("printed 5, recomputed 4"), "{:?}", kept.out);
 }

@@ -1,6 +1,6 @@
 //! The documents that were asked for: files, folders, standard input, and lines of JSON.
 
-use super::Input;
+use super::arguments::Input;
 use crate::reader::{Format, LONGEST};
 use serde_json::Value;
 use std::fs::File;

@@ -1,5 +1,6 @@
 //! The command: files in, findings out. `geneva proofread` and the program `proofread` both run it.
 
+mod arguments;
 mod baseline;
 mod documents;
 mod json;
@@ -8,143 +9,16 @@ mod sarif;
 mod since;
 mod text;
 
+pub use arguments::{Arguments, EXAMPLES};
 pub use output::Streams;
 
-use crate::binding::Follow;
 use crate::check::{Options, Report, Tally, proofread};
 use crate::finding::{Finding, List};
 use crate::reader::Format;
+use arguments::Written;
 use baseline::Baseline;
-use clap::{Args, ValueEnum};
 use documents::{Document, Source};
 use output::Outcome;
-use std::path::PathBuf;
-
-/// What stands under the help.
-pub const EXAMPLES: &str = "\
-Examples:
-  proofread notes.tex chapters/
-  proofread --units --bindings=always homework.md
-  proofread --since main .
-  proofread --accept accepted.jsonl book/src
-  proofread --baseline accepted.jsonl book/src
-  proofread --format sarif book/src > proofread.sarif
-  pdftotext -layout paper.pdf - | proofread --input plain -
-
-Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
-
-/// How findings are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum Written {
-    /// For people.
-    #[default]
-    Text,
-    /// One JSON object, by the schema in schema/proofread.schema.json.
-    Json,
-    /// One JSON object per document, and one with the sums at the end.
-    Jsonl,
-    /// SARIF 2.1.0, for code review.
-    Sarif,
-}
-
-/// What the input is written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Input {
-    /// Markdown with TeX.
-    Markdown,
-    /// LaTeX.
-    Latex,
-    /// XML with MathML, such as CNXML.
-    Xml,
-    /// HTML with MathML or TeX.
-    Html,
-    /// A Jupyter notebook.
-    Notebook,
-    /// Plain lines with an equals sign.
-    Plain,
-    /// One JSON object per line, with `id`, `format` and `text`.
-    Jsonl,
-}
-
-impl Input {
-    fn format(self) -> Option<Format> {
-        Some(match self {
-            Self::Markdown => Format::Markdown,
-            Self::Latex => Format::Latex,
-            Self::Xml => Format::Xml,
-            Self::Html => Format::Html,
-            Self::Notebook => Format::Notebook,
-            Self::Plain => Format::Plain,
-            Self::Jsonl => return None,
-        })
-    }
-}
-
-/// Whether values that the text gives to names are used.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum Names {
-    /// Never.
-    Never,
-    /// In short documents, the names that have one value throughout.
-    #[default]
-    Once,
-    /// Everywhere; the latest value counts.
-    Always,
-}
-
-/// Recompute every chain of numbers that a text prints, with units and to the printed digits.
-///
-/// A printed number is an interval by its digits. Neighbouring sides of a chain are compared under every plausible reading
-/// (degrees or radians, J/kg·K, mixed numbers, ±), and a pair is reported only if none fits.
-#[derive(Args, Clone, Debug)]
-#[command(
-    after_help = "Exit code: 0 if nothing was found, 1 if something was, 2 if the arguments or an input are wrong."
-)]
-pub struct Arguments {
-    /// Files and folders to read; `-` is standard input. A folder is searched for files whose format the name tells.
-    #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// What all input is written in [default: told by the name of each file; Markdown on standard input]
-    #[arg(long, value_enum, value_name = "FORMAT")]
-    input: Option<Input>,
-    /// How findings are written
-    #[arg(
-        long,
-        value_enum,
-        value_name = "FORMAT",
-        default_value_t,
-        hide_possible_values = true,
-        help = "How findings are written: text, json, jsonl or sarif"
-    )]
-    format: Written,
-    /// Also list numbers that agree although their units do not
-    #[arg(long)]
-    units: bool,
-    /// Put values that the text gives to names into formulas: never, once (names with one value in a short document) or always
-    #[arg(
-        long,
-        value_enum,
-        value_name = "WHEN",
-        default_value = "once",
-        num_args = 0..=1,
-        require_equals = true,
-        default_missing_value = "always",
-        hide_possible_values = true
-    )]
-    bindings: Names,
-    /// Also list pairs that agree, for programs; they count as nothing found
-    #[arg(long)]
-    agreeing: bool,
-    /// Report only what has come in since this revision, with the help of git
-    #[arg(long, value_name = "REV")]
-    since: Option<String>,
-    /// Leave out the cases in this file
-    #[arg(long, value_name = "FILE")]
-    baseline: Option<PathBuf>,
-    /// Write all cases found to this file, as accepted; a reason given there for a case is kept
-    #[arg(long, value_name = "FILE", conflicts_with = "baseline")]
-    accept: Option<PathBuf>,
-}
 
 /// What a document gave, ready to be written.
 struct Checked<'d> {
@@ -301,14 +175,9 @@ impl<'a> Run<'a> {
 
     /// The findings that were asked for.
     fn report(&self, text: &str, format: Format) -> Result<Report, String> {
-        let follow = match self.arguments.bindings {
-            Names::Never => Follow::Never,
-            Names::Once => Follow::Once,
-            Names::Always => Follow::Always,
-        };
-        let mut report =
-            proofread(text, format, Options { follow, agreeing: self.arguments.agreeing, ..Options::default() })
-                .map_err(|why| why.to_string())?;
+        let options =
+            Options { follow: self.arguments.follow, agreeing: self.arguments.agreeing, ..Options::default() };
+        let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
         report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
         Ok(report)
     }

@@ -1,0 +1,150 @@
+//! The options of the command.
+//!
+//! They are listed by hand: the macros of clap would take a quarter of the time in which the program is installed.
+
+use crate::binding::Follow;
+use crate::reader::Format;
+use clap::builder::PossibleValuesParser;
+use clap::error::Error;
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
+use std::path::PathBuf;
+
+/// What stands under the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  proofread notes.tex chapters/
+  proofread --units --bindings=always homework.md
+  proofread --since main .
+  proofread --accept accepted.jsonl book/src
+  proofread --baseline accepted.jsonl book/src
+  proofread --format sarif book/src > proofread.sarif
+  pdftotext -layout paper.pdf - | proofread --input plain -
+
+Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
+
+/// How findings are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Written {
+    Text,
+    Json,
+    Jsonl,
+    Sarif,
+}
+
+/// What all input is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Input {
+    One(Format),
+    /// One JSON object per line, each with its own format.
+    Lines,
+}
+
+impl Input {
+    /// The format of a file, or none for lines of JSON.
+    pub fn format(self) -> Option<Format> {
+        match self {
+            Self::One(format) => Some(format),
+            Self::Lines => None,
+        }
+    }
+}
+
+/// The options of the command.
+#[derive(Clone, Debug)]
+pub struct Arguments {
+    pub(crate) files: Vec<PathBuf>,
+    pub(crate) input: Option<Input>,
+    pub(crate) format: Written,
+    pub(crate) units: bool,
+    pub(crate) follow: Follow,
+    pub(crate) agreeing: bool,
+    pub(crate) since: Option<String>,
+    pub(crate) baseline: Option<PathBuf>,
+    pub(crate) accept: Option<PathBuf>,
+}
+
+const WRITTEN: [(&str, Written); 4] =
+    [("text", Written::Text), ("json", Written::Json), ("jsonl", Written::Jsonl), ("sarif", Written::Sarif)];
+const FOLLOWED: [(&str, Follow); 3] = [("never", Follow::Never), ("once", Follow::Once), ("always", Follow::Always)];
+const LINES: &str = "jsonl";
+
+fn names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
+    PossibleValuesParser::new(of.iter().map(|(name, _)| *name))
+}
+
+impl Args for Arguments {
+    fn augment_args(command: Command) -> Command {
+        let option = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
+        let switch = |name: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue);
+        let formats = Format::ALL.iter().map(|(name, _)| *name).chain([LINES]);
+        command.args([
+            Arg::new("files")
+                .value_name("FILE")
+                .required(true)
+                .num_args(1..)
+                .value_parser(value_parser!(PathBuf))
+                .help(
+                    "Files and folders to read; `-` is standard input. A folder is searched for files whose format the name \
+                     tells",
+                ),
+            option("input", "FORMAT").value_parser(PossibleValuesParser::new(formats)).help(
+                "What all input is written in; jsonl is one object per line with `id`, `format` and `text` [default: told by \
+                 the name of each file; markdown on standard input]",
+            ),
+            option("format", "FORMAT")
+                .value_parser(names(&WRITTEN))
+                .default_value("text")
+                .help("How findings are written; sarif is for code review"),
+            switch("units").help("Also list numbers that agree although their units do not"),
+            option("bindings", "WHEN")
+                .value_parser(names(&FOLLOWED))
+                .num_args(0..=1)
+                .require_equals(true)
+                .default_value("once")
+                .default_missing_value("always")
+                .help(
+                    "Put values that the text gives to names into formulas; once: only names with one value, in a short \
+                     document",
+                ),
+            switch("agreeing").help("Also list pairs that agree, for programs; they count as nothing found"),
+            option("since", "REV").help("Report only what has come in since this revision, with the help of git"),
+            option("baseline", "FILE").value_parser(value_parser!(PathBuf)).help("Leave out the cases in this file"),
+            option("accept", "FILE")
+                .value_parser(value_parser!(PathBuf))
+                .conflicts_with("baseline")
+                .help("Write all cases found to this file, as accepted; a reason given there for a case is kept"),
+        ])
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Arguments {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
+        let text = |name: &str| matches.get_one::<String>(name).map(String::as_str);
+        let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
+        let input = text("input").map(|name| Format::named(name).map_or(Input::Lines, Input::One));
+        Ok(Self {
+            files: matches.get_many("files").into_iter().flatten().cloned().collect(),
+            input,
+            format: chosen(text("format"), &WRITTEN).unwrap_or(Written::Text),
+            units: matches.get_flag("units"),
+            follow: chosen(text("bindings"), &FOLLOWED).unwrap_or_default(),
+            agreeing: matches.get_flag("agreeing"),
+            since: text("since").map(str::to_owned),
+            baseline: path("baseline"),
+            accept: path("accept"),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+fn chosen<T: Copy>(name: Option<&str>, of: &[(&'static str, T)]) -> Option<T> {
+    of.iter().find(|(known, _)| Some(*known) == name).map(|(_, value)| *value)
+}
