@@ -31,9 +31,9 @@
         head.append(element('a', `line ${line}, column ${column}`, {
             href: `#${area.id}`, 'data-from': from, 'data-to': to,
         }), ': ', element('strong', verdict));
-        const chain = element('p', '', { class: 'chain' }), line = element('samp', before);
-        line.append(element('mark', marked), after);
-        chain.append(line);
+        const chain = element('p', '', { class: 'chain' }), shown = element('samp', before);
+        shown.append(element('mark', marked), after);
+        chain.append(shown);
         const told = element('dl', '');
         for (const { label, text } of facts) {
             const pair = element('div', '');
