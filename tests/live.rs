@@ -2,7 +2,7 @@
 //! controls by keyboard, pointer and address.
 
 mod addresses;
-mod module;
+pub(crate) mod module;
 
 use crate::browser::devtools::{Browser, Medium};
 use geneva_live::LIVE;

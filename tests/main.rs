@@ -14,6 +14,7 @@ mod live;
 mod mimic_decks;
 mod pin_over_the_engagement;
 mod printed;
+mod proofread_page;
 mod prose;
 mod records;
 mod snapshots;

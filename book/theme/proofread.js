@@ -27,13 +27,13 @@
 
     const found = ({ list, verdict, line, column, from, to, chain: [before, marked, after], facts }) => {
         const item = element('li', '', { 'data-list': list });
-        const head = element('p', '', { class: 'verdict' });
+        const head = element('p', '', { class: 'where' });
         head.append(element('a', `line ${line}, column ${column}`, {
             href: `#${area.id}`, 'data-from': from, 'data-to': to,
         }), ': ', element('strong', verdict));
-        const chain = element('p', '', { class: 'chain' }), code = element('code', before);
-        code.append(element('mark', marked), after);
-        chain.append(code);
+        const chain = element('p', '', { class: 'chain' }), shown = element('samp', before);
+        shown.append(element('mark', marked), after);
+        chain.append(shown);
         const told = element('dl', '');
         for (const { label, text } of facts) {
             const pair = element('div', '');

@@ -9,7 +9,7 @@ use std::net::{TcpListener, TcpStream};
 use std::path::Path;
 
 /// A module with the interface of ours whose `ask` does nothing but this.
-fn module(ask: &[u8]) -> Vec<u8> {
+pub(crate) fn module(ask: &[u8]) -> Vec<u8> {
     let section = |kind: u8, content: &[u8]| [&[kind, content.len() as u8], content].concat();
     let export = |name: &str, kind: u8, index: u8| [&[name.len() as u8], name.as_bytes(), &[kind, index]].concat();
     // Two types: (i32) -> i32 and () -> i32; three functions, `room`, `ask` and `answer`; one page of memory.
@@ -127,7 +127,7 @@ fn a_drawing_with_parts_that_no_drawing_has_is_refused() {
 }
 
 /// Serves a folder on this machine, until the test ends, and gives the address.
-fn served(folder: &'static Path) -> String {
+pub(crate) fn served(folder: &'static Path) -> String {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port of this machine");
     let address = format!("http://{}", listener.local_addr().expect("an address"));
     std::thread::spawn(move || listener.incoming().flatten().for_each(|stream| drop(serve(folder, stream))));

@@ -83,8 +83,8 @@ fn finding(Shown { list, verdict, line, column, place, chain, facts }: &Shown) -
     let [before, marked, after] = chain.each_ref().map(|piece| escape(piece));
     let fact = |Fact { label, text }: &Fact| format!("<div><dt>{label}</dt> <dd>{}</dd></div>", escape(text));
     format!(
-        "<li data-list=\"{list}\"><p class=\"verdict\"><a href=\"#proofread-text\" data-from=\"{}\" data-to=\"{}\">line {line}, column \
-         {column}</a>: <strong>{verdict}</strong></p><p class=\"chain\"><code>{before}<mark>{marked}</mark>{after}</code></p>\
+        "<li data-list=\"{list}\"><p class=\"where\"><a href=\"#proofread-text\" data-from=\"{}\" data-to=\"{}\">line {line}, column \
+         {column}</a>: <strong>{verdict}</strong></p><p class=\"chain\"><samp>{before}<mark>{marked}</mark>{after}</samp></p>\
          <dl>{}</dl></li>",
         place.start,
         place.end,

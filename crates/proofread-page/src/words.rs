@@ -71,12 +71,18 @@ pub(crate) fn facts(finding: &Finding) -> Vec<Fact> {
     let mut say = |label, text: Option<String>| facts.extend(text.map(|text| Fact { label, text }));
     say("recomputed", finding.recomputed.clone());
     say("why", finding.why.clone());
-    say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", hint.words)));
+    say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", in_quotes(&hint.words))));
     let listed = |words: &[&str]| (!words.is_empty()).then(|| words.join(", "));
     say("nearest reading", listed(&finding.reading));
     let names: Vec<&str> = finding.names.iter().map(String::as_str).collect();
-    say("with values from elsewhere", listed(&names));
+    say("with value of", listed(&names));
     facts
+}
+
+/// Words in which formulas stand between backticks, with quotation marks instead.
+fn in_quotes(words: &str) -> String {
+    let pieces = words.split('`').enumerate();
+    pieces.fold(String::new(), |text, (at, piece)| text + ["", "“", "”"][if at == 0 { 0 } else { 2 - at % 2 }] + piece)
 }
 
 /// A number of things.
