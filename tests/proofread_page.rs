@@ -69,11 +69,12 @@ fn the_example_stands_as_the_script_shows_it() {
     let Some(mut browser) = opened() else { return };
     let shown = of(
         &mut browser,
-        "(async () => { const before = result.innerHTML; await type(''); const empty = [said(), found()]; \
-         form.querySelector('[data-do=example]').click(); await settled(); return [before === result.innerHTML, empty, \
-         found().length] })()",
+        "(async () => { const html = () => result.innerHTML.replace(/>\\s+</g, '><'); const before = html(); await type(''); const empty = [said(), found()]; \
+         form.querySelector('[data-do=example]').click(); await settled(); const after = html(); const at = \
+         [...before].findIndex((of, at) => of !== after[at]); return [at, empty, found().length, before.slice(at - 40, at + 40), \
+         after.slice(at - 40, at + 40)] })()",
     );
-    assert_eq!([&shown[0], &shown[2]], [&json!(true), &json!(5)], "{shown}");
+    assert_eq!([&shown[0], &shown[2]], [&json!(-1), &json!(5)], "{shown}");
     assert_eq!(shown[1], json!([["Paste a text, or drop a file anywhere on this page."], []]));
 }
 
@@ -197,7 +198,7 @@ fn a_file_is_read_by_its_ending_and_what_is_no_text_is_refused() {
         &mut browser,
         "(async () => { const from = form.querySelector('.from'); const all = []; const one = async (parts, name) => { const kept = \
          await drop(new File(parts, name)); all.push([kept, from.textContent, said()[0], area.value.length]) }; \
-         await one(['$2+2=5$'], 'a.TEX'); await one([new Uint8Array([0x32, 0x2b, 0x32, 0x3d, 0x35, 0x20, 0xff, 0xc3])], 'b.txt'); \
+         await one(['$2+2=5$'], 'a.TEX'); await one([new Uint8Array([0x32, 0x2b, 0x32, 0x3d, 0x35, 0x0a, 0xff, 0xc3])], 'b.txt'); \
          await one([new Uint8Array([0xff, 0xfe, 0x32, 0, 0x2b, 0, 0x32, 0, 0x3d, 0, 0x35, 0])], 'c'); \
          await one([new Uint8Array([0x25, 0x50, 0x44, 0x46, 0, 1])], '<b>.pdf'); await one(['x'.repeat(2000001)], 'd.md'); \
          return all })()",
