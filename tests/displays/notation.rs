@@ -75,6 +75,15 @@ const RETIRED: &[(&str, &[&str], &str)] = &[
     ("R", &["joints"], "r, the distance of the pin in crank radii"),
 ];
 
+/// Pieces of formulas in which a letter that is still in use would stand for what another letter stands for now.
+const MISTAKEN: &[(&str, &str)] = &[
+    (r"\mu N", r"\mu F, the friction"),
+    ("|N", "|F|, the size of the force"),
+    ("N R", "F r, the moment of the force"),
+    (r"\dot R", r"\dot r, for the crank radius is constant"),
+    ("dR", "dr, for the crank radius is constant"),
+];
+
 /// The tokens of TeX: commands, and single characters.
 fn tokens(tex: &str) -> Vec<String> {
     let mut tokens: Vec<String> = Vec::new();
@@ -134,10 +143,13 @@ fn formulas(text: &str) -> Vec<String> {
 /// What is retired of a formula of a page.
 fn retired(page: &str, tex: &str) -> Vec<String> {
     let letters = letters(tex);
+    let mistaken = MISTAKEN.iter().filter(|(piece, _)| tex.contains(piece));
+    let mistaken = mistaken.map(|(piece, ours)| format!("{piece} for {ours}"));
     let on_page = RETIRED.iter().filter(|(_, pages, _)| pages.is_empty() || pages.contains(&page));
     on_page
         .filter(|(letter, ..)| letters.iter().any(|of| of == letter))
         .map(|(letter, _, ours)| format!("{letter} for {ours}"))
+        .chain(mistaken)
         .collect()
 }
 
@@ -162,6 +174,7 @@ fn no_formula_of_a_chapter_uses_a_letter_that_was_given_up() {
         ("quick-return", r"\omega_4 v_\mathrm{rel}"),
         ("joints", r"\mu|N|"),
         ("joints", r"\dot R"),
+        ("escapement", r"N R = I_f \ddot\varphi"),
     ] {
         assert!(!retired(page, tex).is_empty(), "{page}: {tex}");
     }

@@ -322,7 +322,7 @@ pub fn list() -> anyhow::Result<String> {
             if work.address.is_empty() { title } else { format!("<a href=\"{}\">{title}</a>", escape(work.address)) };
         let year = if work.year.is_empty() { String::new() } else { format!(", {}", work.year) };
         let (authors, published) = (escape(work.authors), escape(work.published));
-        format!("<li id=\"work-{}\">{authors}: <em>{title}</em>, {published}{year}.</li>", work.key)
+        format!("<li id=\"work-{}\">{authors}: <em>{title}</em>, {published}{year}</li>", work.key)
     });
     Ok(format!("<ul class=\"works\">\n{}\n</ul>", items.collect::<Vec<_>>().join("\n")))
 }

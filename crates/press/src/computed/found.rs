@@ -25,17 +25,13 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.errata-units", || errata_of("unit")),
     ("found.results", || planted(|run| (run.results, run.results_noticed))),
     ("found.operands", || planted(|run| (run.operands, run.operands_noticed))),
-    ("found.first.texts", || Ok(texts("first")?)),
+    ("found.first.texts", || texts("first")),
     ("found.first.flags", || Ok(round("first")?.len().to_string())),
     ("found.first.real", || Ok(right(&round("first")?).to_string())),
     ("found.first.precision", || Ok(precision(right(&round("first")?), round("first")?.len()))),
     ("found.first.commas", || commas()),
     ("found.after.flags", || Ok(after()?.len().to_string())),
     ("found.after.real", || Ok(right(&after()?).to_string())),
-    ("found.second.texts", || Ok(texts("second")?)),
-    ("found.second.flags", || Ok(round("second")?.len().to_string())),
-    ("found.second.real", || Ok(right(&round("second")?).to_string())),
-    ("found.second.precision", || Ok(precision(right(&round("second")?), round("second")?.len()))),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {

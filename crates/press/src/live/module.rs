@@ -57,7 +57,7 @@ pub fn styles() -> impl Iterator<Item = String> {
 /// made from the workspace `root`.
 ///
 /// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
-pub fn on_pages<'p>(pages: &mut dyn Iterator<Item = &'p mut String>, root: &Path) -> Vec<File> {
+pub fn on_pages(pages: &mut dyn Iterator<Item = &mut String>, root: &Path) -> Vec<File> {
     let mut pages: Vec<&mut String> = pages.collect();
     let mut files = Vec::new();
     for module in &MODULES {
