@@ -69,11 +69,12 @@ fn the_example_stands_as_the_script_shows_it() {
     let Some(mut browser) = opened() else { return };
     let shown = of(
         &mut browser,
-        "(async () => { const before = result.innerHTML; await type(''); const empty = [said(), found()]; \
-         form.querySelector('[data-do=example]').click(); await settled(); return [before === result.innerHTML, empty, \
-         found().length] })()",
+        "(async () => { const html = () => result.innerHTML.replace(/>\\s+</g, '><'); const before = html(); await type(''); const empty = [said(), found()]; \
+         form.querySelector('[data-do=example]').click(); await settled(); const after = html(); const at = \
+         [...before].findIndex((of, at) => of !== after[at]); return [at, empty, found().length, before.slice(at - 40, at + 40), \
+         after.slice(at - 40, at + 40)] })()",
     );
-    assert_eq!([&shown[0], &shown[2]], [&json!(true), &json!(5)], "{shown}");
+    assert_eq!([&shown[0], &shown[2]], [&json!(-1), &json!(5)], "{shown}");
     assert_eq!(shown[1], json!([["Paste a text, or drop a file anywhere on this page."], []]));
 }
 
@@ -105,7 +106,9 @@ fn the_page_finds_the_same_characters_as_the_library() {
             let [from, to] = ["from", "to"].map(|end| finding[end].as_u64().expect("a place") as usize);
             let units: Vec<u16> = text.encode_utf16().collect();
             let marked = String::from_utf16(units.get(from..to).expect("inside")).expect("whole characters");
-            assert!(format == "xml" || marked.starts_with(|c: char| c.is_ascii_digit()), "{text}: {marked}");
+            let is_plain = !marked.contains(['\\', '<']);
+            assert!(!is_plain || finding["chain"][1] == json!(marked), "{text}: {marked}, {finding}");
+            assert!(is_plain || format != "markdown", "{text}: {marked}");
         }
     }
 }
@@ -134,6 +137,7 @@ fn hostile_texts_are_answered_in_words_and_nothing_of_them_runs_or_is_sent() {
         format!("{script} $2 + 2 = 5\\ \\text{{{script}}}$ 2 + 2 = 5 {script}"),
         format!("<p>\\(2+2=5\\) {script} <math><mtext>{script}</mtext><mn>2</mn><mo>=</mo><mn>3</mn></math></p>"),
         format!("format=latex\n$v_{{{script}}} = 2$ $2 v_{{{script}}} = 5$"),
+        format!("$v_{{\\text{{{script}}}}} = 2 + 2 = 5$"),
         "javascript:window.ran=4 = 5 = 6".to_owned(),
         format!("${}1{}=2$", "(".repeat(50_000), ")".repeat(50_000)),
         format!("${}1{}=2$", "\\frac{1}{".repeat(50_000), "}".repeat(50_000)),
@@ -159,6 +163,8 @@ fn hostile_texts_are_answered_in_words_and_nothing_of_them_runs_or_is_sent() {
         let elements = shown[3].as_str().unwrap_or_default();
         assert!(elements.split(' ').all(|element| known.contains(&element)), "{start}: {elements}");
     }
+    let shown = of(&mut browser, &format!("(await type({}), found())", json!(texts[3])));
+    assert!(shown[0].as_str().is_some_and(|chain| chain.contains("<img")), "what would run is not shown: {shown}");
     // What is too long is refused by the page and by the module alike.
     let refused = of(
         &mut browser,
@@ -197,7 +203,7 @@ fn a_file_is_read_by_its_ending_and_what_is_no_text_is_refused() {
         &mut browser,
         "(async () => { const from = form.querySelector('.from'); const all = []; const one = async (parts, name) => { const kept = \
          await drop(new File(parts, name)); all.push([kept, from.textContent, said()[0], area.value.length]) }; \
-         await one(['$2+2=5$'], 'a.TEX'); await one([new Uint8Array([0x32, 0x2b, 0x32, 0x3d, 0x35, 0x20, 0xff, 0xc3])], 'b.txt'); \
+         await one(['$2+2=5$'], 'a.TEX'); await one([new Uint8Array([0x32, 0x2b, 0x32, 0x3d, 0x35, 0x0a, 0xff, 0xc3])], 'b.txt'); \
          await one([new Uint8Array([0xff, 0xfe, 0x32, 0, 0x2b, 0, 0x32, 0, 0x3d, 0, 0x35, 0])], 'c'); \
          await one([new Uint8Array([0x25, 0x50, 0x44, 0x46, 0, 1])], '<b>.pdf'); await one(['x'.repeat(2000001)], 'd.md'); \
          return all })()",
