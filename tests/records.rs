@@ -6,8 +6,8 @@ use geneva_ledger::{Kind, Truth, Verdict, Work, claim, verdicts};
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// How long the filter may take, in milliseconds. It takes 10 to 30 on a quiet machine; the rest is for a busy one.
-const AT_ONCE: f64 = 500.0;
+/// How long the filter may take, in milliseconds.
+const AT_ONCE: f64 = 100.0;
 
 fn opened(address: &str) -> Option<Browser> {
     let mut browser = Browser::start()?;
