@@ -169,6 +169,12 @@ impl Finding {
         holds.map_or_else(|| Self::not_evaluated("the characters cannot be read"), |holds| Self::new(holds, how))
     }
 
+    /// Whether this holds and another finding too.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let how = format!("{}; {}", self.how, other.how);
+        Self { holds: self.holds && other.holds, how, evaluated: self.evaluated && other.evaluated }
+    }
+
     /// It could not be evaluated, and why.
     pub fn not_evaluated(why: impl Into<String>) -> Self {
         Self { holds: false, how: why.into(), evaluated: false }

@@ -266,7 +266,7 @@ impl Unwitnessed<Test> {
 
     /// The right characters hold wherever they are read and evaluated, and the printed ones do not if they are corrected.
     pub fn read(self, evidence: Evidence, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Claim {
-        self.witnessed(evidence, Claim::reads).read_by(holds)
+        self.witnessed(evidence, Claim::reads).with_reader(holds)
     }
 
     /// Reads the characters in a display that is cut into lines, each a claim of its own. The other lines have their
@@ -339,9 +339,17 @@ impl Claim {
         self
     }
 
-    /// An equation whose characters the ledger reads: whether given ones hold in their place, if they can be read.
+    /// The characters of the equation are read and evaluated, beside what the witness finds without them.
     #[must_use]
     pub fn read_by(mut self, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Self {
+        let Check::Equation { witness, .. } = &mut self.check else { self.has_no("a reader") };
+        let own = Arc::clone(&witness.run);
+        witness.run = Arc::new(move |claim| own(claim).and(claim.reads()));
+        self.with_reader(holds)
+    }
+
+    /// Whether given characters hold in the place of those of the equation, if they can be read.
+    fn with_reader(mut self, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Self {
         let Check::Equation { reader, .. } = &mut self.check else { self.has_no("a reader") };
         *reader = Some(Reader { said: None, holds: Arc::new(holds) });
         self
@@ -352,12 +360,7 @@ impl Claim {
     pub fn also_by(mut self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Self {
         let Check::Equation { witness, .. } = &mut self.check else { self.has_no("another witness") };
         let read = Arc::clone(&witness.run);
-        let both = move |claim: &Claim| {
-            let (read, other) = (read(claim), run());
-            let how = format!("{}; {}", read.how, other.how);
-            Finding { holds: read.holds && other.holds, how, evaluated: read.evaluated && other.evaluated }
-        };
-        *witness = Route { evidence, run: Arc::new(both) };
+        *witness = Route { evidence, run: Arc::new(move |claim| read(claim).and(run())) };
         self
     }
 
