@@ -25,7 +25,7 @@ const LINE: f64 = 28.0;
 /// driver's axis. 2, the contact, enlarged: the flank that the pin bears on. 3, the follower by itself with N, R and
 /// its angular acceleration. Which way the forces point and which flank it is are those of the equation of motion at
 /// this state; the lengths of the arrows are not to scale.
-/// Series: θ, φ, θ', N r/K, μ, friction's torque over K, its arm over r, R/r, φ'' over K / I_f.
+/// Series: θ, φ, θ', F r/K, μ, friction's torque over K, its arm over r, R/r, φ'' over K / I_f.
 ///
 /// # Errors
 ///

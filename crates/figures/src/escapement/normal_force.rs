@@ -20,7 +20,7 @@ type Value = fn(&Instant) -> f64;
 /// The normal force N, as N r / K, and the torque of the friction over K, for a pin that enters at this speed (θ' ≥ 0).
 ///
 /// The motion between is that of the equation of motion. Strips under the plot tell the flank that the pin bears on
-/// and the sign of F = C θ'² + D θ'', what stands between the bars. Series, from entry to exit: θ, θ', N r/K, the
+/// and the sign of F = C θ'² + D θ'', what stands between the bars. Series, from entry to exit: θ, θ', F r/K, the
 /// friction's torque over K, F over E = K / I_f.
 ///
 /// # Errors

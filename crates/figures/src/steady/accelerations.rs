@@ -24,7 +24,7 @@ type Row = [f64; 6];
 /// motion: three panels over the driver angle.
 ///
 /// `run` says which run is shown. Rings mark the follower's acceleration at the two ends, between which it jumps as one pin hands over to the next.
-/// Series, at equal times: θ, θ', φ', θ'', φ'', N r/K.
+/// Series, at equal times: θ, θ', φ', θ'', φ'', F r/K.
 ///
 /// # Errors
 ///
@@ -87,7 +87,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         ("phi'", "rad/s"),
         ("theta''", "1000 rad/s^2"),
         ("phi''", "1000 rad/s^2"),
-        ("N r/K", "1"),
+        ("F r/K", "1"),
     ];
     Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
 }
