@@ -233,7 +233,7 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         (DatedOf(put), Some(argument)) => put(argument, page.edition),
         (Put::Figure, Some(name)) => {
             let figure = figures::by_name(name)?;
-            let svg = figures::on_a_page(&figure);
+            let svg = figure.on_a_page();
             let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
             let (html, file) = here()?.framed("class=\"fig\"", &caption, &svg, figure.source, csv);
             files.push(file);

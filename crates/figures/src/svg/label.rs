@@ -4,6 +4,9 @@ use super::view::Pixels;
 use crate::number::{trimmed, with_minus_sign};
 use crate::theme::{INK, PAPER, Shade};
 
+/// The look of a label's halo, but for its colour: attributes of a `text` element.
+pub const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+
 /// Height of the letters of a label, in pixels of the view box.
 pub const TEXT_SIZE: f64 = 22.0;
 /// Height of a subscript's letters over that of its symbol.
@@ -200,11 +203,7 @@ impl Label {
             };
             spans += &format!("<tspan{shift}{look}>{}</tspan>", escape(text));
         }
-        let halo = if self.haloed {
-            format!(" stroke=\"{}\" stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"", self.halo.0)
-        } else {
-            String::new()
-        };
+        let halo = if self.haloed { format!(" stroke=\"{}\"{HALO}", self.halo.0) } else { String::new() };
         let part =
             if self.part.is_empty() { String::new() } else { format!(" data-letter=\"{}\"", escape(&self.part)) };
         format!(
