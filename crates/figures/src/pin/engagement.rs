@@ -75,7 +75,7 @@ fn rows(mechanism: &PinSlot, driver_speed: f64) -> Vec<[f64; 5]> {
     (0..=steps).map(at).collect()
 }
 
-/// The same at one crank angle. The wheel's rates are positive clockwise.
+/// θ in degrees, φ′, φ″, speed along the slot, r/R at one crank angle. The wheel's rates are positive clockwise.
 fn row(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> [f64; 5] {
     let instant = Instant::new(mechanism, crank, driver_speed);
     let positive = |value: f64| if value == 0.0 { 0.0 } else { value };

@@ -97,7 +97,7 @@ pub fn turning(rate: f64) -> &'static str {
     }
 }
 
-/// The same for a label, with a hyphen that it does not take for a minus sign.
+/// The sense of a rate as a label writes it: with a hyphen that the label does not take for a minus sign.
 pub fn turning_label(rate: f64) -> String {
     turning(rate).replace('-', "\u{2010}")
 }

@@ -128,7 +128,7 @@ fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, primes: &str, u
     panel
 }
 
-/// The same with rings at the ends of the follower's acceleration.
+/// Adds rings at the ends of the follower's acceleration to a panel.
 fn jumping(panel: Panel, rows: &[Row]) -> Panel {
     let ends = [rows.first(), rows.last()].into_iter().flatten().map(|row| (row[0], row[4]));
     panel.marks(ends, Marker::new(FOLLOWER, Mark::Ring).sized(10.0).class("hand-over"))

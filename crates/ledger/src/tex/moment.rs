@@ -59,7 +59,7 @@ const WEIGHTS: [(f64, f64); 4] = [(1.0, 4.0 / 5.0), (2.0, -1.0 / 5.0), (3.0, 4.0
 const STEP: f64 = 1.0 / 1024.0;
 
 impl Moment {
-    /// The same with what the letters stand for at some distance by time, angle or speed: their rates are differences.
+    /// Adds rates of the letters as differences of what they stand for at some distance by time, angle or speed.
     #[must_use]
     pub fn moving(mut self, there: impl Fn(By, f64) -> Letters) -> Self {
         for by in [By::Time, By::Angle, By::Speed] {
@@ -74,7 +74,7 @@ impl Moment {
         self
     }
 
-    /// The same with values for more names, as TeX writes them; what is no name has no value.
+    /// Adds values for more names, as TeX writes them; what is no name has no value.
     #[must_use]
     pub fn with<'a, V: Into<Value>>(mut self, values: impl IntoIterator<Item = (&'a str, V)>) -> Self {
         for (name, value) in values.into_iter().filter_map(|(tex, value)| Some((name(tex).ok()?, value))) {
@@ -83,7 +83,7 @@ impl Moment {
         self
     }
 
-    /// The same with numbers that names have at an instant that a formula names.
+    /// Adds numbers that names have at an instant that a formula names.
     #[must_use]
     pub fn with_instant<'a>(mut self, instant: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Self {
         let named = values.into_iter().filter_map(|(tex, number)| Some((name_at(&name(tex).ok()?, instant), number)));
@@ -91,8 +91,7 @@ impl Moment {
         self
     }
 
-    /// The same with other names for the same things and for their rates: theirs, then ours. Not a number, if ours
-    /// stands for nothing.
+    /// Adds other names for the letters and for their rates: theirs, then ours. Not a number, if ours stands for nothing.
     #[must_use]
     pub fn called<'a>(mut self, names: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
         let named = names.into_iter().filter_map(|(theirs, ours)| Some((name(theirs).ok()?, name(ours).ok()?)));
@@ -125,28 +124,28 @@ impl<N: Number> Moment<N> {
         Self { letters, vectors: BTreeMap::new(), rates, slope: None, given: Vec::new(), bars: None }
     }
 
-    /// The same with rates of letters, by their [`name`]s. What has no rate among others is constant.
+    /// Adds rates of letters, by their [`name`]s. What has no rate among others is constant.
     #[must_use]
     pub fn changing<'a>(mut self, by: By, rates: impl IntoIterator<Item = (&'a str, N)>) -> Self {
         self.rates[by as usize].extend(rates.into_iter().map(|(name, rate)| (name.to_owned(), rate)));
         self
     }
 
-    /// The same with a slope that the letter f stands for.
+    /// Adds a slope that the letter f stands for.
     #[must_use]
     pub fn sloping(self, slope: fn(N, N) -> N) -> Self {
         Self { slope: Some(slope), ..self }
     }
 
-    /// The same with the value of a formula wherever it stands, and for half a power of something also of the other
-    /// half powers. A formula that cannot be read stands nowhere.
+    /// Adds the value of a formula wherever it stands, and for half a power of something also of the other half powers. A
+    /// formula that cannot be read stands nowhere.
     #[must_use]
     pub fn giving(mut self, tex: &str, value: N) -> Self {
         self.given.extend(Display::read(tex).ok().and_then(|display| Some((display.alone()?.clone(), value))));
         self
     }
 
-    /// The same with the sign of what stands between bars.
+    /// Adds the sign of what stands between bars.
     #[must_use]
     pub fn opening_bars(self, sign: N) -> Self {
         Self { bars: Some(sign), ..self }

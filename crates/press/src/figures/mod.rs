@@ -136,7 +136,8 @@ const KIND_SLOTS: u32 = 6;
 
 /// Driver angle of the drawings of a general position, as a part of the half angle of the engagement.
 const GENERAL: f64 = -0.5;
-/// The same of the drawing of the forces: past the line of centres, where the follower drives the pin.
+/// Driver angle of the drawing of the forces, as a part of the half angle of the engagement: past the line of centres, where
+/// the follower drives the pin.
 const TRAILING: f64 = 2.0 / 3.0;
 
 fn with_slots(slots: u32) -> anyhow::Result<Mechanism> {
