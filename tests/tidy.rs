@@ -68,6 +68,23 @@ fn every_file_says_what_it_is_about_and_is_not_too_long() {
     }
 }
 
+#[test]
+fn the_first_line_of_a_doc_comment_stands_alone() {
+    // In an alphabetical list it has no neighbour to lean on.
+    const LEANING: [&str; 7] = ["The same", "That of", "Those of", "As above", "See above", "Ditto", "Likewise"];
+    for folder in ["crates", "tests", "book"] {
+        for (path, text) in crate::files(folder, &[".rs"]) {
+            let mut before = "";
+            for (number, line) in text.lines().map(str::trim).enumerate() {
+                let first = line.strip_prefix("/// ").filter(|_| !before.starts_with("///"));
+                let leaning = first.and_then(|words| LEANING.iter().find(|opening| words.starts_with(**opening)));
+                assert!(leaning.is_none(), "{}:{}: say what it is: {line}", path.display(), number + 1);
+                before = line;
+            }
+        }
+    }
+}
+
 /// The manifest in a folder of the project.
 fn manifest(folder: &str) -> Table {
     let path = crate::path(folder).join("Cargo.toml");

@@ -14,7 +14,7 @@ pub fn states() -> Vec<Moment> {
     (0..45).map(|number| state(number, &Wanted::default())).collect()
 }
 
-/// The same with the square of the speed as a function of the angle: u' is twice the acceleration.
+/// The escapement at many instants, with the square of the speed as a function of the angle: u' is twice the acceleration.
 pub fn over_the_angle() -> Vec<Moment> {
     let squared = |state: Moment| {
         let [speed, angular_acceleration, follower] =

@@ -22,21 +22,27 @@ impl Vocabulary {
     }
 }
 
-/// The characters with the names of the numbers that are printed at their dots, one after the other; a name for an angle has
-/// its unit in it.
+/// The characters with the names of the numbers that are printed at their dots, one after the other. A name with the sign of
+/// degrees is of an angle that is printed with that sign; without it, so many radians would stand there.
 pub(crate) fn filled(names: &'static [&'static str]) -> impl Fn(&str) -> String + Clone + Send + Sync + 'static {
     move |tex| {
         names.iter().fold(tex.to_owned(), |tex, name| {
-            let dots = [r"\ldots^\circ", r"\ldots^{\circ}", r"\ldots"];
+            let angle = name.strip_suffix(r"^\circ");
+            let units = [r"\ldots^\circ", r"\ldots^{\circ}"];
             // The first dots, with their unit if they have one.
             let first = tex.find(r"\ldots");
-            let dots = dots.into_iter().find(|dots| first.is_some() && tex.find(dots) == first);
-            dots.map_or_else(|| tex.clone(), |dots| tex.replacen(dots, &format!("{name} "), 1))
+            let with_unit =
+                units.into_iter().find(|dots| angle.is_some() && first.is_some() && tex.find(dots) == first);
+            match (with_unit, angle) {
+                (Some(dots), Some(angle)) => tex.replacen(dots, &format!("{angle} "), 1),
+                (_, Some(angle)) => tex.replacen(r"\ldots", &format!(r"(180 {angle} / \pi) "), 1),
+                (_, None) => tex.replacen(r"\ldots", &format!("{name} "), 1),
+            }
         })
     }
 }
 
-/// The characters as the other side of an equation with this one.
+/// The characters as the other side of an equation with this one, unless they are an equation already.
 pub(crate) fn equal_to(side: &'static str) -> impl Fn(&str) -> String + Clone + Send + Sync + 'static {
-    move |tex| format!("{side} = {tex}")
+    move |tex| if tex.contains('=') { tex.to_owned() } else { format!("{side} = {tex}") }
 }

@@ -42,7 +42,7 @@ pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
 pub enum Cells {
     /// Numbers: to the right, on one line.
     Numbers,
-    /// The same, with words at the head of each row.
+    /// Numbers, with words at the head of each row.
     NamedNumbers,
     /// Words: to the left, broken where need be.
     Words,
@@ -75,7 +75,7 @@ pub fn table(
 }
 
 impl Table {
-    /// The same with some HTML below it.
+    /// Adds some HTML below the table.
     pub fn with_legend(self, legend: &'static str) -> Self {
         Self { legend, ..self }
     }

@@ -34,7 +34,7 @@ struct Instant {
 /// The escapement after a share (0 to 1) of the time of its first six engagements from rest, a mark where the pin bears on
 /// the slot; the driver's speed over time, and the normal force N as N r / K: positive on the leading flank of the slot.
 ///
-/// Series, at equal times: time, crank angle, θ', N r/K.
+/// Series, at equal times: time, crank angle, θ', F r/K.
 ///
 /// # Errors
 ///
@@ -76,7 +76,7 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
             shown(parameters)
         ),
     );
-    let columns = [("t", "s"), ("theta", "deg"), ("theta'", "rad/s"), ("N r/K", "1")];
+    let columns = [("t", "s"), ("theta", "deg"), ("theta'", "rad/s"), ("F r/K", "1")];
     let rows =
         instants.iter().step_by(4).map(|at| [at.line.time, at.line.angle.to_degrees(), at.line.speed, at.normal]);
     let series = Series::new(columns, rows.collect::<Vec<_>>());

@@ -210,7 +210,8 @@ fn on_the_journal(wheel: &Wheel, journal: f64, angle: f64) -> Vector2<f64> {
     on_a_journal(wheel.centre_distance_ratio(), journal, angle)
 }
 
-/// The same with the driver's axis so far from the wheel's.
+/// The point of a journal at this angle from the line of centres, from the wheel's axis, with the driver's axis so far from
+/// the wheel's.
 fn on_a_journal(axis: f64, journal: f64, angle: f64) -> Vector2<f64> {
     Vector2::new(axis, 0.0) - Turn::from_radians(angle).direction() * journal
 }

@@ -62,7 +62,7 @@ pub fn claims() -> Vec<Claim> {
                 r"\ldots \sin \ldots^\circ = \ldots \sin \beta",
                 "law of sines at the lever's pivot and at the pin",
             )
-            .said_in_letters(SIZES, filled(&["l", r"\varphi", "l_2"])),
+            .said_in_letters(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
         SINES
             .value("quick-return.angle-at-pin", "50.31", "°", "β, the angle at the pin between lever and crank")
             .by(Vectors, || position_of(|position| position.angle_at_pin().to_degrees()))
@@ -103,7 +103,7 @@ pub fn claims() -> Vec<Claim> {
                 r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
                 "length of the lever, as the projections of ground and crank on it",
             )
-            .said_in_letters(SIZES, filled(&["l", r"\varphi", "l_2"])),
+            .said_in_letters(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
         PROJECTIONS
             .value(
                 "quick-return.lever-length",
@@ -142,7 +142,7 @@ pub fn claims() -> Vec<Claim> {
                 r"\gamma = 180^\circ - \ldots^\circ - \beta",
                 "the third angle of the triangle",
             )
-            .said_in_letters(SIZES, filled(&[r"\varphi"]))
+            .said_in_letters(SIZES, filled(&[r"\varphi^\circ"]))
             .also_by(OtherPlaceInSource, || {
                 let left = 180.0 - printed("quick-return.lever-angle") - printed("quick-return.angle-at-pin");
                 Finding::new(rounds("quick-return.angle-at-axis", left), format!("the printed angles leave {left:.2}°"))

@@ -6,6 +6,7 @@
 //! [`misprints`] makes slips by rule, to see that each would be noticed.
 
 mod apart;
+mod changed;
 mod exact;
 mod misprints;
 mod moment;
@@ -15,6 +16,7 @@ mod reader;
 mod tree;
 mod value;
 
+pub use changed::changed_part;
 pub use exact::{Exact, decide, decide_multiple};
 pub use misprints::{Class, Misprint, misprints};
 pub use moment::{Letters, Moment};

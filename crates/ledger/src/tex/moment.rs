@@ -44,7 +44,7 @@ impl<N: Number> Default for Moment<N> {
 }
 
 impl Moment {
-    /// The same with what the letters stand for at some distance by time, angle or speed: their rates are differences.
+    /// Adds rates of the letters as differences of what they stand for at some distance by time, angle or speed.
     #[must_use]
     pub fn moving(mut self, there: impl Fn(By, f64) -> Letters) -> Self {
         for by in [By::Time, By::Angle, By::Speed] {
@@ -59,7 +59,7 @@ impl Moment {
         self
     }
 
-    /// The same with numbers that names have at an instant that a formula names.
+    /// Adds numbers that names have at an instant that a formula names.
     #[must_use]
     pub fn with_instant<'a>(mut self, instant: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Self {
         let named = values.into_iter().filter_map(|(tex, number)| Some((name_at(&name(tex).ok()?, instant), number)));
@@ -67,8 +67,7 @@ impl Moment {
         self
     }
 
-    /// The same with other names for the same things and for their rates: theirs, then ours. Not a number, if ours
-    /// stands for nothing.
+    /// Adds other names for the letters and for their rates: theirs, then ours. Not a number, if ours stands for nothing.
     #[must_use]
     pub fn called<'a>(mut self, names: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
         let named = names.into_iter().filter_map(|(theirs, ours)| Some((name(theirs).ok()?, name(ours).ok()?)));
@@ -133,6 +132,7 @@ impl<N: Number> Moment<N> {
             ] {
                 self.replaced.extend(name(tex).ok().map(|name| (Node::Name(name).of(function), value)));
             }
+            self.required.push(cos.clone() * cos.clone() + sin.clone() * sin.clone() - N::integer(1));
             self.angles.extend(name(tex).ok().map(|name| (name, [cos, sin])));
         }
         self
@@ -164,28 +164,28 @@ impl<N: Number> Moment<N> {
         self
     }
 
-    /// The same with rates of letters, by their [`name`]s. What has no rate among others is constant.
+    /// Adds rates of letters, by their [`name`]s. What has no rate among others is constant.
     #[must_use]
     pub fn changing<'a>(mut self, by: By, rates: impl IntoIterator<Item = (&'a str, N)>) -> Self {
         self.rates[by as usize].extend(rates.into_iter().map(|(name, rate)| (name.to_owned(), rate)));
         self
     }
 
-    /// The same with a slope that the letter f stands for.
+    /// Adds a slope that the letter f stands for.
     #[must_use]
     pub fn sloping(self, slope: fn(N, N) -> N) -> Self {
         Self { slope: Some(slope), ..self }
     }
 
-    /// The same with the value of a formula wherever it stands, and for half a power of something also of the other
-    /// half powers. A formula that cannot be read stands nowhere.
+    /// Adds the value of a formula wherever it stands, and for half a power of something also of the other half powers. A
+    /// formula that cannot be read stands nowhere.
     #[must_use]
     pub fn giving(mut self, tex: &str, value: N) -> Self {
         self.given.extend(Display::read(tex).ok().and_then(|display| Some((display.alone()?.clone(), value))));
         self
     }
 
-    /// The same with the sign of what stands between bars.
+    /// Adds the sign of what stands between bars.
     #[must_use]
     pub fn opening_bars(self, sign: N) -> Self {
         Self { bars: Some(sign), ..self }

@@ -223,11 +223,11 @@ struct Switch<'a> {
     values: [f64; 3],
 }
 
-/// Reads the card; none if it is not one that gives S by the function that switches.
+/// Reads the card; none if it is not one that gives S by the function that switches, and not by S itself.
 fn switch_of(card: &str) -> Option<Switch<'_>> {
     let (letter, values) = card.strip_prefix("S FSW(")?.strip_suffix(')')?.split_once(',')?;
     let values: Option<Vec<f64>> = values.split(',').map(|value| value.trim().parse().ok()).collect();
-    Some(Switch { letter, values: values?.try_into().ok()? })
+    (letter != "S").then_some(Switch { letter, values: values?.try_into().ok()? })
 }
 
 impl Switch<'_> {

@@ -287,7 +287,7 @@ fn advantages() -> Vec<Claim> {
                 [Some(whole), Some(half)] => {
                     let found = halvings();
                     Finding::new(
-                        found.iter().all(|ratio| power_of_two(*ratio) == power_of_two(whole / half)),
+                        half > 0.0 && found.iter().all(|ratio| power_of_two(*ratio) == power_of_two(whole / half)),
                         format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
                     )
                 }
