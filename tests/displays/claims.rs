@@ -5,31 +5,12 @@
 
 use super::Misprints;
 use geneva_ledger::tex::{Class, Misprint, changed_part};
-use geneva_ledger::{Check, Claim, Finding, Kind, Work};
+use geneva_ledger::{Check, Claim, Kind, Work};
 use std::collections::BTreeMap;
 
 /// The equations of all sources.
 fn equations() -> impl Iterator<Item = &'static Claim> {
     geneva_ledger::claims().iter().filter(|claim| claim.kind == Kind::Equation)
-}
-
-/// Whether a claim would stand with other characters in the place of the right ones; none if a route cannot read them and
-/// none refuses them.
-fn stands(claim: &Claim, tex: &str) -> Option<bool> {
-    let Check::Equation { decide, reader, .. } = &claim.check else { return Some(true) };
-    let first = decide.as_ref().map_or(Some(true), |decide| {
-        let Finding { holds, evaluated, .. } = decide(tex);
-        evaluated.then_some(holds)
-    });
-    let second = match reader {
-        Some(reader) if first != Some(false) => (reader.holds)(tex),
-        _ => first,
-    };
-    match (first, second) {
-        (Some(false), _) | (_, Some(false)) => Some(false),
-        (Some(true), Some(true)) => Some(true),
-        _ => None,
-    }
 }
 
 /// Why a misprint means the same; none if no rule says so.
@@ -70,7 +51,7 @@ fn every_misprint_in_a_source_is_noticed() {
     let mut misprints = Misprints::default();
     let mut by_work: BTreeMap<Work, usize> = BTreeMap::new();
     for claim in equations() {
-        let refuted = misprints.make(claim.id, claim.right_characters(), |tex| stands(claim, tex));
+        let refuted = misprints.make(claim.id, claim.right_characters(), |tex| claim.stands_with(tex));
         assert!(refuted > 0, "{}: no misprint is refuted", claim.id);
         *by_work.entry(claim.work).or_default() += refuted;
     }

@@ -364,6 +364,21 @@ impl Claim {
         self
     }
 
+    /// Whether the claim of an equation would stand with other characters in the place of the right ones, by both routes.
+    /// None if a route cannot read them and none refuses them, and if no route reads the claim's characters.
+    pub fn stands_with(&self, tex: &str) -> Option<bool> {
+        let Check::Equation { decide, reader, .. } = &self.check else { return None };
+        let first = decide.as_ref().map(|decide| decide(tex)).map(|found| found.evaluated.then_some(found.holds));
+        if first == Some(Some(false)) {
+            return Some(false);
+        }
+        match (first, reader.as_ref().map(|reader| (reader.holds)(tex))) {
+            (_, Some(Some(false))) => Some(false),
+            (Some(first), Some(second)) => first.and(second),
+            (one, other) => one.or(other).flatten(),
+        }
+    }
+
     /// Whether the right characters of the claim hold, read and evaluated, and the printed ones do not, if they are
     /// corrected.
     pub(crate) fn reads(&self) -> Finding {

@@ -20,28 +20,6 @@ pub trait IdentityWithRoot<const V: usize> {
     fn difference(&self, root: Expression, variables: [Expression; V]) -> Expression;
 }
 
-/// A line of a source that has a slip: as it is printed, or as it should read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Form {
-    /// With the slip. No identity, or the slip would be none.
-    Printed,
-    /// Without it.
-    Corrected,
-}
-
-impl Form {
-    /// Both forms.
-    pub const BOTH: [Self; 2] = [Self::Printed, Self::Corrected];
-
-    /// What stands in this form, of the two.
-    pub fn pick<T>(self, printed: T, corrected: T) -> T {
-        match self {
-            Self::Printed => printed,
-            Self::Corrected => corrected,
-        }
-    }
-}
-
 /// Proof of an identity: a polynomial of these degrees that is zero on so many points is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proof {
