@@ -28,13 +28,15 @@ pub const UNITS: Vocabulary = Vocabulary::new(units, Vectors, units_in_numbers);
 /// Sizes are the parts of vectors in the directions of the source, and nothing is left across these. Towards the pivot the
 /// sliding is positive, across the lever what is in the sense of the pin's acceleration.
 ///
-/// Variables: tangent of half the lever's angle, by how much that of the crank's is larger, l, ω of the crank.
+/// The motion is that of axes one apart and of a crank that turns at one, in units of l and ω. Variables: tangent of half the
+/// lever's angle, by how much that of the crank's is larger, l, ω.
 fn sizes(_: i64) -> Moment<Expression> {
     let [half_lever, gap, ground, speed] = from_fn(Expression::variable);
     let [crank, lever] = [half_lever + gap, half_lever].map(|half| Turn::from_half_tangent(&half));
-    let Triangle { crank_radius, slot_radius, .. } = Triangle::new(ground, crank.supplement(), lever.clone());
-    let place = pin_path(&crank_radius, &ground, &crank.moving::<3>(speed));
-    let rates = polar_rates(&ground, &crank_radius, &crank, &Drive::steady(speed)).expect("the pin is off the pivot");
+    let one = Expression::ONE;
+    let Triangle { crank_radius, slot_radius, .. } = Triangle::new(one, crank.supplement(), lever.clone());
+    let place = pin_path(&crank_radius, &one, &crank.moving::<3>(one));
+    let rates = polar_rates(&one, &crank_radius, &crank, &Drive::steady(one)).expect("the pin is off the pivot");
     // The pin as seen from the lever, and the lever's point under the pin.
     let turned = lever.speeding_up(rates.turning, rates.turning_rate);
     let outwards = turned.cos * place.x + turned.sin * place.y;
@@ -45,17 +47,28 @@ fn sizes(_: i64) -> Moment<Expression> {
     let seen = outwards.coefficient(2) * 2;
     let coriolis = pin_acceleration - acceleration - along * seen;
     let beta = Turn { cos: arm.dot(&along), sin: along.perp(&arm) };
+    let [velocities, accelerations] = [ground * speed, ground * speed * speed];
     Moment::default()
-        .with([("l", ground), ("l_2", crank_radius), ("r", slot_radius), ("l_4", slot_radius)])
+        .with([("l", ground), ("l_2", crank_radius * ground), ("r", slot_radius * ground)])
+        .with([("l_4", slot_radius * ground)])
         .with_angles([(r"\varphi", angle(&lever)), (r"\psi", angle(&crank)), (r"\beta", angle(&beta))])
         // At the crank's axis, from the pin to the pivot.
         .with_angles([(r"\gamma", [-arm.x, arm.y])])
-        .with([(r"\omega_2", speed), (r"\omega_4", rates.turning), (r"\alpha_4", -rates.turning_rate)])
-        .with([("v_{P2}", pin_velocity.dot(&tangent)), ("v_{P4}", velocity.dot(&across))])
-        .with([("v_{P2/P4}", -outwards.rate()), ("A_{P2/P4}^t", -seen)])
-        .with([("A_{P2}^n", -pin_acceleration.dot(&arm)), ("A_{P2}^t", pin_acceleration.dot(&tangent))])
-        .with([("A_{P4}^n", -acceleration.dot(&along)), ("A_{P4}^t", -acceleration.dot(&across))])
-        .with([(r"a_\mathrm{Cor}", -coriolis.dot(&across)), (r"\text{constant}", speed)])
+        .with([(r"\omega_2", speed), (r"\omega_4", rates.turning * speed)])
+        .with([(r"\alpha_4", -rates.turning_rate * speed * speed), (r"\text{constant}", speed)])
+        .with([
+            ("v_{P2}", pin_velocity.dot(&tangent) * velocities),
+            ("v_{P4}", velocity.dot(&across) * velocities),
+            ("v_{P2/P4}", -outwards.rate() * velocities),
+        ])
+        .with([
+            ("A_{P2}^n", -pin_acceleration.dot(&arm) * accelerations),
+            ("A_{P2}^t", pin_acceleration.dot(&tangent) * accelerations),
+            ("A_{P4}^n", -acceleration.dot(&along) * accelerations),
+            ("A_{P4}^t", -acceleration.dot(&across) * accelerations),
+            ("A_{P2/P4}^t", -seen * accelerations),
+            (r"a_\mathrm{Cor}", -coriolis.dot(&across) * accelerations),
+        ])
         .requiring([pin_velocity.dot(&arm), velocity.dot(&along), coriolis.dot(&along)])
 }
 
