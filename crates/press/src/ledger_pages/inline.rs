@@ -5,7 +5,7 @@ use crate::html::{escape, tex_or_text};
 use crate::pages::address_of_claim;
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
-use geneva_ledger::{Claim, Decimal, Judged, Truth, Verdict, in_full, wild};
+use geneva_ledger::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, in_full, wild};
 
 /// The printed characters with their unit.
 pub fn printed(id: &str) -> anyhow::Result<String> {
@@ -129,9 +129,17 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     if let Some(corrected) = judged.corrected() {
         entry("Right", with_unit(&broken(&tex_or_text(&corrected)?), claim.unit)?);
     }
-    let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
-    if !evidence.is_empty() {
-        entry("Evidence", evidence.join(", "));
+    let is_of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
+    if claim.erratum.as_ref().is_some_and(is_of_copy) {
+        entry("Where", "Only in the copy that we had, which has lost or changed a character.".to_owned());
+    }
+    if let Check::Missing { reason } = claim.check {
+        entry("Why", escape(reason));
+    }
+    let mut evidence = claim.check.evidence();
+    evidence.dedup();
+    for (number, kind) in evidence.iter().enumerate() {
+        entry(["Checked by", "and by"][number.min(1)], escape(kind.meaning()));
     }
     out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", address_of_claim(id)));
     Ok(out)
