@@ -89,6 +89,6 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         ),
     );
     let columns =
-        [("m", "1"), ("mu", "1"), ("theta'' I_f/K", "1"), ("phi'' I_f/K", "1"), ("jump I_f/K", "1"), ("F R/K", "1")];
+        [("pins", "1"), ("mu", "1"), ("theta'' I_f/K", "1"), ("phi'' I_f/K", "1"), ("jump I_f/K", "1"), ("F R/K", "1")];
     Ok(Chart::new(panels).key(key(all)).figure(words, Series::new(columns, rows)))
 }
