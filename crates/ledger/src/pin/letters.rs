@@ -6,8 +6,8 @@ use crate::Vocabulary;
 use crate::duals::ratio_with_standstill_at;
 use crate::tex::Moment;
 use crate::triangle::{Triangle, angle};
-use geneva_kinematics::Expression;
 use geneva_kinematics::pin_vectors::quarter_turn;
+use geneva_kinematics::{Expression, Jet, angular_velocity};
 use std::array::from_fn;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -24,8 +24,10 @@ pub const FOUR_SLOTS: Vocabulary = Vocabulary::new(four_slots, AutomaticDerivati
 /// The triangle of the axes and the pin, and its motion.
 struct Moving {
     triangle: Triangle,
-    motion: PinMotion<Expression>,
-    driver: Expression,
+    /// The driver's angular velocity, and the wheel's, counter-clockwise positive.
+    speeds: [Expression; 2],
+    /// Velocities of the pin, of the wheel's point under it, and of the pin along the slot.
+    velocities: [Vector2<Expression>; 3],
 }
 
 impl Moving {
@@ -35,37 +37,38 @@ impl Moving {
         Self::of(Triangle::by_halves(distance, [half_theta, half_phi]), driver)
     }
 
+    /// The pin goes round with the crank, and the wheel's point with the pin's direction. Along the slot, the square of the
+    /// pin's distance changes.
     fn of(triangle: Triangle, driver: Expression) -> Self {
-        let crank = triangle.theta.supplement();
-        let motion = pin_vectors::solve(&triangle.crank_radius, &triangle.distance, &crank, &driver);
-        Self { triangle, motion: motion.expect("the pin is off the pivot"), driver }
+        let crank = triangle.theta.supplement().moving::<2>(driver);
+        let pin = pin_vectors::path(&triangle.crank_radius, &triangle.distance, &crank);
+        let wheel = angular_velocity(&pin).expect("the pin is off the pivot").value();
+        let point = triangle.phi.moving::<2>(wheel).direction() * Jet::constant(triangle.slot_radius);
+        let (place, square) = (pin.map(|series| series.value()), pin.x * pin.x + pin.y * pin.y);
+        let [pin, point] = [pin, point].map(|path| path.map(|series| series.rate()));
+        let sliding = place * (square.rate() / (2 * square.value()));
+        Self { triangle, speeds: [driver, wheel], velocities: [pin, point, sliding] }
     }
 }
 
 /// Speeds are the parts of the velocities in their directions, and nothing is left across these.
 fn speeds(_: i64) -> Moment<Expression> {
-    let Moving { triangle, motion, driver } = Moving::new();
+    let Moving { triangle, speeds: [driver, wheel], velocities } = Moving::new();
     let pin = quarter_turn(&triangle.theta.supplement().direction());
     let (inwards, across) = (-triangle.phi.direction(), -quarter_turn(&triangle.phi.direction()));
-    let [v, slot, sliding] =
-        [(&motion.pin_velocity, pin), (&motion.slot_point_velocity, across), (&motion.sliding_velocity, inwards)]
-            .map(|(velocity, along)| [velocity.dot(&along), velocity.perp(&along)]);
+    let along = [pin, across, inwards];
+    let part = |at: usize| velocities[at].dot(&along[at]);
     Moment::default()
         .with([("R", triangle.crank_radius), ("r", triangle.slot_radius), ("l", triangle.distance)])
-        .with([("v_P", v[0]), ("v_{P'}", slot[0]), ("v_{P/S}", sliding[0])])
-        .with([("v_D", driver), ("v_S", -motion.follower_speed)])
+        .with([("v_P", part(0)), ("v_{P'}", part(1)), ("v_{P/S}", part(2)), ("v_D", driver), ("v_S", -wheel)])
         .with_angles([(r"\theta", angle(&triangle.theta)), ("b", angle(&triangle.phi))])
         .with_angles([("g", [pin.dot(&inwards), pin.dot(&across)])])
-        .requiring([v[1], slot[1], sliding[1]])
+        .requiring([0, 1, 2].map(|at| velocities[at].perp(&along[at])))
 }
 
 fn velocities(_: i64) -> Moment<Expression> {
-    let Moving { motion, .. } = Moving::new();
-    Moment::default().with([
-        ("v_P", motion.pin_velocity),
-        ("v_{P'}", motion.slot_point_velocity),
-        ("v_{P/S}", motion.sliding_velocity),
-    ])
+    let Moving { velocities: [pin, point, sliding], .. } = Moving::new();
+    Moment::default().with([("v_P", pin), ("v_{P'}", point), ("v_{P/S}", sliding)])
 }
 
 /// The sine of 30° is one half. Variables: tangent of b/2, l.
@@ -85,11 +88,12 @@ fn four_slots(_: i64) -> Moment<Expression> {
     let [distance, driver] = from_fn(Expression::variable);
     let half = Expression::root() / 2;
     let eighth = Turn { cos: half, sin: half };
-    let Moving { triangle, motion, .. } = Moving::of(Triangle::new(distance, eighth.clone(), eighth), driver);
+    let Moving { triangle, speeds: [_, wheel], .. } =
+        Moving::of(Triangle::new(distance, eighth.clone(), eighth), driver);
     Moment::default()
         .with([("R", triangle.crank_radius), ("l", distance)])
         .giving(r"\sqrt{2}", Expression::root())
-        .requiring([motion.follower_speed])
+        .requiring([wheel])
         .with_root_of(2)
 }
 
