@@ -87,7 +87,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         ),
         format!(
             "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes: computed from the \
-             exact steady motion for each friction. Marks are the frictions of the thesis's runs. The dashed lines are \
+             exact steady motion for each friction. Marks are the frictions of the thesis's runs. The dashed lines are static \
              handbook values of steel on brass: {}. {}",
             trimmed(set, 2),
             pairs

@@ -49,7 +49,7 @@ pub fn torque() -> Figure {
     let wide = wide
         .near([(84.0, 0.0)], FRAC_PI_2, Label::words("with a period of its own").shade(FOLLOWER))
         .near([(from, HOURS * gained(from, ROOT))], FRAC_PI_2, Label::words("Geneva, runaway").shade(DRIVER))
-        .name(Label::words("verge").shade(INK).on(FILL), Spot::Within(NAMED.0, NAMED.1));
+        .name(Label::words("verge").shade(INK), Spot::Within(NAMED.0, NAMED.1));
     let narrow = panel(NARROW, 1.0, MINUTES, 270.0, "gain, minutes a day", true);
     let lost = -HOURS * gained(from, ROOT);
     let words = Words::new(
