@@ -32,6 +32,7 @@ const ALL: &[&[(&str, Number)]] = &[
     jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
+    making::ADVICE,
     method::NUMBERS,
     mimic::NUMBERS,
     mistake::NUMBERS,
