@@ -1,6 +1,6 @@
 //! Of the chapter on making a wheel: fits, tolerances of all sizes together, and cams for comparison.
 
-use super::{CRANK_RADIUS, Number, STATIONS, rounded_down, sizes, told};
+use super::{Number, STATIONS, rounded_down, sizes, told};
 use crate::numbers::fixed;
 use anyhow::Context;
 use geneva_kinematics::indexing::Indexing;
@@ -84,6 +84,7 @@ fn cam_ratio(stations: u32) -> anyhow::Result<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::CRANK_RADIUS;
     use super::*;
     use geneva_kinematics::wheel::Play;
 
