@@ -139,11 +139,16 @@ impl Table {
         label.map_or_else(String::new, |head| format!(" data-label=\"{} \"", escape(&plain(head))))
     }
 
-    /// The table as CSV: the text of its cells.
+    /// The table as CSV: the text of its cells, with `^` before a superscript and a hyphen as the sign of a number, so that
+    /// a program can read it.
     pub fn csv(&self) -> anyhow::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in std::iter::once(&self.head).chain(&self.rows) {
-            writer.write_record(row.iter().map(|cell| plain(cell)))?;
+            writer.write_record(row.iter().map(|cell| {
+                let text = plain(&cell.replace("<sup>", "^"));
+                let number = text.replace('−', "-");
+                if number.parse::<f64>().is_ok() { number } else { text }
+            }))?;
         }
         Ok(String::from_utf8(writer.into_inner()?)?)
     }
@@ -195,5 +200,8 @@ mod tests {
         let rows = [Ok(vec![escape("a_1 & b"), "<a href=\"x\">2.5</a>&nbsp;mm".to_owned()])];
         let table = table("Two", Cells::NamedNumbers, &["What", "Size, mm"], rows).expect("a table");
         assert_eq!(table.csv().expect("data"), "What,\"Size, mm\"\na_1 & b,2.5 mm\n");
+        let rows = [Ok(vec!["−31.5".to_owned(), "3 × 10<sup>−25</sup> m".to_owned()])];
+        let table = super::table("Three", Cells::Numbers, &["Less", "Small"], rows).expect("a table");
+        assert_eq!(table.csv().expect("data"), "Less,Small\n-31.5,3 × 10^−25 m\n");
     }
 }

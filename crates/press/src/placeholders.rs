@@ -191,7 +191,7 @@ pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(S
         }
     }
     ensure!(errors.is_empty(), "{}", errors.join("\n"));
-    let mut page = maths::apply(chapter, &edits);
+    let mut page = inline::glued(&maths::apply(chapter, &edits));
     for id in marked {
         page.push_str(&format!("\n{}\n", inline::note(id)?));
     }

@@ -163,6 +163,8 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
         path = match mark {
             // Square ends stand across the line, however short it is.
             Mark::Diamond => path.line_by(&Vector2::new(0.1, 0.1)),
+            // A line of no length has no direction, so programs that show PDF leave its square ends out.
+            Mark::Square => path.line_by(&Vector2::new(0.1, 0.0)),
             _ if !corners.is_empty() => {
                 let steps = corners.iter().skip(1).map(|(x, y)| Vector2::new(*x, *y) * size);
                 steps.fold(path, |path, step| path.line_by(&step)).close()

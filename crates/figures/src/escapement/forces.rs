@@ -73,7 +73,7 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
         format!(
             "Three panels. 1: the driver with the pin in its slot at θ = {}, φ = {}. {} \
              2: the contact enlarged: {}. 3: the follower by itself, with F at the distance r = {} R from its axis O; \
-             F r = I_f φ″. F R / K is {}, the friction's torque over K is {}.",
+             F r = I_f φ̈. F R / K is {}, the friction's torque over K is {}.",
             degrees(crank),
             degrees(without_noise(bodies.phi, 1.0)),
             senses.said(),
@@ -121,7 +121,7 @@ fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f
         }
     }
     let label =
-        Label::symbol("φ").and("″ ").and_symbol("I").sub("f").and(" / ").and_symbol("K").and(&number(acceleration));
+        Label::rate("φ", 2).and(" ").and_symbol("I").sub("f").and(" / ").and_symbol("K").and(&number(acceleration));
     canvas.label(&Vector2::new(430.0, top + LINE * 0.8), &Vector2::new(1.0, 0.0), 0.0, &label.bare());
 }
 

@@ -37,8 +37,8 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
     let x = Axis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let flank = Label::words("pin bears on");
-    let bars = Label::words("sign of ").and_symbol("C\u{2009}").and_symbol("θ");
-    let bars = bars.and("\u{200a}′² + ").and_symbol("D\u{2009}").and_symbol("θ").and("\u{200a}″");
+    let bars = Label::words("sign of ").and_symbol("C\u{2009}").and_rate("θ", 1);
+    let bars = bars.and("² + ").and_symbol("D\u{2009}").and_rate("θ", 2);
     let panels = [
         forces(&x.clone().titled(angle), &instants, change),
         strip(&x, flank, &ends(-half, &[change], half), 1.0, ["leading flank", "trailing flank"]),

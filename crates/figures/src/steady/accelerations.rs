@@ -38,8 +38,8 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
     let x = Axis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let panels = [
-        both(&x, &rows, [1, 2], "speeds ", "′", " in rad/s"),
-        jumping(both(&x, &rows, [3, 4], "accelerations ", "″", " in 1000 rad/s²"), &rows),
+        both(&x, &rows, [1, 2], "speeds ", 1, " in rad/s"),
+        jumping(both(&x, &rows, [3, 4], "accelerations ", 2, " in 1000 rad/s²"), &rows),
         force(&x.clone().titled(angle), &rows),
     ];
     let change = engagement.passage(engagement.steady_state()?.entry_speed)?.switch_angle();
@@ -107,11 +107,10 @@ fn row(parameters: &Parameters, angle: f64, speed: f64) -> Result<Row, FigureErr
 }
 
 /// A panel with the driver's and the follower's curve, each named.
-fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, primes: &str, unit: &str) -> Panel {
+fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, order: usize, unit: &str) -> Panel {
     let values = || rows.iter().flat_map(|row| columns.map(|column| row[column]));
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
-    let [theta, phi] =
-        [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::symbol(letter).and(primes).shade(shade));
+    let [theta, phi] = [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::rate(letter, order).shade(shade));
     let title = Label::words(what).and_label(&theta).and(" and ").and_label(&phi).and(unit);
     let strokes = [Stroke::new(DRIVER).dashed("10 5"), Stroke::new(FOLLOWER)];
     let mut panel = Panel::new(190.0, x, &y.titled(title)).horizontal(0.0, Stroke::thin("zero"));

@@ -98,6 +98,6 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
             super::inertias(all)
         ),
     );
-    let columns = [("m", "1"), ("mu", "1"), ("gain", "h")];
+    let columns = [("pins", "1"), ("mu", "1"), ("gain", "h")];
     Ok(Chart::new([panel]).key(key(all)).figure(words, Series::new(columns, rows)))
 }

@@ -94,6 +94,6 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
         ),
     );
     let columns =
-        [("m", "1"), ("mu", "1"), ("gain K", "min"), ("gain mu", "min"), ("gain I_D", "min"), ("gain I_f", "min")];
+        [("pins", "1"), ("mu", "1"), ("gain K", "min"), ("gain mu", "min"), ("gain I_D", "min"), ("gain I_f", "min")];
     Ok(Chart::new([panel]).key(key(all)).figure(words, Series::new(columns, rows)))
 }

@@ -212,11 +212,12 @@ fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
 /// The linkage of the source's problem; its angle to the degree.
 fn lever() -> anyhow::Result<Arguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
-    let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0).round() - 180.0;
+    let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
     let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
-    let numbers = [("ground", ground), ("radius", radius), ("speed", speed), ("crank", crank)];
+    let numbers = [("ground", ground), ("radius", radius), ("speed", speed)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    Ok(Arguments::of(numbers.into_iter().chain([("unit", "m".to_owned())])))
+    let others = [("crank", format!("{crank:.1}")), ("unit", "m".to_owned())];
+    Ok(Arguments::of(numbers.into_iter().chain(others)))
 }
 
 /// The run that stands for all, its ratio of inertias to three digits.
