@@ -34,6 +34,7 @@ const ALL: &[&[(&str, Number)]] = &[
     jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
+    making::ADVICE,
     method::NUMBERS,
     mimic::NUMBERS,
     mistake::NUMBERS,
