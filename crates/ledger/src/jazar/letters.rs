@@ -32,7 +32,7 @@ pub const PARTS_BY_DEGREES: Vocabulary = Vocabulary::new(parts_by_degrees, Limit
 pub const ENTRY_AND_EXIT: Vocabulary = Vocabulary::new(entry_and_exit, LimitCase, parts_in_numbers);
 /// Where the acceleration is greatest in size, on both sides of the line of centres.
 pub const PEAK: Vocabulary = Vocabulary::new(peak, AutomaticDerivative, peak_in_numbers);
-/// The same, for the sign of γ's root that belongs to an angle.
+/// Where the acceleration is greatest in size, for the sign of γ's root that belongs to an angle.
 pub const PEAK_ANGLE: Vocabulary = Vocabulary::new(peak_angle, AutomaticDerivative, peak_in_numbers);
 /// γ, from the derivative of the acceleration.
 pub const COEFFICIENT: Vocabulary = Vocabulary::new(coefficient, AutomaticDerivative, peak_in_numbers);
