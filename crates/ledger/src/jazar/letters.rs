@@ -193,7 +193,8 @@ pub fn condition() -> (Moment<Expression>, Expression, Expression) {
     (moment, factor, jerk)
 }
 
-/// The same with the quadratic, whose sides differ by 2 sin α times less.
+/// The derivative of the acceleration, with what it is that many times as much as the difference of the sides of the printed
+/// quadratic: 2 sin α times less than for the condition. Variables as in [`any`].
 pub fn quadratic() -> (Moment<Expression>, Expression, Expression) {
     let (moment, jerk, factor, [sine, _]) = with_factor();
     let gamma = (1 + sine * sine) / (2 * sine);

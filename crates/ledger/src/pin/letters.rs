@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 
 /// The pin before the line of centres, the driver turning counter-clockwise: lengths, speeds and angles.
 pub const SPEEDS: Vocabulary = Vocabulary::new(speeds, AutomaticDerivative, speeds_in_numbers);
-/// The same letters, printed upright, for the velocities.
+/// Letters of the velocities, which are printed upright, from the positions of pin and slot.
 pub const VELOCITIES: Vocabulary = Vocabulary::new(velocities, AutomaticDerivative, velocities_in_numbers);
 /// The instant of the problem, at which the angle at the driver's axis is 30°.
 pub const AT_THIRTY: Vocabulary = Vocabulary::new(at_thirty, AutomaticDerivative, thirty_in_numbers);
