@@ -46,7 +46,7 @@ pub enum Cells {
     NamedNumbers,
     /// Words: to the left, broken where need be.
     Words,
-    /// Words among formulas and addresses that do not break: smaller on a tablet.
+    /// Words among formulas and addresses that do not break: they need the most room.
     Wide,
 }
 
