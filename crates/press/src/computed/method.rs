@@ -4,7 +4,7 @@ use super::Number;
 use crate::lookup::of_documents;
 use crate::tables::readings::{READINGS, SENTENCES};
 use anyhow::Context;
-use geneva_ledger::{Check, Kind};
+use geneva_ledger::{Check, Evidence, Judged, Kind};
 use std::collections::BTreeMap;
 
 /// Made by the test of the misprints, which fails if it is not as the ledger has it.
@@ -16,6 +16,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("method.misprints.unreadable", || misprints("unreadable")),
     ("method.misprints.harmless", || misprints("harmless")),
     ("method.neighbours-by-hand", || Ok(neighbours_by_hand().to_string())),
+    ("method.same-kind", || Ok(of_one_kind(|_| true).to_string())),
+    ("method.same-kind.given", || Ok(of_one_kind(|kind| kind == Evidence::OtherPlaceInSource).to_string())),
     ("method.readings.last", || Ok(last()?.0.to_string())),
     ("method.readings.last-of", || Ok(last()?.1.to_string())),
     ("method.readings.last-part", || Ok(one_in(last()?))),
@@ -34,6 +36,15 @@ fn misprints(name: &str) -> anyhow::Result<String> {
 fn neighbours_by_hand() -> usize {
     let by_hand = |check: &Check| matches!(check, Check::Statement { .. });
     of_documents().filter(|judged| judged.claim.kind == Kind::Equation && by_hand(&judged.claim.check)).count()
+}
+
+/// How many claims of the documents have two routes of one kind, of these kinds.
+fn of_one_kind(wanted: fn(Evidence) -> bool) -> usize {
+    let alike = |judged: &&Judged| match judged.claim.check.evidence()[..] {
+        [first, witness] => first == witness && wanted(first),
+        _ => false,
+    };
+    of_documents().filter(alike).count()
 }
 
 /// Of the last reading that overturned something and counted what it went through: statements and figures overturned, those
@@ -73,6 +84,7 @@ mod tests {
             assert!(misprints(name).expect("a line").parse::<usize>().is_ok_and(|number| number > 0), "{name}");
         }
         assert!(misprints("made up").is_err());
+        assert!(of_one_kind(|_| true) > of_one_kind(|kind| kind == Evidence::OtherPlaceInSource));
         assert!(again() > 3 && neighbours_by_hand() > 0);
     }
 }
