@@ -148,12 +148,34 @@ mod tests {
         {
             let chance = of_cells(score, &mechanisms).expect("runs");
             let sampled = shuffles_of_cells(score, &mechanisms, SHUFFLES).expect("runs");
-            let mean = sampled.iter().sum::<usize>() as f64 / SHUFFLES as f64;
-            let square = |count: &usize| (*count as f64 - mean) * (*count as f64 - mean);
-            let spread = (sampled.iter().map(square).sum::<f64>() / SHUFFLES as f64).sqrt();
-            let standard_error = spread / (SHUFFLES as f64).sqrt();
-            assert!((mean - chance.expected).abs() <= 4.5 * standard_error, "{mechanisms:?} {chance:?} {mean}");
+            assert_mean(&sampled, chance.expected);
         }
+    }
+
+    #[test]
+    fn counting_pairs_and_sampling_expect_as_much_of_each_definition() {
+        const SHUFFLES: usize = 1000;
+        let printed: Vec<f64> = rows().iter().map(|row| row.number(Column::Rise)).collect();
+        let all: Vec<usize> = (0..printed.len()).collect();
+        for of in explained().iter().flat_map(|tried| [&tried.as_run, &tried.ideal]) {
+            let near = near(Column::Rise, &printed, &of.times);
+            let mut dealer = Dealer::new(Shuffled::InTables);
+            let sampled: Vec<usize> = (0..SHUFFLES).map(|_| explained_by(&near, dealer.deal(), &all)).collect();
+            assert_mean(&sampled, of.by_chance);
+        }
+    }
+
+    /// Asserts that the mean of some counts is what is expected, but for chance: 4.5 standard errors.
+    #[track_caller]
+    fn assert_mean(counts: &[usize], expected: f64) {
+        let number = counts.len() as f64;
+        let mean = counts.iter().sum::<usize>() as f64 / number;
+        let square = |count: &usize| (*count as f64 - mean) * (*count as f64 - mean);
+        let standard_error = (counts.iter().map(square).sum::<f64>() / number).sqrt() / number.sqrt();
+        assert!(
+            (mean - expected).abs() <= 4.5 * standard_error + 1e-9,
+            "{mean} ± {standard_error}, expected {expected}"
+        );
     }
 
     #[test]

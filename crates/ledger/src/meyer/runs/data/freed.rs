@@ -108,6 +108,22 @@ mod tests {
     }
 
     #[test]
+    fn trying_followers_one_by_one_brings_nearly_as_many_results_near_and_never_more() {
+        for mechanism in OTHERS {
+            let angle = angle(Reset::OfTheMechanism, mechanism);
+            let most = most_within_one(Reset::OfTheMechanism, mechanism).expect("a motion");
+            let [least, greatest] = ratios(mechanism, 1.0).expect("a motion").map(libm::log);
+            let of = |step: u32| {
+                let ratio = libm::exp(least + (greatest - least) * f64::from(step) / 100.0);
+                let motions = Motions::of(mechanism, angle, 1.0, ratio)?;
+                (0..400).map(|step| within_one(&motions.misfits(1e-6 * libm::pow(1.015, f64::from(step))))).max()
+            };
+            let found = (0..=100).filter_map(of).max().expect("a motion");
+            assert!((most - 3..=most).contains(&found), "{found} {most}");
+        }
+    }
+
+    #[test]
     fn less_friction_fits_ever_better_but_comes_to_no_good_fit() {
         for mechanism in OTHERS {
             let with = |friction| Freed::with_friction(Reset::OfTheMechanism, mechanism, friction).expect("a motion");
