@@ -197,10 +197,11 @@ impl Look<'_> {
         self.browser.evaluate(&format!("geneva.load({})", json!(address(&crate::path(AXE)))));
         let read = self.browser.evaluate("geneva.content()");
         self.check("geneva.keyboard()");
-        // The page follows the system from light to dark; that it also begins in the dark is a test of its own. At each width
-        // first the one and then the other: a new width takes the browser much longer than new colours.
-        for width in WIDTHS {
-            for medium in [Medium::Light, Medium::Dark] {
+        // The page follows the system from light to dark; that it also begins in the dark is a test of its own. From one way to
+        // the next only one thing changes, the width or the colours: each has the browser look up all styles anew.
+        for (k, width) in WIDTHS.into_iter().enumerate() {
+            let media = [Medium::Light, Medium::Dark];
+            for medium in [media[k % 2], media[1 - k % 2]] {
                 self.turn(width, medium);
                 if width < WIDE {
                     self.browser.evaluate("geneva.closeList()");

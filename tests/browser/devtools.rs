@@ -13,6 +13,9 @@ use tempfile::TempDir;
 /// How long one answer may take, however busy the machine is.
 const PATIENCE: Duration = Duration::from_secs(120);
 
+/// The height of a window, in pixels, where a test does not choose one.
+const HEIGHT: u32 = 900;
+
 /// By what names the program goes, where `$CHROMIUM` does not say.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
@@ -43,6 +46,8 @@ pub struct Browser {
     events: VecDeque<Value>,
     context: String,
     session: Option<String>,
+    /// The window and the medium of [`Self::show_in`]: what does not change is not told again.
+    shown: Option<([u32; 2], Medium)>,
 }
 
 /// The program, if there is one. `$CHROMIUM` may be empty, and then there is none.
@@ -82,7 +87,7 @@ impl Browser {
     /// A new page, apart from all that the process has shown.
     fn of(process: Process) -> Result<Self, String> {
         let (context, events) = (String::new(), VecDeque::new());
-        let mut browser = Self { process: Some(process), events, context, session: None };
+        let mut browser = Self { process: Some(process), events, context, session: None, shown: None };
         let context = browser.ask("Target.createBrowserContext", json!({}))?;
         browser.context = context["browserContextId"].as_str().unwrap_or_default().to_owned();
         let page = json!({ "url": "about:blank", "browserContextId": browser.context });
@@ -145,13 +150,22 @@ impl Browser {
 
     /// Shows pages from now on at this width, on this medium. The page that is open changes with it.
     pub fn show(&mut self, width: u32, medium: Medium) {
-        self.show_in([width, 900], medium);
+        self.show_in([width, HEIGHT], medium);
     }
 
     /// Shows pages from now on in a window of this width and height, on this medium.
-    pub fn show_in(&mut self, [width, height]: [u32; 2], medium: Medium) {
+    pub fn show_in(&mut self, window: [u32; 2], medium: Medium) {
+        self.size(window);
+        self.medium(medium);
+        self.shown = Some((window, medium));
+    }
+
+    fn size(&mut self, [width, height]: [u32; 2]) {
         let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
         self.command("Emulation.setDeviceMetricsOverride", size);
+    }
+
+    fn medium(&mut self, medium: Medium) {
         let (media, scheme) = match medium {
             Medium::Light => ("screen", "light"),
             Medium::Dark => ("screen", "dark"),
@@ -165,14 +179,27 @@ impl Browser {
         self.command("Emulation.setEmulatedMedia", json!({ "media": media, "features": features }));
     }
 
-    /// Shows the page that is open at this width, on this medium, and waits until its scripts know.
+    /// Shows the page that is open at this width, on this medium, and waits until its scripts know. Whatever changes has the
+    /// browser look up all styles anew, so what stays is not told again.
     pub fn turn(&mut self, width: u32, medium: Medium) {
+        let window = [width, HEIGHT];
+        let (is_new_size, is_new_medium) = self.shown.map_or((true, true), |(size, of)| (size != window, of != medium));
+        if is_new_size {
+            self.size(window);
+        }
+        if is_new_medium {
+            self.turn_to(medium);
+        }
+        self.shown = Some((window, medium));
+    }
+
+    fn turn_to(&mut self, medium: Medium) {
         let is_dark = medium == Medium::Dark;
         self.evaluate(&format!(
             "globalThis.scheme = matchMedia('(prefers-color-scheme: dark)'); globalThis.turned = scheme.matches === {is_dark} || \
              new Promise(done => scheme.addEventListener('change', () => done(true), {{ once: true }})); null"
         ));
-        self.show(width, medium);
+        self.medium(medium);
         self.evaluate("turned");
     }
 
