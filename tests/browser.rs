@@ -367,3 +367,29 @@ fn an_arrow_key_turns_the_page_except_where_something_scrolls_by_it() {
         assert_eq!(turned, turns, "within {within}");
     }
 }
+
+#[test]
+fn one_test_leaves_nothing_for_the_next_in_the_same_browser() {
+    let Some(mut browser) = Browser::start() else { return };
+    let page = format!("{}/pin.html", address(crate::book_pages::book()));
+    let served = format!("{}/pin.html", crate::live::module::served(crate::book_pages::book()));
+    let kept = "[localStorage.length, sessionStorage.length, (await indexedDB.databases()).length, document.cookie, \
+                matchMedia('(prefers-color-scheme: dark)').matches, innerWidth === 390, history.length]";
+    let look = |browser: &mut Browser, page: &str| {
+        browser.open(page);
+        browser.evaluate(&format!("(async () => {kept})()"))
+    };
+    let first = [&page, &served].map(|page| look(&mut browser, page));
+    browser.show(PHONE, Medium::Dark);
+    for page in [&page, &served] {
+        browser.open(page);
+        browser.evaluate(
+            "localStorage.setItem('one', 1); sessionStorage.setItem('one', 1); document.cookie = 'one=1'; \
+             new Promise(done => { indexedDB.open('one').onsuccess = () => done(null) })",
+        );
+        let left = browser.evaluate(&format!("(async () => {kept})()"));
+        assert!((0..3).all(|k| left[k].as_u64() > Some(0)), "{left}");
+    }
+    let Some(mut next) = browser.again() else { panic!("the browser has ended") };
+    assert_eq!([&page, &served].map(|page| look(&mut next, page)), first);
+}
