@@ -339,6 +339,8 @@ impl Process {
                 "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
             ])
             .args(["--allow-file-access-from-files", "--font-render-hinting=none"])
+            // Nobody waits for a page: helpers that collect garbage beside its scripts only take processors from others.
+            .arg("--js-flags=--single-threaded")
             .arg(format!("--user-data-dir={}", profile.display()))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
