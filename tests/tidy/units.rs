@@ -1,7 +1,7 @@
 //! Does every public number of the formulas and of the solver say its unit?
 
 /// What tells a unit, as whole words.
-const UNITS: [&str; 20] = [
+const UNITS: [&str; 22] = [
     "dimensionless",
     "rad",
     "radians",
@@ -16,6 +16,8 @@ const UNITS: [&str; 20] = [
     "in N m",
     "kg m²",
     "in Pa",
+    "in W",
+    "in kg/m³",
     // Where any consistent units will do.
     "unit of",
     "units of",
