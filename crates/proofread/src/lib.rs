@@ -14,6 +14,7 @@ mod function;
 mod hint;
 mod interval;
 mod join;
+mod pieces;
 mod place;
 mod printed;
 pub mod reader;

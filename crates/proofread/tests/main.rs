@@ -3,9 +3,11 @@
 mod chains;
 #[cfg(feature = "cli")]
 mod command;
+mod commas;
 mod formats;
 mod fuzz;
 mod judged;
+mod units;
 
 use proofread::{Follow, Format, List, Options, Report, proofread};
 

@@ -1,5 +1,6 @@
 //! Readers: a text in one of the formats to formulas, each a list of tokens with their places.
 
+mod commas;
 mod delimited;
 mod latex;
 mod markdown;
@@ -140,6 +141,17 @@ pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
     if text.len() > LONGEST {
         return Err(Unreadable::TooLong);
     }
+    if commas::are_decimal(text, format) {
+        return formulas(text, format, &mut |mut formula| {
+            commas::understood(&mut formula.tokens);
+            each(formula);
+        });
+    }
+    formulas(text, format, each)
+}
+
+/// The formulas with their numbers as in English.
+fn formulas(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
     match format {
         Format::Markdown => markdown::read(text, each),
         Format::Latex => latex::read(text, each),

@@ -155,6 +155,11 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 };
                 out.push(Token::new(kind, span));
             }
+            // In running text, space parts two numbers.
+            Kind::Space(_) if next_is(&|next| next.number().is_some(), &mut rest) => {
+                let number = out.last().is_some_and(|last| last.number().is_some());
+                out.push(Token::new(Kind::Space(if number { 6 } else { 2 }), span));
+            }
             kind => out.push(Token::new(kind, span)),
         }
     }
