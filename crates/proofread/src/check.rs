@@ -7,7 +7,7 @@ use crate::hint;
 use crate::join::has_letters;
 use crate::reader::{self, Format, Formula, Unreadable};
 use crate::surroundings;
-use crate::token::{Span, has_number};
+use crate::token::{Kind, Span, Token, has_number};
 use crate::value::Literal;
 use crate::verdict::{Judgement, Verdict, evaluated, judge};
 
@@ -100,6 +100,16 @@ pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report,
     Ok(check.report)
 }
 
+fn agrees(judgement: &Judgement) -> bool {
+    judgement.verdict != Verdict::CannotEvaluate && List::of(judgement.verdict, false) == List::Agreeing
+}
+
+/// A side with the opposite sign.
+fn opposite(side: &Side) -> Vec<Token> {
+    let sign = |c| Token::new(Kind::Operator(c), side.span);
+    [&[sign('-'), sign('(')], side.tokens.as_slice(), &[sign(')')]].concat()
+}
+
 /// Documents up to this many bytes are taken for one problem whose names keep their meaning.
 const ONE_PROBLEM: usize = 20_000;
 
@@ -135,11 +145,12 @@ impl Check<'_> {
             let trusted = chain.sides.len();
             let from = usize::from(at == 0 && formula.continues);
             let to = trusted - usize::from(at == last && formula.goes_on);
-            self.chain(chain, formula, from..to);
+            self.chain(chain, formula, from..to, at == last);
         }
     }
 
-    fn chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>) {
+    /// Compares the sides of a chain; `last` says that it is the last one of its formula.
+    fn chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>, last: bool) {
         self.report.tally.chains += 1;
         let numbers = |side: &&Side| has_number(&side.tokens) && !has_letters(&side.tokens);
         self.report.tally.checkable += usize::from(chain.sides.iter().filter(numbers).count() >= 2);
@@ -148,7 +159,8 @@ impl Check<'_> {
             let free: Vec<bool> = chain.sides.iter().map(|side| evaluated(&side.tokens, None).is_ok()).collect();
             for at in 1..chain.sides.len() {
                 if trusted.contains(&(at - 1)) && trusted.contains(&at) {
-                    self.pair(chain, formula, at, free[at - 1] && free[at]);
+                    let ends = last && at + 1 == chain.sides.len();
+                    self.pair(chain, formula, at, free[at - 1] && free[at], ends);
                 }
             }
             self.repeated(chain, formula);
@@ -157,7 +169,7 @@ impl Check<'_> {
         self.known.learn(chain, formula.scope, self.options.follow);
     }
 
-    fn pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool) {
+    fn pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool, ends: bool) {
         let (left, right) = (&chain.sides[at - 1], &chain.sides[at]);
         let Some(relation) = right.relation.filter(|relation| *relation != Relation::Other) else { return };
         if left.tokens.is_empty() || right.tokens.is_empty() {
@@ -170,7 +182,26 @@ impl Check<'_> {
                 return;
             }
         }
-        let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
+        let mut judgement = judge(&left.tokens, &right.tokens, relation, bindings);
+        if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {
+            return self.note(chain, [left, right], judgement, relation);
+        }
+        // What the text says in words may explain the difference.
+        let unit = if ends { surroundings::unit_behind(self.text, formula.span) } else { Vec::new() };
+        if !unit.is_empty() {
+            let with = [right.tokens.as_slice(), &unit].concat();
+            let other = judge(&left.tokens, &with, relation, bindings);
+            // The other numbers of the chain lack their unit, too.
+            if agrees(&other) || other.verdict == Verdict::Units {
+                judgement = Judgement { verdict: other.verdict.min(Verdict::Doubtful), ..other };
+            }
+        }
+        if surroundings::names_direction(self.text, left.span) || surroundings::names_direction(self.text, right.span) {
+            let other = judge(&opposite(left), &right.tokens, relation, bindings);
+            if agrees(&other) {
+                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
+            }
+        }
         self.note(chain, [left, right], judgement, relation);
     }
 

@@ -285,7 +285,16 @@ impl<'b> Evaluator<'b> {
 
     fn quotient(&mut self, above: Value, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
         let (next, _) = cursor.look(cursor.at);
-        let divisor = self.signed(cursor)?;
+        let mut divisor = self.signed(cursor)?;
+        while let Some(token) = cursor.peek().filter(|token| self.follows_stroke(token, &divisor)) {
+            self.noticed.note(Reading::ALL_BELOW);
+            if !self.chosen(Reading::ALL_BELOW) {
+                break;
+            }
+            let factor = self.factor(cursor)?;
+            let is_unit = factor.literal == Literal::Unit;
+            divisor = divisor.times(&factor, None, !is_unit && token.number().is_none())?;
+        }
         let number = next.and_then(Token::number).and_then(Printed::read);
         if let Some(number) =
             number.filter(|_| divisor.literal == Literal::Number && divisor.has_unit && !above.has_unit)
@@ -299,6 +308,16 @@ impl<'b> Evaluator<'b> {
             }
         }
         above.over(&divisor)
+    }
+
+    /// Whether a token behind a divisor may still be below the stroke.
+    fn follows_stroke(&self, token: &Token, divisor: &Value) -> bool {
+        let starts = match &token.kind {
+            Kind::Name(_) | Kind::Function(_) | Kind::Root(..) => true,
+            Kind::Operator(c) => "([√".contains(*c),
+            _ => false,
+        };
+        starts && divisor.literal != Literal::Unit
     }
 
     /// Whether what is in the brackets ahead only repeats the value in another unit, or is the number of an equation.

@@ -138,7 +138,7 @@ const WHOLE: &[Row] = &[
     ("week weeks wk", 604_800.0, TIME),
     ("y yr year years", 3.155_76e7, TIME),
     (
-        "rad sr turns photons photon atoms atom molecules electrons electron particles decays fissions protons nuclei people \
+        "rad sr turns photons photon atoms atom molecules electrons electron particles decays fissions proton protons ion nuclei people \
          loops passes lines events ions slits cycles cycle fringes reactions nucleons layers pulses times beats Np deuterons \
          flashes orbits windings bulbs cars halflives wt dB",
         1.0,
@@ -148,7 +148,7 @@ const WHOLE: &[Row] = &[
     ("rpm", 2.0 * PI / 60.0, RATE),
     ("° degree degrees", PI / 180.0, PLAIN),
     ("arcsec", PI / 180.0 / 3600.0, PLAIN),
-    ("%", 0.01, PLAIN),
+    ("% percent", 0.01, PLAIN),
     ("ppm", 1e-6, PLAIN),
     ("$", 1.0, PLAIN),
     ("cents", 0.01, PLAIN),

@@ -93,6 +93,22 @@ impl Evaluator<'_> {
                 }
                 all.angle = all.angle.or(Some(Angle::Radians));
             }
+            "electron" | "electrons" | "proton" | "protons" | "ion" | "ions" => {
+                self.noticed.note(Reading::CHARGES);
+                if self.chosen(Reading::CHARGES)
+                    && let Some(charge) = unit("e")
+                {
+                    one = charge;
+                }
+            }
+            "lb" | "lbs" => {
+                self.noticed.note(Reading::POUNDS);
+                if self.chosen(Reading::POUNDS)
+                    && let Some(mass) = unit("lbm")
+                {
+                    one = mass;
+                }
+            }
             "°C" | "°F" => {
                 self.noticed.note(Reading::POINTS);
                 all.scale = word.chars().last();

@@ -7,6 +7,7 @@ mod commas;
 mod formats;
 mod fuzz;
 mod judged;
+mod readings;
 mod units;
 
 use proofread::{Follow, Format, List, Options, Report, proofread};

@@ -150,6 +150,13 @@ pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
     formulas(text, format, each)
 }
 
+/// The tokens of running text that starts `base` bytes into the document.
+pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {
+    let mut out = Vec::new();
+    words::words(&crate::token::signs(text, base), &mut out);
+    out
+}
+
 /// The formulas with their numbers as in English.
 fn formulas(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
     match format {
