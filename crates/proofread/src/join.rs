@@ -4,12 +4,14 @@
 //! no scripts, accents, groups without meaning and tables any more: a letter has its subscript in its name, and an exponent is
 //! a [`Kind::Power`] behind what it belongs to.
 
+use crate::columns;
 use crate::pieces::{self, column, prefixed};
 use crate::token::{Function, Kind, Span, Token, any, show, trimmed};
 
 /// Joins the tokens of a formula.
 pub(crate) fn joined(tokens: &[Token]) -> Vec<Token> {
     let rows = rows(tokens);
+    let rows = columns::read_down(&rows).unwrap_or(rows);
     merged(flat(&rows))
 }
 

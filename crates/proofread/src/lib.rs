@@ -8,6 +8,7 @@ mod chain;
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod columns;
 mod evaluate;
 mod finding;
 mod function;

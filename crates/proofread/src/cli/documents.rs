@@ -43,7 +43,7 @@ pub(crate) fn sources(paths: &[PathBuf], input: Option<Input>) -> Result<Vec<Res
             }
         } else {
             out.push(file(path, input).ok_or_else(|| {
-                let known = "md, tex, xml, cnxml, html, ipynb, txt or jsonl";
+                let known = "md, tex, xml, cnxml, ptx, html, ipynb, txt or jsonl";
                 format!("{}: the name tells no format ({known}); say --input", path.display())
             }));
         }

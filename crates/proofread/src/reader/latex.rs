@@ -168,7 +168,7 @@ fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros, 
 }
 
 /// The macros that the document defines; the last definition of a name counts.
-fn macros(text: &str) -> Macros {
+pub(crate) fn macros(text: &str) -> Macros {
     let mut out = Macros::new();
     let mut at = 0;
     while let Some(found) = text[at..].find('\\').map(|found| at + found) {

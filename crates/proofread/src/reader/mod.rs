@@ -8,6 +8,7 @@ mod markup;
 mod mathml;
 mod notebook;
 mod plain;
+mod pretext;
 mod recognised;
 mod siunitx;
 mod symbols;
@@ -23,7 +24,7 @@ pub enum Format {
     Markdown,
     /// A document in LaTeX, or a part of one.
     Latex,
-    /// XML with MathML, such as CNXML or a DocBook.
+    /// XML with MathML, such as CNXML or a DocBook, or with TeX as in PreTeXt.
     Xml,
     /// HTML with MathML, or with TeX for MathJax or KaTeX.
     Html,
@@ -59,7 +60,7 @@ impl Format {
         Some(match extension.to_ascii_lowercase().as_str() {
             "md" | "markdown" | "mdown" | "mkd" | "qmd" | "rmd" => Self::Markdown,
             "tex" | "latex" | "ltx" => Self::Latex,
-            "xml" | "cnxml" | "mml" | "docbook" | "dbk" => Self::Xml,
+            "xml" | "cnxml" | "ptx" | "mml" | "docbook" | "dbk" => Self::Xml,
             "html" | "htm" | "xhtml" => Self::Html,
             "ipynb" => Self::Notebook,
             "txt" | "text" => Self::Plain,

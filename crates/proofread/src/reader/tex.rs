@@ -422,6 +422,7 @@ impl Tex<'_> {
             "%" | "$" => push(out, Kind::Word(name)),
             "{" | "}" | "|" | "#" | "_" => push(out, Kind::Operator(name.chars().next().unwrap_or('|'))),
             "&" => {}
+            "amp" => push(out, Kind::Cell),
             "\\" | "newline" | "cr" | "tabularnewline" => {
                 self.optional();
                 push(out, Kind::Line);
