@@ -196,6 +196,11 @@ impl Check<'_> {
                 judgement = Judgement { verdict: other.verdict.min(Verdict::Doubtful), ..other };
             }
         }
+        let values = judgement.values.as_ref();
+        let printed = values.is_some_and(|(left, right)| left.is_literal() && right.is_literal() && left.has_unit);
+        if printed && surroundings::speaks_of_scale(self.text, formula.span) {
+            judgement.verdict = Verdict::Doubtful;
+        }
         if surroundings::names_direction(self.text, left.span) || surroundings::names_direction(self.text, right.span) {
             let other = judge(&opposite(left), &right.tokens, relation, bindings);
             if agrees(&other) {

@@ -240,7 +240,13 @@ impl<'b> Evaluator<'b> {
                 break;
             }
             cursor.at += 1;
-            let term = self.product(cursor)?;
+            let mut term = self.product(cursor)?;
+            if term.literal == Literal::Number && cursor.before().and_then(Token::word) == Some("%") {
+                self.noticed.note(Reading::PERCENT);
+                if self.chosen(Reading::PERCENT) {
+                    term = sum.times(&Value { has_unit: false, ..term }, None, true)?;
+                }
+            }
             let term = if token.is('-') { term.negated() } else { term };
             sum = sum.plus(&term, self.chosen(Reading::NUMBERS))?;
         }
@@ -270,6 +276,9 @@ impl<'b> Evaluator<'b> {
                 product.literal = Literal::Number;
             } else if token.is('(') && self.repeats(&product, cursor)? {
             } else if self.starts_factor(token) {
+                if token.number().is_some() && cursor.before().and_then(Token::word) == Some("%") {
+                    return Err(Obstacle::Unclear("a remainder"));
+                }
                 if token.number().is_some() && cursor.before().is_some_and(|before| before.number().is_some()) {
                     return Err(Obstacle::Unclear("two numbers side by side"));
                 }

@@ -160,7 +160,7 @@ fn scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token>) {
     if let [Token { kind: Kind::Function(function), .. }] = base {
         let of = name_of(sub);
         out.push(match (function, of.as_str()) {
-            (Function::Log, "10") => Token::new(Kind::Function(Function::Log), span),
+            (Function::Log, "10") => Token::new(Kind::Function(Function::Lg), span),
             (Function::Log, "e") => Token::new(Kind::Function(Function::Ln), span),
             _ => unknown("a function with a subscript", span),
         });

@@ -9,6 +9,7 @@ mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 mod columns;
+mod customs;
 mod evaluate;
 mod finding;
 mod function;

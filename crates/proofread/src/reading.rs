@@ -33,6 +33,10 @@ impl Reading {
     pub const CHARGES: Self = Self(1 << 11);
     /// Pounds and ounces are a mass, not a force.
     pub const POUNDS: Self = Self(1 << 12);
+    /// A logarithm without a base is the natural one.
+    pub const NATURAL: Self = Self(1 << 13);
+    /// A percentage that is added is one of what stands before it.
+    pub const PERCENT: Self = Self(1 << 14);
 
     /// Whether all choices of another set are in this one.
     pub fn has(self, other: Self) -> bool {
@@ -69,7 +73,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 12] = [
+        const WORDS: [(Reading, &str); 14] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -82,6 +86,8 @@ impl Reading {
             (Reading::ALL_BELOW, "all factors behind the stroke below it"),
             (Reading::CHARGES, "particles counted as their charge"),
             (Reading::POUNDS, "pounds as a mass"),
+            (Reading::NATURAL, "natural logarithms"),
+            (Reading::PERCENT, "a percentage of what stands before it"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()
     }

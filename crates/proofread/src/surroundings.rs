@@ -69,6 +69,16 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
     DENIALS.iter().any(|denial| rest.contains(denial))
 }
 
+/// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.
+pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
+    let (before, after) = around(text, span);
+    let words = format!("{before} {after}").to_lowercase();
+    let mut words = words.split(|c: char| !c.is_alphabetic());
+    words.any(|word| {
+        ["scale", "scaled", "map", "represents", "represent", "drawing", "drawn", "corresponds"].contains(&word)
+    })
+}
+
 /// Whether only marks of formulas and space are between two places.
 pub(crate) fn adjoin(text: &str, first: Span, second: Span) -> bool {
     let between = text.get(first.end as usize..second.start as usize).unwrap_or("…");

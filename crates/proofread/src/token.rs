@@ -60,6 +60,8 @@ pub enum Function {
     Arctan,
     Ln,
     Log,
+    /// The logarithm to the base ten and no other.
+    Lg,
     Exp,
     Sinh,
     Cosh,
@@ -87,7 +89,7 @@ impl Function {
         ("cosh", Self::Cosh),
         ("tanh", Self::Tanh),
         ("tg", Self::Tan),
-        ("lg", Self::Log),
+        ("lg", Self::Lg),
     ];
 
     /// The function of this name.
@@ -265,7 +267,8 @@ pub fn show(tokens: &[Token]) -> String {
 
 fn show_into(tokens: &[Token], out: &mut String) {
     let bracketed = |inner: &[Token], out: &mut String| {
-        let signed = matches!(inner, [sign, _] if sign.is_one_of("+-"));
+        let signed =
+            matches!(inner, [sign, Token { kind: Kind::Number(_) | Kind::Name(_), .. }] if sign.is_one_of("+-"));
         let plain = inner.len() <= 1 || signed;
         out.push_str(if plain { "" } else { "(" });
         show_into(inner, out);

@@ -1,6 +1,7 @@
 //! Two neighbouring sides compared under every reading that makes a difference.
 
 use crate::chain::Relation;
+use crate::customs;
 use crate::evaluate::{Bindings, Evaluator};
 use crate::interval::Interval;
 use crate::printed::Mode;
@@ -146,6 +147,13 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
             break;
         }
     }
+    if let Some(best) = &mut best
+        && let Some(values) = &best.values
+        && best.verdict > Verdict::Units
+        && customs::corresponds(left, right, values)
+    {
+        best.verdict = Verdict::Doubtful;
+    }
     best.unwrap_or_else(|| {
         let mixed = obstacle == Some(Obstacle::MixedSum);
         Judgement {
@@ -249,6 +257,10 @@ impl Pair<'_> {
         if agrees {
             return Ok(fine(Verdict::Consistent));
         }
+        let loose = customs::looseness(self.sides[0], self.sides[1]);
+        if loose > 0.0 && left.meets(right, loose) {
+            return Ok(fine(Verdict::Rounded));
+        }
         if is_continued(left, right) {
             return Ok(judgement(Verdict::Doubtful));
         }
@@ -264,6 +276,11 @@ impl Pair<'_> {
         // Three digits behind ≈ are meant to be right.
         let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) };
         let rough = !exact || (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
+        let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
+        let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
+        if self.relation == Relation::Approximate && rounds_to_one {
+            return Ok(fine(Verdict::Approximate));
+        }
         if self.relation == Relation::Approximate && rough && lenient[0].meets(&lenient[1], 0.05) {
             return Ok(fine(Verdict::Approximate));
         }

@@ -4,9 +4,11 @@ mod chains;
 #[cfg(feature = "cli")]
 mod command;
 mod commas;
+mod customs;
 mod formats;
 mod fuzz;
 mod judged;
+mod plain;
 mod readings;
 mod units;
 
