@@ -88,7 +88,14 @@ const MOST_HINTS: usize = 300;
 ///
 /// If the text is longer than [`reader::LONGEST`], or is no notebook where it should be one.
 pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report, Unreadable> {
-    let mut check = Check { text, options, report: Report::default(), known: Known::default(), before: None };
+    let mut check = Check {
+        text,
+        options,
+        report: Report::default(),
+        known: Known::default(),
+        before: None,
+        budget: hint::MOST_FOR_ALL,
+    };
     if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
         let known = &mut check.known;
         reader::read(text, format, &mut |formula| chains(&formula.tokens).iter().for_each(|chain| known.count(chain)))?;
@@ -126,6 +133,8 @@ struct Check<'t> {
     report: Report,
     known: Known,
     before: Option<Assigned>,
+    /// What the search for hints may still cost.
+    budget: usize,
 }
 
 impl Check<'_> {
@@ -247,7 +256,7 @@ impl Check<'_> {
             return;
         }
         let wanted = list == List::Numbers && self.report.findings.len() < self.options.hints;
-        let hint = wanted.then(|| hint::hint(left, right, relation)).flatten();
+        let hint = wanted.then(|| hint::hint(left, right, relation, &mut self.budget)).flatten();
         self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
     }
 }

@@ -3,7 +3,8 @@
 
 use crate::token::{Kind, Token, any};
 use crate::unit::{Dimension, unit};
-use crate::value::Value;
+use crate::value::{Angle, Value};
+use std::f64::consts::PI;
 
 /// Units whose size in others texts round or define differently, and by how much relative to it.
 const LOOSE: [(&[&str], f64); 9] = [
@@ -30,12 +31,26 @@ pub(crate) fn looseness(left: &[Token], right: &[Token]) -> f64 {
     LOOSE.iter().filter(|(words, _)| has(left, words) != has(right, words)).map(|(_, by)| by).sum()
 }
 
+/// Whether two sides agree if the bare numbers of one of them are degrees, too.
+pub(crate) fn lacks_degrees(left: &Value, right: &Value) -> bool {
+    let bare = |of: &Value| of.angle.is_none() && !of.has_unit;
+    let in_degrees = |of: &Value| of.angle == Some(Angle::Degrees) && of.dimension.is_none();
+    let scaled = |of: &Value| of.scaled(180.0 / PI);
+    (bare(left) && in_degrees(right) && left.meets(&scaled(right), 0.0))
+        || (bare(right) && in_degrees(left) && right.meets(&scaled(left), 0.0))
+}
+
 /// Whether one side is said to stand for the other, as on a scale drawing, of a mole or by a law of physics.
 pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Value)) -> bool {
     let (one, other) = values;
     let both_printed = one.is_literal() && other.is_literal();
     let decibels = [has(left, &DECIBELS), has(right, &DECIBELS)];
     if decibels == [true, true] {
+        return true;
+    }
+    // A price.
+    let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
+    if money(left) != money(right) && one.has_unit && other.has_unit {
         return true;
     }
     if !both_printed || one.parts.is_vector() || other.parts.is_vector() {

@@ -355,6 +355,15 @@ impl<'b> Evaluator<'b> {
             }
             return Ok(false);
         }
+        if let [Token { kind: Kind::Number(_), .. }, percent] = core.as_slice()
+            && percent.word() == Some("%")
+            && ends
+            && value.literal == Literal::Number
+        {
+            // A count with its share.
+            *cursor = ahead;
+            return Ok(true);
+        }
         if ends && core.iter().any(|token| token.word() == Some("%")) {
             let (noticed, used) = (self.noticed, self.used.len());
             if let Ok(other) = self.whole(inner)

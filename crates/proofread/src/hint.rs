@@ -34,8 +34,21 @@ struct Edit {
 /// Most edits that are tried at one place.
 const MOST: usize = 2500;
 
-/// The one near edit that makes the sides agree.
-pub(crate) fn hint(left: &Side, right: &Side, relation: Relation) -> Option<Hint> {
+/// How much a search may cost, in tokens that are evaluated: a few tenths of a second for one finding, and a few seconds for a
+/// document.
+const MOST_FOR_ONE: usize = 200_000;
+/// The budget of a document.
+pub(crate) const MOST_FOR_ALL: usize = 600_000;
+
+/// How many tokens there are, with those inside others.
+fn size(tokens: &[Token]) -> usize {
+    tokens.iter().map(|token| 1 + token.inner().into_iter().map(size).sum::<usize>()).sum()
+}
+
+/// The one near edit that makes the sides agree; what the search costs is taken from `budget`.
+pub(crate) fn hint(left: &Side, right: &Side, relation: Relation, budget: &mut usize) -> Option<Hint> {
+    let each = size(&left.tokens) + size(&right.tokens);
+    let mut spent = 0;
     for near in [Near::Comma, Near::Step, Near::Digit] {
         let mut found: Vec<Edit> = Vec::new();
         for (which, side) in [left, right].into_iter().enumerate() {
@@ -46,6 +59,12 @@ pub(crate) fn hint(left: &Side, right: &Side, relation: Relation) -> Option<Hint
             }
             edits.truncate(MOST);
             for edit in edits {
+                spent += each;
+                *budget = budget.saturating_sub(each);
+                // Without having tried all edits, none is known to be the only one.
+                if spent > MOST_FOR_ONE || *budget == 0 {
+                    return None;
+                }
                 let sides = if which == 0 { [&edit.tokens, &right.tokens] } else { [&left.tokens, &edit.tokens] };
                 let fits = judge(sides[0], sides[1], relation, None).verdict == Verdict::Consistent;
                 if fits && !found.iter().any(|other| other.words == edit.words) {
@@ -328,7 +347,7 @@ mod tests {
         let mut found = None;
         reader::read(&format!("${tex}$"), Format::Markdown, &mut |formula| {
             let chain = &chains(&formula.tokens)[0];
-            found = hint(&chain.sides[0], &chain.sides[1], Relation::Equal);
+            found = hint(&chain.sides[0], &chain.sides[1], Relation::Equal, &mut MOST_FOR_ALL.clone());
         })
         .expect("it is read");
         found.map(|hint| hint.words)

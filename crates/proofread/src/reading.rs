@@ -37,6 +37,8 @@ impl Reading {
     pub const NATURAL: Self = Self(1 << 13);
     /// A percentage that is added is one of what stands before it.
     pub const PERCENT: Self = Self(1 << 14);
+    /// A hertz is a turn in a second, 2π in angular measure.
+    pub const CYCLES: Self = Self(1 << 15);
 
     /// Whether all choices of another set are in this one.
     pub fn has(self, other: Self) -> bool {
@@ -73,7 +75,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 14] = [
+        const WORDS: [(Reading, &str); 15] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -87,6 +89,7 @@ impl Reading {
             (Reading::CHARGES, "particles counted as their charge"),
             (Reading::POUNDS, "pounds as a mass"),
             (Reading::NATURAL, "natural logarithms"),
+            (Reading::CYCLES, "a hertz as a turn in a second"),
             (Reading::PERCENT, "a percentage of what stands before it"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()

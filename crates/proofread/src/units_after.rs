@@ -101,6 +101,12 @@ impl Evaluator<'_> {
                     one = charge;
                 }
             }
+            "Hz" | "kHz" => {
+                self.noticed.note(Reading::CYCLES);
+                if self.chosen(Reading::CYCLES) {
+                    one.factor *= 2.0 * PI;
+                }
+            }
             "lb" | "lbs" => {
                 self.noticed.note(Reading::POUNDS);
                 if self.chosen(Reading::POUNDS)

@@ -257,6 +257,9 @@ impl Pair<'_> {
         if agrees {
             return Ok(fine(Verdict::Consistent));
         }
+        if customs::lacks_degrees(left, right) {
+            return Ok(judgement(Verdict::Doubtful));
+        }
         let loose = customs::looseness(self.sides[0], self.sides[1]);
         if loose > 0.0 && left.meets(right, loose) {
             return Ok(fine(Verdict::Rounded));
@@ -342,6 +345,12 @@ fn angles([left, right]: &[Value; 2], points: &[Value; 2], reading: Reading) -> 
     }
     // Below or above, left or right is said in words.
     if left.clone().negated().meets(right, 0.0) {
+        return Some(Verdict::Doubtful);
+    }
+    // The other angle with the same sine or cosine.
+    let turned = left.clone().negated();
+    let other = |by: f64| Value { parts: turned.parts.map(|part| part.moved(by)), ..turned.clone() };
+    if other(PI).meets(right, 0.0) || other(2.0 * PI).meets(right, 0.0) {
         return Some(Verdict::Doubtful);
     }
     let moved = |by: f64| Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() };

@@ -181,6 +181,40 @@ fn minutes_seconds_and_degrees_are_told_apart() {
 }
 
 #[test]
+fn angles_have_another_with_the_same_sine() {
+    quiet(
+        Format::Markdown,
+        &[
+            r"$\sin^{-1}(0.500) = 150^\circ$",
+            r"$\cos^{-1}(0.500) = 300^\circ$",
+            r"$180 - 60 = 120^\circ$",
+            r"$60.0\,\text{Hz} = 377\,\text{rad/s}$",
+            r"$3000\,\text{rpm} = 314\,\text{rad/s} = 50\,\text{Hz}$",
+        ],
+    );
+    loud(
+        Format::Markdown,
+        &[r"$\sin^{-1}(0.500) = 140^\circ$", r"$180 - 60 = 130^\circ$", r"$60.0\,\text{Hz} = 387\,\text{rad/s}$"],
+    );
+}
+
+#[test]
+fn prices_shares_and_lost_exponents_are_told_apart() {
+    quiet(Format::Markdown, &[r"$1\,\text{kWh} = \$0.12$"]);
+    quiet(
+        Format::Plain,
+        &[
+            "n = 15 (50%) = 15",
+            "1.5 × 10−7 m = 150 nm",
+            "10-3 m = 1 mm",
+            "5 ms-1 × 2 s = 10 m",
+            "v = 5 m s-1 = 18 km h-1",
+        ],
+    );
+    loud(Format::Plain, &["10 - 3 = 8", "5.0 m - 3.0 m = 3.0 m"]);
+}
+
+#[test]
 fn digits_say_no_more_than_they_do() {
     quiet(
         Format::Markdown,

@@ -86,6 +86,15 @@ fn is_noun(word: &str) -> bool {
     word.len() > 2 && !BEHIND.split_whitespace().any(|known| known.eq_ignore_ascii_case(word))
 }
 
+/// Whether what stands last takes an exponent: a ten, or a unit behind a number or another unit.
+fn lost_its_exponent(out: &[Token]) -> bool {
+    match out.last() {
+        Some(Token { kind: Kind::Number(text), .. }) => text == "10",
+        Some(Token { kind: Kind::Word(word), .. }) => unit(word).is_some(),
+        _ => false,
+    }
+}
+
 /// Makes letters, exponents, products and separators of what running text writes with words and signs.
 fn understood(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::new();
@@ -206,6 +215,22 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     Kind::Operator(';')
                 };
                 out.push(Token::new(kind, span));
+            }
+            // Exponents that are not raised any more: 10-3 and s-1.
+            Kind::Operator('-')
+                if next_is(&|next| next.number().is_some() && next.span.start == span.end, &mut rest)
+                    && out.last().is_some_and(|last| last.span.end == span.start)
+                    && lost_its_exponent(&out) =>
+            {
+                let times = out.iter().rev().skip(1).find(|token| !token.is_space()).is_some_and(|of| of.is('×'));
+                let ten = out.last().is_some_and(|last| last.number().is_some());
+                if times || !ten {
+                    let mut raised = vec![Token::new(Kind::Operator('-'), span)];
+                    raised.extend(rest.next());
+                    out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), span));
+                } else {
+                    out.push(Token::new(Kind::Unknown("ten to a power, or a difference".to_owned()), span));
+                }
             }
             // In running text, space parts two numbers.
             Kind::Space(_) if next_is(&|next| next.number().is_some(), &mut rest) => {
