@@ -193,6 +193,10 @@ mod tests {
             let judged = contacts.iter().filter(|flag| flag.round == run.run && flag.text == run.text).count();
             assert_eq!(judged, run.flags as usize, "{}", run.text);
         }
+        for run in runs().expect("read").iter().filter(|run| run.run == "again") {
+            let such = |flag: &&Contact| flag.text == run.text && flag.round != "second" && flag.after == Answer::Yes;
+            assert_eq!(contacts.iter().filter(such).count(), run.flags as usize, "{} after the repairs", run.text);
+        }
         let flags = flags().expect("read");
         let flagged = |of: fn(&Flag) -> Answer| flags.iter().filter(|flag| of(flag) == Answer::Yes).count();
         for (name, count) in [("old", flagged(|flag| flag.flagged_old)), ("new", flagged(|flag| flag.flagged_new))] {

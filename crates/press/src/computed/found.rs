@@ -32,6 +32,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.first.commas", || commas()),
     ("found.after.flags", || Ok(after()?.len().to_string())),
     ("found.after.real", || Ok(right(&after()?).to_string())),
+    ("found.after.precision", || Ok(precision(right(&after()?), after()?.len()))),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {
