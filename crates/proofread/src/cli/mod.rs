@@ -125,7 +125,11 @@ impl<'a> Run<'a> {
         };
         if let Some(path) = &arguments.accept {
             self.baseline.write(path)?;
-            self.streams.tell(&format!("{} accepted in {}\n", output::count(sum.accepted, "case"), path.display()));
+            self.streams.tell(&format!(
+                "{} accepted in {}\n",
+                crate::summary::count(sum.accepted, "case"),
+                path.display()
+            ));
         } else {
             let end = self.writer.end(&sum);
             self.streams.print(&end)?;
