@@ -128,7 +128,7 @@ impl Dealer {
                 self.state ^= self.state << 13;
                 self.state ^= self.state >> 7;
                 self.state ^= self.state << 17;
-                let other = (u128::from(self.state) * (last as u128 + 1) >> 64) as usize;
+                let other = ((u128::from(self.state) * (last as u128 + 1)) >> 64) as usize;
                 self.dealt.swap(hand[last], hand[other]);
             }
         }
