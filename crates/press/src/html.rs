@@ -46,6 +46,8 @@ pub enum Cells {
     NamedNumbers,
     /// Words: to the left, broken where need be.
     Words,
+    /// Words among formulas and addresses that do not break: they need the most room.
+    Wide,
 }
 
 /// A table before it is set: cells of HTML, the first of each row its head.
@@ -103,6 +105,7 @@ impl Table {
             Cells::Numbers => "compare",
             Cells::NamedNumbers => "compare named",
             Cells::Words => "listing",
+            Cells::Wide => "listing wide",
         };
         let name = escape(&self.caption);
         let mut out =
@@ -120,7 +123,11 @@ impl Table {
                 } else {
                     let label = self.head.get(at).map_or_else(String::new, |head| escape(&plain(head)));
                     // Beside its label a cell is one piece.
-                    let cell = if matches!(self.cells, Cells::Words) { cell } else { &format!("<span>{cell}</span>") };
+                    let cell = if matches!(self.cells, Cells::Words | Cells::Wide) {
+                        cell
+                    } else {
+                        &format!("<span>{cell}</span>")
+                    };
                     out.push_str(&format!("<td data-label=\"{label}\">{cell}</td>"));
                 }
             }

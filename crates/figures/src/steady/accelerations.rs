@@ -17,14 +17,14 @@ const MARKS: i32 = 3;
 /// Accelerations are drawn in thousands.
 const THOUSAND: f64 = 1000.0;
 
-/// One instant: θ in degrees, θ', φ', θ'' and φ'' in thousands, N r / K.
+/// One instant: θ in degrees, θ', φ', θ'' and φ'' in thousands, F R / K.
 type Row = [f64; 6];
 
 /// Speed and acceleration of driver and follower, and the force between pin and slot, over one engagement of the steady
 /// motion: three panels over the driver angle.
 ///
 /// `run` says which run is shown. Rings mark the follower's acceleration at the two ends, between which it jumps as one pin hands over to the next.
-/// Series, at equal times: θ, θ', φ', θ'', φ'', F r/K.
+/// Series, at equal times: θ, θ', φ', θ'', φ'', F R/K.
 ///
 /// # Errors
 ///
@@ -59,7 +59,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         format!(
             "Three panels over the driver angle from {} to {}. Speeds: the driver's is {} rad/s at most, the follower's \
              {}. Accelerations in 1000 rad/s²: the driver's strongest is {}, the follower's {}; the follower's is {} at \
-             entry and {} at exit. The force N r / K is strongest with {}.",
+             entry and {} at exit. The force F R / K is strongest with {}.",
             degrees(-half),
             degrees(half),
             greatest(1),
@@ -71,7 +71,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
             said(strongest.normal_moment, parameters.torque()),
         ),
         format!(
-            "One engagement of the steady motion, entry at the left, exit at the right. {}N r / K is the force between pin \
+            "One engagement of the steady motion, entry at the left, exit at the right. {}F R / K is the force between pin \
              and slot over the force of the spring at the crank radius. At the hand-over the follower's acceleration jumps \
              from the right ring to the left one. Shown: {run}.",
             change.map_or_else(String::new, |change| format!(
@@ -87,7 +87,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         ("phi'", "rad/s"),
         ("theta''", "1000 rad/s^2"),
         ("phi''", "1000 rad/s^2"),
-        ("F r/K", "1"),
+        ("F R/K", "1"),
     ];
     Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
 }

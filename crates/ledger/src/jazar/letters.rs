@@ -32,7 +32,7 @@ pub const PARTS_BY_DEGREES: Vocabulary = Vocabulary::new(parts_by_degrees, Limit
 pub const ENTRY_AND_EXIT: Vocabulary = Vocabulary::new(entry_and_exit, LimitCase, parts_in_numbers);
 /// Where the acceleration is greatest in size, on both sides of the line of centres.
 pub const PEAK: Vocabulary = Vocabulary::new(peak, AutomaticDerivative, peak_in_numbers);
-/// The same, for the sign of γ's root that belongs to an angle.
+/// Where the acceleration is greatest in size, for the sign of γ's root that belongs to an angle.
 pub const PEAK_ANGLE: Vocabulary = Vocabulary::new(peak_angle, AutomaticDerivative, peak_in_numbers);
 /// γ, from the derivative of the acceleration.
 pub const COEFFICIENT: Vocabulary = Vocabulary::new(coefficient, AutomaticDerivative, peak_in_numbers);
@@ -193,7 +193,8 @@ pub fn condition() -> (Moment<Expression>, Expression, Expression) {
     (moment, factor, jerk)
 }
 
-/// The same with the quadratic, whose sides differ by 2 sin α times less.
+/// The derivative of the acceleration, with what it is that many times as much as the difference of the sides of the printed
+/// quadratic: 2 sin α times less than for the condition. Variables as in [`any`].
 pub fn quadratic() -> (Moment<Expression>, Expression, Expression) {
     let (moment, jerk, factor, [sine, _]) = with_factor();
     let gamma = (1 + sine * sine) / (2 * sine);

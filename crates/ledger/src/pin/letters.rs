@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 
 /// The pin before the line of centres, the driver turning counter-clockwise: lengths, speeds and angles.
 pub const SPEEDS: Vocabulary = Vocabulary::new(speeds, AutomaticDerivative, speeds_in_numbers);
-/// The same letters, printed upright, for the velocities.
+/// Letters of the velocities, which are printed upright, from the positions of pin and slot.
 pub const VELOCITIES: Vocabulary = Vocabulary::new(velocities, AutomaticDerivative, velocities_in_numbers);
 /// The instant of the problem, at which the angle at the driver's axis is 30°.
 pub const AT_THIRTY: Vocabulary = Vocabulary::new(at_thirty, AutomaticDerivative, thirty_in_numbers);
@@ -88,8 +88,7 @@ fn four_slots(_: i64) -> Moment<Expression> {
     let [distance, driver] = from_fn(Expression::variable);
     let half = Expression::root() / 2;
     let eighth = Turn { cos: half, sin: half };
-    let Moving { triangle, speeds: [_, wheel], .. } =
-        Moving::of(Triangle::new(distance, eighth.clone(), eighth), driver);
+    let Moving { triangle, speeds: [_, wheel], .. } = Moving::of(Triangle::new(distance, eighth, eighth), driver);
     Moment::default()
         .with([("R", triangle.crank_radius), ("l", distance)])
         .giving(r"\sqrt{2}", Expression::root())
