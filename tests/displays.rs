@@ -6,6 +6,7 @@
 mod book;
 mod claims;
 mod escapement;
+mod inline;
 mod joints;
 mod mechanisms;
 mod notation;

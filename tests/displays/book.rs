@@ -39,7 +39,7 @@ const UNDER_CONDITIONS: &[Condition] = &[
     ("escapement", r"\frac{\dot\varphi}{\dot\theta} = \cos", escapement::taking_over),
 ];
 
-fn entering(number: usize) -> Moment {
+pub fn entering(number: usize) -> Moment {
     let ratio = 1.0 + 3.0 * super::spread(number, 4);
     pin(number, Some(ratio), Some(libm::acos(1.0 / ratio)))
 }
@@ -61,6 +61,22 @@ impl Printed {
     }
 }
 
+/// The states in which what a chapter says of its mechanism must hold; none for a chapter without one.
+pub fn states_of(chapter: &str) -> Option<Vec<Moment>> {
+    let many = |state: fn(usize) -> Moment| Some((0..40).map(state).collect());
+    match chapter {
+        "pin" => many(|number| pin(number, None, None)),
+        "quick-return" => many(|number| quick_return(number, 0.0)),
+        "jazar" | "glossary" => many(|number| wheel(number, None, When::Steady)),
+        "making" => many(making),
+        "program" => many(step),
+        "escapement" => Some(escapement::states()),
+        "terminal-speed" | "solver" => Some(escapement::over_the_angle()),
+        "joints" => Some(joints::states()),
+        _ => None,
+    }
+}
+
 /// All displays of the book.
 fn displays() -> Vec<Printed> {
     let mut found = Vec::new();
@@ -72,18 +88,10 @@ fn displays() -> Vec<Printed> {
         for tex in prose.split("$$").skip(1).step_by(2) {
             let mut display = Printed { chapter: chapter.clone(), tex: tex.trim().to_owned(), states: Vec::new() };
             let condition = UNDER_CONDITIONS.iter().find(|(chapter, start, _)| display.starts(chapter, start));
-            let many = |state: fn(usize) -> Moment| (0..40).map(state).collect();
-            display.states = match (condition, chapter.as_str()) {
-                (Some((_, _, state)), _) => many(*state),
-                (None, "pin") => many(|number| pin(number, None, None)),
-                (None, "quick-return") => many(|number| quick_return(number, 0.0)),
-                (None, "jazar") => many(|number| wheel(number, None, When::Steady)),
-                (None, "making") => many(making),
-                (None, "program") => many(step),
-                (None, "escapement") => escapement::states(),
-                (None, "terminal-speed") => escapement::over_the_angle(),
-                (None, "joints") => joints::states(),
-                _ => panic!("{chapter}: say here what the letters of `{}` stand for", display.tex),
+            display.states = match condition {
+                Some((_, _, state)) => (0..40).map(*state).collect(),
+                None => states_of(&chapter)
+                    .unwrap_or_else(|| panic!("{chapter}: say here what the letters of `{}` stand for", display.tex)),
             };
             found.push(display);
         }

@@ -36,6 +36,16 @@ pub fn taking_over(number: usize) -> Moment {
         .with([(r"\dot\theta", speed), (r"\dot\varphi", follower)])
 }
 
+/// One of the three mechanisms as one pin takes over from the next: the angles, by the pin's place.
+pub fn at_the_hand_over(number: usize) -> Moment {
+    let mechanism = Mechanism::ALL[number % 3];
+    let angle = mechanism.engagement_half_angle();
+    let pin = pin_slot::pin_from_pivot(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
+    Moment::default()
+        .with([("m", f64::from(mechanism.pins())), ("N", f64::from(mechanism.slots()))])
+        .with([(r"\theta", angle), (r"\varphi", libm::atan2(pin.y, pin.x))])
+}
+
 /// One state of the mechanism, of many.
 fn state(number: usize) -> Moment {
     let mechanism = Mechanism::ALL[number % 3];

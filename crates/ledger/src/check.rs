@@ -165,7 +165,7 @@ impl Finding {
 
     /// Whether characters hold that were read and evaluated; none if they cannot be read.
     pub fn of_reading(holds: Option<bool>) -> Self {
-        let how = "we read the printed characters and evaluated them wherever they must hold";
+        let how = "the printed characters, read and evaluated";
         holds.map_or_else(|| Self::not_evaluated("the characters cannot be read"), |holds| Self::new(holds, how))
     }
 

@@ -40,7 +40,9 @@ pub struct Refutation {
 
 impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let degrees: Vec<_> = self.degrees.iter().map(u32::to_string).collect();
+        // Variables that stand nowhere come last.
+        let used = self.degrees.iter().rposition(|degree| *degree > 0).map_or(1, |last| last + 1);
+        let degrees: Vec<_> = self.degrees.iter().take(used).map(u32::to_string).collect();
         write!(f, "exact at {} points, degree at most {}", self.points, degrees.join(", "))
     }
 }
@@ -115,7 +117,9 @@ fn on_a_grid(
     for _ in 0..points {
         let difference = value(&at, changed);
         if !difference.as_ref().is_some_and(Zero::is_zero) {
-            return Err(Refutation { at: at.into_iter().map(RBig::from).collect(), difference });
+            // Variables that stand nowhere come last.
+            let used = degrees.iter().rposition(|degree| *degree > 0).map_or(1, |last| last + 1);
+            return Err(Refutation { at: at.into_iter().take(used).map(RBig::from).collect(), difference });
         }
         for (variable, degree) in degrees.iter().enumerate() {
             changed = variable;
