@@ -38,7 +38,11 @@ fn material() -> Vec<Claim> {
                 let density = metric_density(stated.number() - stated.pick(0.0, LIGHTER));
                 Finding::new(
                     STEELS.contains(&density),
-                    format!("{density:.0} kg/m³; handbooks give {STEELS:?} for steels"),
+                    format!(
+                        "the number is {density:.0} kg/m³, and handbooks give {:.0} to {:.0} for steels",
+                        STEELS.start(),
+                        STEELS.end()
+                    ),
                 )
             })
             .by(ClosedForm, |stated| {
