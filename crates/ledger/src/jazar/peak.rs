@@ -180,7 +180,7 @@ fn numbers() -> Vec<Claim> {
                 "jazar.ex-e.ratio",
                 "±1.372",
                 "",
-                "greatest size of the acceleration of the six-station wheel, over the square of the driver's speed",
+                "greatest magnitude of the acceleration of the six-station wheel, divided by the square of the driver's speed",
             )
             .by(ClosedForm, || six(|w| acceleration_peak(w).ratio))
             .by(Series, || six_pair(peak_by_series).1)

@@ -57,8 +57,9 @@ fn conditions() -> Vec<Claim> {
             )
             .missing(
                 "The thesis does not say whether such an escapement needs a pin at every instant, or whether this one \
-                 shall have it. Without a pin the follower rests. The text calls such motion undesirable, not \
-                 impossible, so as a choice it cannot be tested. As a need it would be false. If some of the pins are \
+                 shall have it. Without a pin the follower rests. The text calls such intermittent motion \
+                 undesirable, not impossible. If the sentence only states what the designer chose, there is nothing \
+                 to test. As a need it would be false. If some of the pins are \
                  taken away, and the follower is held between two engagements, each of the three mechanisms comes to \
                  a steady speed too, with each friction of the runs",
             ),

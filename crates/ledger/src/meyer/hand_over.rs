@@ -50,7 +50,7 @@ pub fn conclusion() -> Vec<Claim> {
             .read_as(reading)
             .corrected(
                 "All geometrical configurations with 1/m + 2/n < 1 and inertias that suit the friction, of which only \
-                 three have the follower at rest at each hand-over,",
+                 three have the follower at rest at each hand-over",
                 ENTRY_ALONG_THE_SLOT,
             ),
         at(locator)

@@ -198,7 +198,7 @@ fn estimate() -> Vec<Claim> {
             })
             .but_not("387"),
         at("Chapter II, 3rd display of I")
-            .value("meyer.disc.inertia", "0.5", UNIT, "moment of inertia of either disc, about")
+            .value("meyer.disc.inertia", "0.5", UNIT, "approximate moment of inertia of either disc")
             .by(ClosedForm, || data().map_or(f64::NAN, |data| MILLIONTHS * disc(data.diameter, data.thickness)))
             .by(LimitCase, || {
                 // A disc is a ring without a hole: half of its mass times the square of its radius.

@@ -146,7 +146,7 @@ fn angle() -> Vec<Claim> {
         reset(
             "meyer.app-b.fold",
             AFTER,
-            "the angle within an engagement is the driver's angle modulo 90°, minus 30°, 45° or 60°",
+            "the program takes the driver's angle modulo 90°, minus 30°, 45° or 60°, for the angle within an engagement",
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),

@@ -59,7 +59,7 @@ fn solved() -> Vec<Claim> {
                     ),
                 )
             })
-            .corrected("can be solved in one formula, wherever A > |D|,", SOLVED_WITH_BARS)
+            .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
                 "To solve means to find a formula for the acceleration from the other letters. The text goes on to \
                  open the bars with a sign, and it takes that sign from an older acceleration. Other sentences say \
