@@ -179,6 +179,8 @@ fn the_search_finds_the_chapter_that_explains_before_the_records_and_a_claim_by_
         ("motor", "making.html"),
         ("law of cosines", "pin.html"),
         ("moment of inertia of a disc", "making.html"),
+        ("RMS torque", "making.html"),
+        ("contact stress", "making.html"),
         (number, "jazar.html"),
     ];
     ids.extend(chapters.map(|(words, page)| (words, page.to_owned())));

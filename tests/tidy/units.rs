@@ -15,9 +15,9 @@ const UNITS: [&str; 22] = [
     "in N",
     "in N m",
     "kg m²",
+    "kg/m³",
     "in Pa",
     "in W",
-    "in kg/m³",
     // Where any consistent units will do.
     "unit of",
     "units of",

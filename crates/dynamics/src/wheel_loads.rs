@@ -123,7 +123,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         self.peaks(|load| load.crank_torque, |crank| self.crank_torque_rate(crank))
     }
 
-    /// Greatest power that the driver gives, in W: that torque's peak times the driver's speed.
+    /// Greatest power that the driver gives, in the SI's unit of power, N m/s: its torque's peak times its speed.
     pub fn peak_power(&self) -> f64 {
         self.crank_torque().driving.value * self.driver_speed
     }

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::runaway::{Drag, Runaway, foliot_power};
-use geneva_dynamics::timer::{Accelerations, Crossing, Sensitivities, Settling};
+use geneva_dynamics::timer::{Accelerations, Crossing, EntryBlow, Sensitivities, Settling};
 use geneva_dynamics::{Error, Inertias, Parameters, existence};
 use geneva_kinematics::Mechanism;
 
@@ -270,6 +270,41 @@ fn the_pin_crosses_its_play_as_steps_of_time_say() {
                 max_relative = 1e-12
             );
         }
+    }
+}
+
+#[test]
+fn a_pin_enters_with_the_blow_that_steps_of_time_say() {
+    for of in samples() {
+        for play in [0.002, 0.01] {
+            let found = EntryBlow::new(&of, play).expect("a steady state");
+            let entry = Engagement::new(&of).and_then(|of| of.steady_state()).expect("steady").entry_speed;
+            let (half, ratio) = (of.mechanism().engagement_half_angle(), of.mechanism().centre_distance_ratio());
+            let (driver, follower) = (of.inertias().driver(), of.inertias().follower());
+            // The follower's axis is the origin; the slot keeps the direction in which the pin comes in.
+            let pin = |theta: f64| [ratio - libm::cos(theta), libm::sin(theta)];
+            let [x, y] = pin(-half);
+            let along = [x / libm::hypot(x, y), y / libm::hypot(x, y)];
+            let (mut theta, mut speed) = (-half, entry);
+            let step = found.late / entry / 50_000.0;
+            let off = |theta: f64| (along[0] * pin(theta)[1] - along[1] * pin(theta)[0]).abs();
+            while off(theta) < play / 2.0 {
+                speed += of.torque() / driver * step / 2.0;
+                theta += speed * step;
+                speed += of.torque() / driver * step / 2.0;
+            }
+            let own = (along[0] * libm::cos(theta) - along[1] * libm::sin(theta)).abs();
+            let arm = along[0] * pin(theta)[0] + along[1] * pin(theta)[1];
+            let impulse = own * speed / (arm * arm / follower + own * own / driver);
+            let [after, carried] = [speed - impulse * own / driver, impulse * arm / follower];
+            let lost = 0.5 * (driver * (speed * speed - after * after) - follower * carried * carried);
+            assert_relative_eq!(theta + half, found.late, max_relative = 1e-4);
+            assert_relative_eq!(found.closing_speed, own * speed, max_relative = 2e-4);
+            assert_relative_eq!(found.energy, lost, max_relative = 4e-4);
+            // After the blow they go on together.
+            assert_relative_eq!(after * own, carried * arm, max_relative = 1e-9);
+        }
+        assert!([0.0, 1.0, -0.1, f64::NAN].iter().all(|play| EntryBlow::new(&of, *play).is_err()));
     }
 }
 

@@ -48,6 +48,8 @@ pub struct Flag {
     /// The single edit that would make the chain agree; empty without one.
     #[serde(default)]
     pub hint: String,
+    /// Whether the hint of a misprint names what should be printed.
+    pub hint_right: Option<Answer>,
     /// Whether the chain is in the newest state.
     pub printed_new: Answer,
     /// Whether the program flags it in the old state.
@@ -82,6 +84,8 @@ pub struct Contact {
     pub round: String,
     /// The text.
     pub text: String,
+    /// Whether the hint of a misprint names what should be printed.
+    pub hint_right: Option<Answer>,
     /// Whether the program flags it after the repairs.
     pub after: Answer,
     /// What the reader says.
@@ -192,6 +196,10 @@ mod tests {
         for run in runs().expect("read").iter().filter(|run| ["first", "second"].contains(&run.run.as_str())) {
             let judged = contacts.iter().filter(|flag| flag.round == run.run && flag.text == run.text).count();
             assert_eq!(judged, run.flags as usize, "{}", run.text);
+        }
+        for run in runs().expect("read").iter().filter(|run| run.run == "again") {
+            let such = |flag: &&Contact| flag.text == run.text && flag.round != "second" && flag.after == Answer::Yes;
+            assert_eq!(contacts.iter().filter(such).count(), run.flags as usize, "{} after the repairs", run.text);
         }
         let flags = flags().expect("read");
         let flagged = |of: fn(&Flag) -> Answer| flags.iter().filter(|flag| of(flag) == Answer::Yes).count();

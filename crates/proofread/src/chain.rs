@@ -158,6 +158,12 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     splitter.side.push(Token::new(Kind::Unknown("a point between numbers".to_owned()), token.span));
                     continue;
                 }
+                // A time of day, a ratio or a place in a text.
+                let between = at > 0 && is(tokens.get(at - 1)) && is(tokens.get(at + 1));
+                if token.is(':') && between {
+                    splitter.side.push(Token::new(Kind::Unknown("a colon between numbers".to_owned()), token.span));
+                    continue;
+                }
                 // A factorial, not the end of a sentence.
                 let ends = following[at + 1] >= tokens.len();
                 if token.is('!') && splitter.last().is_some() && !ends {

@@ -7,7 +7,7 @@ use crate::hint;
 use crate::join::has_letters;
 use crate::reader::{self, Format, Formula, Unreadable};
 use crate::surroundings;
-use crate::token::{Span, has_number};
+use crate::token::{Kind, Span, Token, has_number};
 use crate::value::Literal;
 use crate::verdict::{Judgement, Verdict, evaluated, judge};
 
@@ -88,7 +88,14 @@ const MOST_HINTS: usize = 300;
 ///
 /// If the text is longer than [`reader::LONGEST`], or is no notebook where it should be one.
 pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report, Unreadable> {
-    let mut check = Check { text, options, report: Report::default(), known: Known::default(), before: None };
+    let mut check = Check {
+        text,
+        options,
+        report: Report::default(),
+        known: Known::default(),
+        before: None,
+        budget: hint::MOST_FOR_ALL,
+    };
     if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
         let known = &mut check.known;
         reader::read(text, format, &mut |formula| chains(&formula.tokens).iter().for_each(|chain| known.count(chain)))?;
@@ -98,6 +105,16 @@ pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report,
     reader::read(text, format, &mut |formula| check.formula(&formula))?;
     check.report.tally.bytes = text.len();
     Ok(check.report)
+}
+
+fn agrees(judgement: &Judgement) -> bool {
+    judgement.verdict != Verdict::CannotEvaluate && List::of(judgement.verdict, false) == List::Agreeing
+}
+
+/// A side with the opposite sign.
+fn opposite(side: &Side) -> Vec<Token> {
+    let sign = |c| Token::new(Kind::Operator(c), side.span);
+    [&[sign('-'), sign('(')], side.tokens.as_slice(), &[sign(')')]].concat()
 }
 
 /// Documents up to this many bytes are taken for one problem whose names keep their meaning.
@@ -116,6 +133,8 @@ struct Check<'t> {
     report: Report,
     known: Known,
     before: Option<Assigned>,
+    /// What the search for hints may still cost.
+    budget: usize,
 }
 
 impl Check<'_> {
@@ -135,11 +154,12 @@ impl Check<'_> {
             let trusted = chain.sides.len();
             let from = usize::from(at == 0 && formula.continues);
             let to = trusted - usize::from(at == last && formula.goes_on);
-            self.chain(chain, formula, from..to);
+            self.chain(chain, formula, from..to, at == last);
         }
     }
 
-    fn chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>) {
+    /// Compares the sides of a chain; `last` says that it is the last one of its formula.
+    fn chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>, last: bool) {
         self.report.tally.chains += 1;
         let numbers = |side: &&Side| has_number(&side.tokens) && !has_letters(&side.tokens);
         self.report.tally.checkable += usize::from(chain.sides.iter().filter(numbers).count() >= 2);
@@ -148,7 +168,8 @@ impl Check<'_> {
             let free: Vec<bool> = chain.sides.iter().map(|side| evaluated(&side.tokens, None).is_ok()).collect();
             for at in 1..chain.sides.len() {
                 if trusted.contains(&(at - 1)) && trusted.contains(&at) {
-                    self.pair(chain, formula, at, free[at - 1] && free[at]);
+                    let ends = last && at + 1 == chain.sides.len();
+                    self.pair(chain, formula, at, free[at - 1] && free[at], ends);
                 }
             }
             self.repeated(chain, formula);
@@ -157,7 +178,7 @@ impl Check<'_> {
         self.known.learn(chain, formula.scope, self.options.follow);
     }
 
-    fn pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool) {
+    fn pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool, ends: bool) {
         let (left, right) = (&chain.sides[at - 1], &chain.sides[at]);
         let Some(relation) = right.relation.filter(|relation| *relation != Relation::Other) else { return };
         if left.tokens.is_empty() || right.tokens.is_empty() {
@@ -170,7 +191,31 @@ impl Check<'_> {
                 return;
             }
         }
-        let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
+        let mut judgement = judge(&left.tokens, &right.tokens, relation, bindings);
+        if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {
+            return self.note(chain, [left, right], judgement, relation);
+        }
+        // What the text says in words may explain the difference.
+        let unit = if ends { surroundings::unit_behind(self.text, formula.span) } else { Vec::new() };
+        if !unit.is_empty() {
+            let with = [right.tokens.as_slice(), &unit].concat();
+            let other = judge(&left.tokens, &with, relation, bindings);
+            // The other numbers of the chain lack their unit, too.
+            if agrees(&other) || other.verdict == Verdict::Units {
+                judgement = Judgement { verdict: other.verdict.min(Verdict::Doubtful), ..other };
+            }
+        }
+        let values = judgement.values.as_ref();
+        let printed = values.is_some_and(|(left, right)| left.is_literal() && right.is_literal() && left.has_unit);
+        if printed && surroundings::speaks_of_scale(self.text, formula.span) {
+            judgement.verdict = Verdict::Doubtful;
+        }
+        if surroundings::names_direction(self.text, left.span) || surroundings::names_direction(self.text, right.span) {
+            let other = judge(&opposite(left), &right.tokens, relation, bindings);
+            if agrees(&other) {
+                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
+            }
+        }
         self.note(chain, [left, right], judgement, relation);
     }
 
@@ -211,7 +256,7 @@ impl Check<'_> {
             return;
         }
         let wanted = list == List::Numbers && self.report.findings.len() < self.options.hints;
-        let hint = wanted.then(|| hint::hint(left, right, relation)).flatten();
+        let hint = wanted.then(|| hint::hint(left, right, relation, &judgement, &mut self.budget)).flatten();
         self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
     }
 }

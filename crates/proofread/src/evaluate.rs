@@ -240,7 +240,13 @@ impl<'b> Evaluator<'b> {
                 break;
             }
             cursor.at += 1;
-            let term = self.product(cursor)?;
+            let mut term = self.product(cursor)?;
+            if term.literal == Literal::Number && cursor.before().and_then(Token::word) == Some("%") {
+                self.noticed.note(Reading::PERCENT);
+                if self.chosen(Reading::PERCENT) {
+                    term = sum.times(&Value { has_unit: false, ..term }, None, true)?;
+                }
+            }
             let term = if token.is('-') { term.negated() } else { term };
             sum = sum.plus(&term, self.chosen(Reading::NUMBERS))?;
         }
@@ -270,6 +276,9 @@ impl<'b> Evaluator<'b> {
                 product.literal = Literal::Number;
             } else if token.is('(') && self.repeats(&product, cursor)? {
             } else if self.starts_factor(token) {
+                if token.number().is_some() && cursor.before().and_then(Token::word) == Some("%") {
+                    return Err(Obstacle::Unclear("a remainder"));
+                }
                 if token.number().is_some() && cursor.before().is_some_and(|before| before.number().is_some()) {
                     return Err(Obstacle::Unclear("two numbers side by side"));
                 }
@@ -285,7 +294,16 @@ impl<'b> Evaluator<'b> {
 
     fn quotient(&mut self, above: Value, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
         let (next, _) = cursor.look(cursor.at);
-        let divisor = self.signed(cursor)?;
+        let mut divisor = self.signed(cursor)?;
+        while let Some(token) = cursor.peek().filter(|token| self.follows_stroke(token, &divisor)) {
+            self.noticed.note(Reading::ALL_BELOW);
+            if !self.chosen(Reading::ALL_BELOW) {
+                break;
+            }
+            let factor = self.factor(cursor)?;
+            let is_unit = factor.literal == Literal::Unit;
+            divisor = divisor.times(&factor, None, !is_unit && token.number().is_none())?;
+        }
         let number = next.and_then(Token::number).and_then(Printed::read);
         if let Some(number) =
             number.filter(|_| divisor.literal == Literal::Number && divisor.has_unit && !above.has_unit)
@@ -299,6 +317,16 @@ impl<'b> Evaluator<'b> {
             }
         }
         above.over(&divisor)
+    }
+
+    /// Whether a token behind a divisor may still be below the stroke.
+    fn follows_stroke(&self, token: &Token, divisor: &Value) -> bool {
+        let starts = match &token.kind {
+            Kind::Name(_) | Kind::Function(_) | Kind::Root(..) => true,
+            Kind::Operator(c) => "([√".contains(*c),
+            _ => false,
+        };
+        starts && divisor.literal != Literal::Unit
     }
 
     /// Whether what is in the brackets ahead only repeats the value in another unit, or is the number of an equation.
@@ -326,6 +354,15 @@ impl<'b> Evaluator<'b> {
                 return Ok(true);
             }
             return Ok(false);
+        }
+        if let [Token { kind: Kind::Number(_), .. }, percent] = core.as_slice()
+            && percent.word() == Some("%")
+            && ends
+            && value.literal == Literal::Number
+        {
+            // A count with its share.
+            *cursor = ahead;
+            return Ok(true);
         }
         if ends && core.iter().any(|token| token.word() == Some("%")) {
             let (noticed, used) = (self.noticed, self.used.len());

@@ -38,6 +38,12 @@ impl Evaluator<'_> {
                 x = x.scaled(PI / 180.0);
             }
         }
+        if function == Function::Log {
+            self.noticed.note(Reading::NATURAL);
+            if self.chosen(Reading::NATURAL) {
+                function = Function::Ln;
+            }
+        }
         let result = on_interval(function, x).filter(|result| result.is_finite());
         let result = result.ok_or(Obstacle::Unclear("a function outside its domain"))?;
         let mut value = Value { operations: argument.operations + 1, bound: argument.bound, ..Value::of(result) };
@@ -132,8 +138,8 @@ fn on_interval(function: Function, x: Interval) -> Option<Interval> {
         Function::Arccos => inside(x)?.through(libm::acos),
         Function::Arctan => x.through(libm::atan),
         Function::Ln if x.low > 0.0 => x.through(libm::log),
-        Function::Log if x.low > 0.0 => x.through(libm::log10),
-        Function::Ln | Function::Log => return None,
+        Function::Log | Function::Lg if x.low > 0.0 => x.through(libm::log10),
+        Function::Ln | Function::Log | Function::Lg => return None,
         Function::Exp => x.through(libm::exp),
         Function::Sinh => x.through(libm::sinh),
         Function::Tanh => x.through(libm::tanh),

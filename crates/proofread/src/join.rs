@@ -4,12 +4,14 @@
 //! no scripts, accents, groups without meaning and tables any more: a letter has its subscript in its name, and an exponent is
 //! a [`Kind::Power`] behind what it belongs to.
 
+use crate::columns;
+use crate::pieces::{self, column, prefixed};
 use crate::token::{Function, Kind, Span, Token, any, show, trimmed};
-use crate::unit;
 
 /// Joins the tokens of a formula.
 pub(crate) fn joined(tokens: &[Token]) -> Vec<Token> {
     let rows = rows(tokens);
+    let rows = columns::read_down(&rows).unwrap_or(rows);
     merged(flat(&rows))
 }
 
@@ -158,10 +160,17 @@ fn scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token>) {
     if let [Token { kind: Kind::Function(function), .. }] = base {
         let of = name_of(sub);
         out.push(match (function, of.as_str()) {
-            (Function::Log, "10") => Token::new(Kind::Function(Function::Log), span),
+            (Function::Log, "10") => Token::new(Kind::Function(Function::Lg), span),
             (Function::Log, "e") => Token::new(Kind::Function(Function::Ln), span),
             _ => unknown("a function with a subscript", span),
         });
+        return;
+    }
+    if let Some(unit) = pieces::with_subscript(base, &name_of(sub)) {
+        out.push(Token::new(Kind::Word(unit.to_owned()), span));
+        if !sup.is_empty() {
+            out.push(Token::new(Kind::Power(inside(sup)), span));
+        }
         return;
     }
     let strange = |token: &Token| matches!(token.kind, Kind::Operator(c) if !"Δ∇".contains(c));
@@ -236,6 +245,10 @@ fn groups_of_three(text: &str) -> bool {
     (1..=3).contains(&first.len()) && first != "0" && !text.contains('.') && groups.all(|group| group.len() == 3)
 }
 
+fn starts_with_three(text: &str) -> bool {
+    text.split(['.', ',']).next().is_some_and(|first| first.len() == 3)
+}
+
 /// Joins numbers that were split.
 fn numbers(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
@@ -258,11 +271,18 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
                 Some((2, format!("{before}.{text}")))
             }
             [.., Token { kind: Kind::Number(before), .. }, comma]
-                if comma.is(',')
-                    && groups_of_three(before)
-                    && text.split(['.', ',']).next().is_some_and(|first| first.len() == 3) =>
+                if comma.is(',') && groups_of_three(before) && starts_with_three(text) =>
             {
                 Some((2, format!("{before},{text}")))
+            }
+            // Thousands that narrow space parts: 12 000.
+            [.., Token { kind: Kind::Number(before), .. }, Token { kind: Kind::Space(0..=5), .. }]
+                if groups_of_three(before) && starts_with_three(text) =>
+            {
+                Some((2, format!("{before},{text}")))
+            }
+            [.., Token { kind: Kind::Number(before), .. }] if groups_of_three(before) && starts_with_three(text) => {
+                Some((1, format!("{before},{text}")))
             }
             [.., Token { kind: Kind::Number(before), .. }] if text.starts_with('.') && !before.contains('.') => {
                 Some((1, format!("{before}{text}")))
@@ -283,18 +303,7 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
 
 /// Joins what belongs to one unit or one name.
 fn merged(tokens: Vec<Token>) -> Vec<Token> {
-    let mut tokens = numbers(tokens);
-    let mut split = Vec::with_capacity(tokens.len());
-    for token in tokens.drain(..) {
-        match token.word().and_then(unit::pair) {
-            Some((one, other)) if !matches!(token.word(), Some("Wh" | "Ah")) => {
-                split.push(Token::new(Kind::Word(one.to_owned()), token.span));
-                split.push(Token::new(Kind::Word(other.to_owned()), token.span));
-            }
-            _ => split.push(token),
-        }
-    }
-    let tokens = split;
+    let tokens = pieces::split(pieces::bracketed(numbers(tokens)));
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
@@ -313,12 +322,17 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
             _ => "",
         };
         let is_word = token.word().is_some();
-        let follows_number = || {
-            let before = out.iter().rev().find(|token| !token.is_space());
-            before.is_some_and(|token| matches!(token.kind, Kind::Number(_) | Kind::Power(_)))
-        };
         let combined = match text {
-            "Ω" if !is_word && follows_number() => Some((Kind::Word("Ω".to_owned()), at, token.span)),
+            "Ω" if !is_word && pieces::takes_unit(&out) => Some((Kind::Word("Ω".to_owned()), at, token.span)),
+            "e" | "E" => {
+                let (number, used) = pieces::power_of_ten(&tokens[at..], &out);
+                out.extend(number);
+                if used > 0 {
+                    at += used;
+                    continue;
+                }
+                None
+            }
             "μ" | "k" | "M" | "n" | "m" | "G" | "p" | "c" => {
                 prefixed(token, text, next(if text == "μ" { 3 } else { 0 }), &out)
             }
@@ -342,6 +356,11 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
             at = last + 1;
             continue;
         }
+        if pieces::is_product(&tokens, at) {
+            out.push(Token::new(Kind::Operator('·'), token.span));
+            at += 1;
+            continue;
+        }
         let abbreviated = token.is('.')
             && out.last().is_some_and(|last| last.word() == Some("in"))
             && tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
@@ -357,43 +376,6 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
         at += 1;
     }
     out
-}
-
-/// A length of mercury or water as a pressure: cm Hg, inches of mercury.
-fn column(tokens: &[Token], at: usize, length: &str) -> Option<(Kind, usize, Span)> {
-    let words = tokens.iter().enumerate().skip(at + 1).filter(|(_, token)| !token.is_space() && !token.is('.'));
-    let mut words = words.filter(|(_, token)| token.word() != Some("of"));
-    let (last, next) = words.next()?;
-    let of = match next.word()? {
-        "Hg" | "mercury" => "Hg",
-        "water" => "water",
-        _ => return None,
-    };
-    let length = if length.starts_with("in") { "in" } else { length };
-    Some((Kind::Word(format!("{length}{of}")), last, next.span))
-}
-
-/// A prefix and its unit, which stand apart.
-fn prefixed(token: &Token, text: &str, next: Option<(&Token, usize)>, out: &[Token]) -> Option<(Kind, usize, Span)> {
-    let (next, at) = next?;
-    let is_word = token.word().is_some();
-    let unit = match &next.kind {
-        Kind::Word(unit) => unit,
-        Kind::Name(unit) if text == "μ" && !is_word => unit,
-        _ => return None,
-    };
-    if !is_word && text != "μ" {
-        return None;
-    }
-    let before = out.iter().rev().find(|token| !token.is_space());
-    let follows = before.is_some_and(|before| match before.kind {
-        Kind::Number(_) | Kind::Power(_) | Kind::Fraction(..) => true,
-        Kind::Operator(c) => ")/]".contains(c),
-        _ => false,
-    });
-    let follows = follows || out.last().is_none_or(Token::is_space);
-    let takes = unit::takes_prefix(unit) && (unit != "g" || text == "μ") && (follows || unit == "g");
-    takes.then(|| (Kind::Word(format!("{text}{unit}")), at, next.span))
 }
 
 /// Whether letters that have no value are among the tokens.

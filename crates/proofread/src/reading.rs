@@ -27,6 +27,18 @@ impl Reading {
     pub const ONE_BELOW: Self = Self(1 << 8);
     /// A unit counts as one, so that only numbers are compared.
     pub const NUMBERS: Self = Self(1 << 9);
+    /// Everything that follows a stroke without a sign between is below it: `1/2π` is 1 over 2π.
+    pub const ALL_BELOW: Self = Self(1 << 10);
+    /// Electrons, protons and ions count as their charge.
+    pub const CHARGES: Self = Self(1 << 11);
+    /// Pounds and ounces are a mass, not a force.
+    pub const POUNDS: Self = Self(1 << 12);
+    /// A logarithm without a base is the natural one.
+    pub const NATURAL: Self = Self(1 << 13);
+    /// A percentage that is added is one of what stands before it.
+    pub const PERCENT: Self = Self(1 << 14);
+    /// A hertz is a turn in a second, 2π in angular measure.
+    pub const CYCLES: Self = Self(1 << 15);
 
     /// Whether all choices of another set are in this one.
     pub fn has(self, other: Self) -> bool {
@@ -63,7 +75,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 9] = [
+        const WORDS: [(Reading, &str); 15] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -73,6 +85,12 @@ impl Reading {
             (Reading::DOSE, "rad as the unit of a dose"),
             (Reading::TAG, "the number of an equation at the end"),
             (Reading::ONE_BELOW, "one unit below the stroke"),
+            (Reading::ALL_BELOW, "all factors behind the stroke below it"),
+            (Reading::CHARGES, "particles counted as their charge"),
+            (Reading::POUNDS, "pounds as a mass"),
+            (Reading::NATURAL, "natural logarithms"),
+            (Reading::CYCLES, "a hertz as a turn in a second"),
+            (Reading::PERCENT, "a percentage of what stands before it"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()
     }

@@ -1,6 +1,9 @@
 //! What the text around a formula says about it.
 
-use crate::token::Span;
+use crate::join::joined;
+use crate::reader::running;
+use crate::token::{Kind, Span, Token};
+use crate::unit::unit;
 
 /// Most bytes of text that are looked at on each side.
 const NEAR: usize = 160;
@@ -66,6 +69,16 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
     DENIALS.iter().any(|denial| rest.contains(denial))
 }
 
+/// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.
+pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
+    let (before, after) = around(text, span);
+    let words = format!("{before} {after}").to_lowercase();
+    let mut words = words.split(|c: char| !c.is_alphabetic());
+    words.any(|word| {
+        ["scale", "scaled", "map", "represents", "represent", "drawing", "drawn", "corresponds"].contains(&word)
+    })
+}
+
 /// Whether only marks of formulas and space are between two places.
 pub(crate) fn adjoin(text: &str, first: Span, second: Span) -> bool {
     let between = text.get(first.end as usize..second.start as usize).unwrap_or("…");
@@ -76,4 +89,88 @@ pub(crate) fn adjoin(text: &str, first: Span, second: Span) -> bool {
     // The name and the equals sign of the second formula are between, too.
     let words = plain.split(|c: char| !c.is_alphanumeric()).filter(|word| word.chars().count() > 3).count();
     words == 0 && !plain.contains(['.', ';', ':']) && plain.matches('\n').count() <= 2
+}
+
+/// The text behind a place, without marks of formulas and tags at its start.
+fn behind(text: &str, span: Span) -> &str {
+    let start = text.len().min(span.end as usize);
+    let mut end = text.len().min(start + NEAR);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    text.get(start..end).unwrap_or_default()
+}
+
+/// The unit in running text directly behind a formula, as tokens; none if there is none.
+pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
+    let rest = behind(text, span);
+    let rest = rest.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}', '\u{2009}']).trim_start_matches("\\,");
+    let end = rest.find(|c: char| c.is_whitespace() || ",;:<$\\".contains(c)).unwrap_or(rest.len());
+    let word = rest[..end].trim_end_matches(['.', ')', '!', '?', '"', '*', '_']);
+    let mut tokens = joined(&running(word, span.end as usize));
+    let is_unit = |token: &Token| match &token.kind {
+        Kind::Word(word) => unit(word).is_some() || ["thousand", "million", "billion"].contains(&word.as_str()),
+        Kind::Power(_) | Kind::Operator('/' | '·') => true,
+        _ => false,
+    };
+    let first_is_word = tokens.first().is_some_and(|token| token.word().is_some());
+    if !first_is_word || !tokens.iter().all(is_unit) {
+        return Vec::new();
+    }
+    tokens.insert(0, Token::new(Kind::Space(2), span));
+    tokens
+}
+
+/// Words that say which way a quantity points, so that its sign may be left out.
+const DIRECTIONS: [&str; 34] = [
+    "left",
+    "right",
+    "up",
+    "down",
+    "upward",
+    "upwards",
+    "downward",
+    "downwards",
+    "north",
+    "south",
+    "east",
+    "west",
+    "inward",
+    "inwards",
+    "outward",
+    "outwards",
+    "backward",
+    "backwards",
+    "forward",
+    "forwards",
+    "below",
+    "above",
+    "opposite",
+    "clockwise",
+    "counterclockwise",
+    "anticlockwise",
+    "toward",
+    "towards",
+    "away",
+    "behind",
+    "downhill",
+    "released",
+    "lost",
+    "deceleration",
+];
+
+/// Whether the words just behind a place name a direction.
+pub(crate) fn names_direction(text: &str, span: Span) -> bool {
+    let rest = behind(text, span);
+    let near: String = rest.chars().take(70).collect();
+    // The commands \left and \right are no words, nor are attributes of tags.
+    let mut outside = String::new();
+    let mut skipped = false;
+    for c in without_tags(&near).chars() {
+        skipped = if c == '\\' { true } else { skipped && c.is_ascii_alphabetic() };
+        outside.push(if skipped { ' ' } else { c });
+    }
+    let outside = outside.trim_start_matches(['}', '$', ')', ']', ',', ' ']);
+    let sentence = outside.split(['=', '$', ';']).next().unwrap_or_default();
+    sentence.split(|c: char| !c.is_alphabetic()).any(|word| DIRECTIONS.contains(&word))
 }

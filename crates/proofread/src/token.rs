@@ -60,6 +60,8 @@ pub enum Function {
     Arctan,
     Ln,
     Log,
+    /// The logarithm to the base ten and no other.
+    Lg,
     Exp,
     Sinh,
     Cosh,
@@ -87,7 +89,7 @@ impl Function {
         ("cosh", Self::Cosh),
         ("tanh", Self::Tanh),
         ("tg", Self::Tan),
-        ("lg", Self::Log),
+        ("lg", Self::Lg),
     ];
 
     /// The function of this name.
@@ -202,18 +204,21 @@ impl Token {
     /// Changes where it and everything in it was written.
     pub(crate) fn place(&mut self, to: &dyn Fn(Span) -> Span) {
         self.span = to(self.span);
-        match &mut self.kind {
-            Kind::Fraction(a, b) | Kind::Root(a, b) | Kind::Limits(a, b) => place_all([a, b], to),
-            Kind::Scripts(a, b, c) => place_all([a, b, c], to),
-            Kind::Accent(a, _) | Kind::Group(a) | Kind::Power(a) => place_all([a], to),
-            Kind::Table(rows) => place_all(rows.iter_mut(), to),
-            _ => {}
-        }
+        self.kind.lists().into_iter().flatten().for_each(|token| token.place(to));
     }
 }
 
-fn place_all<'a>(lists: impl IntoIterator<Item = &'a mut Vec<Token>>, to: &dyn Fn(Span) -> Span) {
-    lists.into_iter().flatten().for_each(|token| token.place(to));
+impl Kind {
+    /// The lists of tokens inside it, to change them.
+    pub(crate) fn lists(&mut self) -> Vec<&mut Vec<Token>> {
+        match self {
+            Self::Fraction(a, b) | Self::Root(a, b) | Self::Limits(a, b) => vec![a, b],
+            Self::Scripts(a, b, c) => vec![a, b, c],
+            Self::Accent(a, _) | Self::Group(a) | Self::Power(a) => vec![a],
+            Self::Table(rows) => rows.iter_mut().collect(),
+            _ => Vec::new(),
+        }
+    }
 }
 
 /// The tokens without space at either end.
@@ -262,7 +267,8 @@ pub fn show(tokens: &[Token]) -> String {
 
 fn show_into(tokens: &[Token], out: &mut String) {
     let bracketed = |inner: &[Token], out: &mut String| {
-        let signed = matches!(inner, [sign, _] if sign.is_one_of("+-"));
+        let signed =
+            matches!(inner, [sign, Token { kind: Kind::Number(_) | Kind::Name(_), .. }] if sign.is_one_of("+-"));
         let plain = inner.len() <= 1 || signed;
         out.push_str(if plain { "" } else { "(" });
         show_into(inner, out);

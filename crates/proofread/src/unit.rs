@@ -68,6 +68,7 @@ const PRESSURE: [i32; 7] = [-1, 1, -2, 0, 0, 0, 0];
 const CHARGE: [i32; 7] = [0, 0, 1, 1, 0, 0, 0];
 const FIELD: [i32; 7] = [0, 1, -2, -1, 0, 0, 0];
 const DOSE: [i32; 7] = [2, 0, -2, 0, 0, 0, 0];
+const CONCENTRATION: [i32; 7] = [-3, 0, 0, 0, 0, 1, 0];
 const KELVIN: [i32; 7] = [0, 0, 0, 0, 1, 0, 0];
 const PLAIN: [i32; 7] = [0; 7];
 
@@ -118,13 +119,15 @@ const WHOLE: &[Row] = &[
     ("amp amps ampere amperes", 1.0, [0, 0, 0, 1, 0, 0, 0]),
     ("kelvin kelvins", 1.0, KELVIN),
     ("mole moles", 1.0, [0, 0, 0, 0, 0, 1, 0]),
-    ("cd", 1.0, [0, 0, 0, 0, 0, 0, 1]),
+    ("cd lm", 1.0, [0, 0, 0, 0, 0, 0, 1]),
+    ("lx", 1.0, [-2, 0, 0, 0, 0, 0, 1]),
     ("newton newtons", 1.0, FORCE),
     ("joule joules Joule Joules", 1.0, ENERGY),
     ("watt watts", 1.0, POWER),
     ("volt volts", 1.0, [2, 1, -3, -1, 0, 0, 0]),
-    ("liter liters litre litres", 1e-3, VOLUME),
-    ("Å", 1e-10, LENGTH),
+    ("liter liters litre litres ℓ", 1e-3, VOLUME),
+    ("mℓ", 1e-6, VOLUME),
+    ("Å angstrom angstroms", 1e-10, LENGTH),
     ("fm", 1e-15, LENGTH),
     ("b", 1e-28, AREA),
     ("Da u amu", DALTON, MASS),
@@ -135,7 +138,7 @@ const WHOLE: &[Row] = &[
     ("week weeks wk", 604_800.0, TIME),
     ("y yr year years", 3.155_76e7, TIME),
     (
-        "rad sr turns photons photon atoms atom molecules electrons electron particles decays fissions protons nuclei people \
+        "rad sr turns photons photon atoms atom molecules electrons electron particles decays fissions proton protons ion nuclei people \
          loops passes lines events ions slits cycles cycle fringes reactions nucleons layers pulses times beats Np deuterons \
          flashes orbits windings bulbs cars halflives wt dB",
         1.0,
@@ -145,7 +148,7 @@ const WHOLE: &[Row] = &[
     ("rpm", 2.0 * PI / 60.0, RATE),
     ("° degree degrees", PI / 180.0, PLAIN),
     ("arcsec", PI / 180.0 / 3600.0, PLAIN),
-    ("%", 0.01, PLAIN),
+    ("% percent", 0.01, PLAIN),
     ("ppm", 1e-6, PLAIN),
     ("$", 1.0, PLAIN),
     ("cents", 0.01, PLAIN),
@@ -156,7 +159,10 @@ const WHOLE: &[Row] = &[
     ("cmwater", 98.0665, PRESSURE),
     ("mmwater", 9.806_65, PRESSURE),
     ("psi", 6894.757, PRESSURE),
-    ("lb lbs", 4.448_221_6, FORCE),
+    ("ksi", 6.894_757e6, PRESSURE),
+    ("lb lbs lbf", 4.448_221_6, FORCE),
+    ("kip kips", 4448.2216, FORCE),
+    ("kgf kp", 9.806_65, FORCE),
     ("lbm", 0.453_592_37, MASS),
     ("slug slugs", 14.5939, MASS),
     ("oz", 0.028_349_5, MASS),
@@ -179,6 +185,17 @@ const WHOLE: &[Row] = &[
     ("Btu BTU", 1055.06, ENERGY),
     ("Cal kcal", 4186.0, ENERGY),
     ("kWh", 3.6e6, ENERGY),
+    ("MWh", 3.6e9, ENERGY),
+    ("GWh", 3.6e12, ENERGY),
+    ("TWh", 3.6e15, ENERGY),
+    ("mAh", 3.6, CHARGE),
+    ("kVA", 1e3, POWER),
+    ("M", 1e3, CONCENTRATION),
+    ("mM", 1.0, CONCENTRATION),
+    ("μM", 1e-3, CONCENTRATION),
+    ("M⊙", 1.988e30, MASS),
+    ("R⊙", 6.957e8, LENGTH),
+    ("L⊙", 3.828e26, POWER),
     ("Mev", 1e6 * EV, ENERGY),
     ("e", EV, CHARGE),
     ("Gs", 1e-4, FIELD),

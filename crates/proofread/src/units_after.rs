@@ -93,6 +93,28 @@ impl Evaluator<'_> {
                 }
                 all.angle = all.angle.or(Some(Angle::Radians));
             }
+            "electron" | "electrons" | "proton" | "protons" | "ion" | "ions" => {
+                self.noticed.note(Reading::CHARGES);
+                if self.chosen(Reading::CHARGES)
+                    && let Some(charge) = unit("e")
+                {
+                    one = charge;
+                }
+            }
+            "Hz" | "kHz" => {
+                self.noticed.note(Reading::CYCLES);
+                if self.chosen(Reading::CYCLES) {
+                    one.factor *= 2.0 * PI;
+                }
+            }
+            "lb" | "lbs" => {
+                self.noticed.note(Reading::POUNDS);
+                if self.chosen(Reading::POUNDS)
+                    && let Some(mass) = unit("lbm")
+                {
+                    one = mass;
+                }
+            }
             "°C" | "°F" => {
                 self.noticed.note(Reading::POINTS);
                 all.scale = word.chars().last();

@@ -1,6 +1,7 @@
 //! Two neighbouring sides compared under every reading that makes a difference.
 
 use crate::chain::Relation;
+use crate::customs;
 use crate::evaluate::{Bindings, Evaluator};
 use crate::interval::Interval;
 use crate::printed::Mode;
@@ -99,6 +100,14 @@ pub(crate) struct Judgement {
     pub used: Vec<String>,
 }
 
+impl Judgement {
+    /// Whether its sides are nearer to each other than those of another reading.
+    fn is_nearer(&self, other: &Self) -> bool {
+        let apart = |of: &Self| of.values.as_ref().map_or(f64::INFINITY, |(left, right)| left.difference(right));
+        apart(self) < 0.999 * apart(other)
+    }
+}
+
 /// Most choices that are made at once.
 const MOST_CHOICES: u32 = 4;
 
@@ -120,8 +129,10 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
         for numbers in [Reading::USUAL, Reading::NUMBERS] {
             match pair.compare(reading.with(numbers)) {
                 Ok(Some(found)) => {
-                    let better = best.as_ref().is_none_or(|best| found.verdict < best.verdict);
-                    if better {
+                    let better = |best: &Judgement| {
+                        found.verdict < best.verdict || (found.verdict == best.verdict && found.is_nearer(best))
+                    };
+                    if best.as_ref().is_none_or(better) {
                         best = Some(found);
                     }
                 }
@@ -135,6 +146,13 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
         if best.as_ref().is_some_and(|best| best.verdict == Verdict::Consistent) || tried.len() > 64 {
             break;
         }
+    }
+    if let Some(best) = &mut best
+        && let Some(values) = &best.values
+        && best.verdict > Verdict::Units
+        && customs::corresponds(left, right, values)
+    {
+        best.verdict = Verdict::Doubtful;
     }
     best.unwrap_or_else(|| {
         let mixed = obstacle == Some(Obstacle::MixedSum);
@@ -212,13 +230,9 @@ impl Pair<'_> {
         let same = points[0].dimension == points[1].dimension;
         let zero = points.iter().any(Value::is_zero_at_point);
         if !same && !numbers && !zero {
-            if points[0].has_unit != points[1].has_unit {
-                let [left, right] = self.both(Mode::Strict, literal, reading)?;
-                if left.meets(&right, 0.0) {
-                    return Ok(judgement(Verdict::Units));
-                }
-            }
-            return Ok(None);
+            // A factor without its unit leaves the number in base units of the SI.
+            let [left, right] = self.both(Mode::Strict, literal, reading)?;
+            return Ok(left.meets(&right, 0.0).then(|| judgement(Verdict::Units)).flatten());
         }
         if numbers && !points.iter().any(|point| point.has_unit) {
             return Ok(None);
@@ -243,6 +257,16 @@ impl Pair<'_> {
         if agrees {
             return Ok(fine(Verdict::Consistent));
         }
+        if customs::lacks_degrees(left, right) {
+            return Ok(judgement(Verdict::Doubtful));
+        }
+        let loose = customs::looseness(self.sides[0], self.sides[1]);
+        if loose > 0.0 && left.meets(right, loose) {
+            return Ok(fine(Verdict::Rounded));
+        }
+        if is_continued(left, right) {
+            return Ok(judgement(Verdict::Doubtful));
+        }
         if self.inverse
             && let Some(verdict) = angles(&strict, &points, reading)
         {
@@ -251,13 +275,29 @@ impl Pair<'_> {
         if left.meets(right, 0.0) && is_likely(&strict, &points, literal, true) {
             return Ok(fine(Verdict::Rounded));
         }
-        let cut = (literal == [false, true] && is_cut(&points[0], right))
-            || (literal == [true, false] && is_cut(&points[1], left));
+        let near = (literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left));
+        // Three digits behind ≈ are meant to be right.
+        let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) };
+        let rough = !exact || (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
+        let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
+        let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
+        if self.relation == Relation::Approximate && rounds_to_one {
+            return Ok(fine(Verdict::Approximate));
+        }
+        if self.relation == Relation::Approximate && rough && lenient[0].meets(&lenient[1], 0.05) {
+            return Ok(fine(Verdict::Approximate));
+        }
+        let fewer = |one: &Value, other: &Value| one.parts.pairs(&other.parts).all(|(a, b)| a.half() < b.half());
+        let cut = match literal {
+            [false, true] => is_cut(&points[0], right),
+            [true, false] => is_cut(&points[1], left),
+            [true, true] => {
+                (fewer(left, right) && is_cut(&points[0], right)) || (fewer(right, left) && is_cut(&points[1], left))
+            }
+            [false, false] => false,
+        };
         if cut {
             return Ok(fine(Verdict::Truncated));
-        }
-        if self.relation == Relation::Approximate && lenient[0].meets(&lenient[1], 0.05) {
-            return Ok(fine(Verdict::Approximate));
         }
         if lenient[0].meets(&lenient[1], 0.0) && is_likely(&lenient, &points, literal, false) {
             return Ok(judgement(if by_numbers { Verdict::Units } else { Verdict::Doubtful }));
@@ -266,8 +306,7 @@ impl Pair<'_> {
             return Ok(judgement(Verdict::Dimensions));
         }
         // What the steps would allow, but not likely, is more than a digit.
-        let near = !left.meets(right, 0.0);
-        let near = near && ((literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left)));
+        let near = near && !left.meets(right, 0.0);
         Ok(judgement(if near { Verdict::LastDigit } else { Verdict::Inconsistent }))
     }
 }
@@ -308,8 +347,27 @@ fn angles([left, right]: &[Value; 2], points: &[Value; 2], reading: Reading) -> 
     if left.clone().negated().meets(right, 0.0) {
         return Some(Verdict::Doubtful);
     }
+    // The other angle with the same sine or cosine.
+    let turned = left.clone().negated();
+    let other = |by: f64| Value { parts: turned.parts.map(|part| part.moved(by)), ..turned.clone() };
+    if other(PI).meets(right, 0.0) || other(2.0 * PI).meets(right, 0.0) {
+        return Some(Verdict::Doubtful);
+    }
     let moved = |by: f64| Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() };
     [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(Verdict::Rounded)
+}
+
+/// Whether the left side may be the end of a vector that began in another formula: it lacks components that the right side
+/// has, and those that it has agree.
+fn is_continued(left: &Value, right: &Value) -> bool {
+    let (mine, its) = (&left.parts.0[1..], &right.parts.0[1..]);
+    let lacks = mine.iter().zip(its).any(|(a, b)| a.is_none() && b.is_some());
+    let fits = mine.iter().zip(its).all(|(a, b)| match (a, b) {
+        (Some(a), Some(b)) => a.meets(*b, 0.0),
+        (Some(_), None) => false,
+        _ => true,
+    });
+    left.parts.is_vector() && lacks && fits
 }
 
 /// Whether cutting `computed` off gives the printed digits.
@@ -319,6 +377,11 @@ fn is_cut(computed: &Value, printed: &Value) -> bool {
         let beyond = computed.point.abs() - size;
         open > 0.0 && computed.point * printed.point >= 0.0 && beyond >= -1e-9 * size && beyond < open
     })
+}
+
+/// Whether a printed result has three digits or more.
+fn is_exact(printed: &Value) -> bool {
+    printed.parts.0.iter().flatten().all(|part| part.half() > 0.0 && part.half() < 0.005 * part.point.abs())
 }
 
 /// Whether a computed value is within one more unit of the last printed digit.

@@ -27,6 +27,14 @@ fn the_place_is_the_printed_result() {
         ("<p>A &lt; B <math><mn>2</mn><mo>+</mo><mn>2<mo>=</mo><mn>5</mn></p>", Format::Html, "5"),
         (r"<p>With MathJax: \(2 + 2 = 5\)</p>", Format::Html, "5"),
         (r#"{"cells":[{"cell_type":"markdown","source":["é\n","$2 + 2 = 5$"]}]}"#, Format::Notebook, "5"),
+        ("<p>It is <m>2 + 2 = 5</m> here.</p>", Format::Xml, "5"),
+        ("<md><mrow>x &amp;= 2 + 2</mrow><intertext>so</intertext><mrow>\\amp= 5</mrow></md>", Format::Xml, "5"),
+        ("<macros>\\newcommand{\\kN}{\\,\\mathrm{kN}}</macros><me>2\\kN + 2\\kN = 5\\kN</me>", Format::Xml, "5"),
+        (
+            r#"{"worksheets":[{"cells":[{"cell_type":"markdown","source":["$2 + 2 = 5$"]}]}],"nbformat":3}"#,
+            Format::Notebook,
+            "5",
+        ),
         ("2 + 2 = 5\n", Format::Plain, "5"),
         ("E = 1.5e-3 * 2.00 = 4.1e-3", Format::Plain, "4.1e-3"),
     ] {
@@ -45,6 +53,10 @@ fn code_and_comments_are_no_formulas() {
         (r"\begin{verbatim} $2 + 2 = 5$ \end{verbatim}", Format::Latex),
         ("<!-- <math><mn>2</mn><mo>=</mo><mn>5</mn></math> -->", Format::Html),
         ("<pre>\\(2 + 2 = 5\\)</pre>", Format::Html),
+        ("<md><mrow>2 + 2</mrow><intertext>= 5</intertext></md>", Format::Xml),
+        ("<p><m>2 + 2 = 5 and no end", Format::Xml),
+        ("<p><m>2 + <fillin/> = 5</m></p>", Format::Xml),
+        (r#"{"worksheets":[{"cells":[{"cell_type":"code","input":"$2 + 2 = 5$"}]}]}"#, Format::Notebook),
         (r#"{"cells":[{"cell_type":"code","source":"$2 + 2 = 5$"}]}"#, Format::Notebook),
     ] {
         assert_eq!(wrong(text, format), [""; 0], "{text}");
@@ -77,6 +89,11 @@ fn formulas_that_go_on_outside_are_not_judged_by_half() {
 fn equations_side_by_side_are_told_apart() {
     let text = r"\begin{align} a &= 1 + 1 = 2 & b &= 2 + 2 = 5 \end{align}";
     assert_eq!(wrong(text, Format::Latex), ["2 + 2 | 5"]);
+    // Each column goes on in the row below.
+    let text = r"\begin{align} a &= 1 + 2 & b &= 2 + 4 \\ &= 3 & &= 6 \\ &= 2 + 1 & &= 2 \cdot 4 \end{align}";
+    assert_eq!(wrong(text, Format::Latex), ["6 | 2·4"]);
+    let text = r"\begin{eqnarray} a & = & 1 + 2 \\ & = & 3 \\ & = & 5 \end{eqnarray}";
+    assert_eq!(wrong(text, Format::Latex), ["3 | 5"]);
 }
 
 #[test]

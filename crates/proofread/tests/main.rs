@@ -3,9 +3,14 @@
 mod chains;
 #[cfg(feature = "cli")]
 mod command;
+mod commas;
+mod customs;
 mod formats;
 mod fuzz;
 mod judged;
+mod plain;
+mod readings;
+mod units;
 
 use proofread::{Follow, Format, List, Options, Report, proofread};
 

@@ -1,4 +1,5 @@
-//! With play between pin and slot: how the pin crosses the gap where the contact changes, and how hard it strikes.
+//! With play between pin and slot: how the pin crosses the gap where the contact changes, and how hard it strikes there and
+//! as the next pin enters.
 //!
 //! The model: in the steady motion without play the force between pin and slot is zero where the contact would change from
 //! the leading to the trailing flank. From there on nothing touches. The driver has the torque alone and the follower keeps
@@ -75,6 +76,47 @@ impl Crossing {
             energy,
             share: energy / work,
         }))
+    }
+}
+
+/// The blow with which a pin enters: the follower is at rest in the middle of its play, and nothing holds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EntryBlow {
+    /// How far the crank has turned past the entry when the pin meets the leading flank, in radians.
+    pub late: f64,
+    /// Speed with which pin and flank meet, across the slot, in crank radii per unit of time.
+    pub closing_speed: f64,
+    /// Kinetic energy that the blow takes, in the unit of the torque.
+    pub energy: f64,
+    /// That energy over the work of the torque from one pin to the next, dimensionless.
+    pub share: f64,
+}
+
+impl EntryBlow {
+    /// The blow of a pin that enters with the speed of the steady motion without play, for a play in crank radii: the width
+    /// of the slot less the diameter of the pin.
+    ///
+    /// As it enters, the pin moves along the slot. When the crank has turned by τ more, sin τ of its speed is across the slot,
+    /// and it has crossed 1 − cos τ, which is half the play.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::OutOfRange`] for a play that is not between 0 and 1, and as for [`Engagement::steady_state`].
+    pub fn new(parameters: &Parameters, play: f64) -> Result<Self, Error> {
+        if !(play > 0.0 && play < 1.0) {
+            return Err(Error::OutOfRange { name: "play", asked: play, least: 0.0, most: 1.0 });
+        }
+        let (inertias, torque) = (parameters.inertias(), parameters.torque());
+        let half = parameters.mechanism().engagement_half_angle();
+        let cosine = 1.0 - play / 2.0;
+        let (late, across) = (libm::acos(cosine), (1.0 - cosine * cosine).sqrt());
+        let entry = Engagement::new(parameters)?.steady_state()?.entry_speed;
+        let square = entry * entry + 2.0 * torque / inertias.driver() * late;
+        // The pin has gone inwards by sin τ, so the flank's arm is that much shorter.
+        let flank = parameters.pose(half).square.sqrt() - across;
+        let mobility = flank * flank / inertias.follower() + across * across / inertias.driver();
+        let energy = 0.5 * across * across * square / mobility;
+        Ok(Self { late, closing_speed: across * square.sqrt(), energy, share: energy / (torque * 2.0 * half) })
     }
 }
 

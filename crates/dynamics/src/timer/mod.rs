@@ -7,7 +7,7 @@
 mod crossing;
 pub mod runaway;
 
-pub use crossing::Crossing;
+pub use crossing::{Crossing, EntryBlow};
 
 use crate::steady::Engagement;
 use crate::{Error, Inertias, Parameters};

@@ -88,8 +88,7 @@ fn four_slots(_: i64) -> Moment<Expression> {
     let [distance, driver] = from_fn(Expression::variable);
     let half = Expression::root() / 2;
     let eighth = Turn { cos: half, sin: half };
-    let Moving { triangle, speeds: [_, wheel], .. } =
-        Moving::of(Triangle::new(distance, eighth.clone(), eighth), driver);
+    let Moving { triangle, speeds: [_, wheel], .. } = Moving::of(Triangle::new(distance, eighth, eighth), driver);
     Moment::default()
         .with([("R", triangle.crank_radius), ("l", distance)])
         .giving(r"\sqrt{2}", Expression::root())

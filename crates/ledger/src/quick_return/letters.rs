@@ -34,7 +34,7 @@ fn sizes(_: i64) -> Moment<Expression> {
     let [half_lever, gap, ground, speed] = from_fn(Expression::variable);
     let [crank, lever] = [half_lever + gap, half_lever].map(|half| Turn::from_half_tangent(&half));
     let one = Expression::ONE;
-    let Triangle { crank_radius, slot_radius, .. } = Triangle::new(one, crank.supplement(), lever.clone());
+    let Triangle { crank_radius, slot_radius, .. } = Triangle::new(one, crank.supplement(), lever);
     let place = pin_path(&crank_radius, &one, &crank.moving::<3>(one));
     let rates = polar_rates(&one, &crank_radius, &crank, &Drive::steady(one)).expect("the pin is off the pivot");
     // The pin as seen from the lever, and the lever's point under the pin.

@@ -7,7 +7,7 @@ use crate::numbers::fixed;
 use crate::rows::{parameters, weakest as weakest_of};
 use anyhow::Context;
 use geneva_dynamics::existence::critical_friction;
-use geneva_dynamics::timer::{Accelerations, Crossing, Sensitivities};
+use geneva_dynamics::timer::{Accelerations, Crossing, EntryBlow, Sensitivities};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::{least_braked, strongest, weakest};
 
@@ -18,8 +18,11 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("built.blow.share.four", || shares(Mechanism::FOUR_PIN)),
     ("built.blow.share.three", || shares(Mechanism::THREE_PIN)),
     ("built.blow.most", || {
-        let all = weakest().map(|row| Ok(100.0 * crossing(&parameters(row)?, PLAY)?.share));
-        Ok(format!("{}&nbsp;%", fixed(most(&all.collect::<anyhow::Result<Vec<_>>>()?), 1)))
+        let all = weakest().map(|row| {
+            let of = parameters(row)?;
+            Ok(100.0 * (crossing(&of, PLAY)?.share + EntryBlow::new(&of, PLAY)?.share))
+        });
+        Ok(format!("{}&nbsp;%", fixed(most(&all.collect::<anyhow::Result<Vec<_>>>()?), 0)))
     }),
     ("built.blow.half", || {
         let quotient = |row| {
@@ -28,6 +31,9 @@ pub const NUMBERS: &[(&str, Number)] = &[
         };
         over(weakest().map(quotient), 1)
     }),
+    ("built.entry.six", || entries(Mechanism::SIX_PIN)),
+    ("built.entry.four", || entries(Mechanism::FOUR_PIN)),
+    ("built.entry.three", || entries(Mechanism::THREE_PIN)),
     ("built.blow.speed.six", || speed(Mechanism::SIX_PIN)),
     ("built.blow.speed.four", || speed(Mechanism::FOUR_PIN)),
     ("built.blow.speed.three", || speed(Mechanism::THREE_PIN)),
@@ -71,6 +77,12 @@ fn crossing(of: &geneva_dynamics::Parameters, play: f64) -> anyhow::Result<Cross
 fn shares(mechanism: Mechanism) -> anyhow::Result<String> {
     let own = weakest().filter(|row| row.mechanism == mechanism);
     Ok(over(own.map(|row| Ok(100.0 * crossing(&parameters(row)?, PLAY)?.share)), 1)? + "&nbsp;%")
+}
+
+/// Part of a beat's work that the blow at entry takes, in per cent, over the frictions of a mechanism.
+fn entries(mechanism: Mechanism) -> anyhow::Result<String> {
+    let own = weakest().filter(|row| row.mechanism == mechanism);
+    Ok(over(own.map(|row| Ok(100.0 * EntryBlow::new(&parameters(row)?, PLAY)?.share)), 1)? + "&nbsp;%")
 }
 
 /// The greatest speed with which pin and flank meet, with the strongest springs of a mechanism, in m/s.

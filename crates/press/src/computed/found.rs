@@ -19,6 +19,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.new.places", || places(&new()?)),
     ("found.new.units", || unit_misprints()),
     ("found.new.hints", || hints(&new()?)),
+    ("found.hints", || hints_judged(|_| true)),
+    ("found.hints-right", || hints_judged(|right| right == Answer::Yes)),
     ("found.errata", || Ok(errata()?.len().to_string())),
     ("found.errata-found", || Ok(errata()?.iter().filter(|erratum| erratum.found != "no").count().to_string())),
     ("found.errata-numbers", || errata_of("number")),
@@ -32,6 +34,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.first.commas", || commas()),
     ("found.after.flags", || Ok(after()?.len().to_string())),
     ("found.after.real", || Ok(right(&after()?).to_string())),
+    ("found.after.precision", || Ok(precision(right(&after()?), after()?.len()))),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {
@@ -68,6 +71,13 @@ fn unit_misprints() -> anyhow::Result<String> {
 fn hints(flags: &[Flag]) -> anyhow::Result<String> {
     let with = flags.iter().filter(|flag| flag.judgement == Judgement::Real && !flag.hint.is_empty());
     Ok(with.count().to_string())
+}
+
+/// How many hints of misprints in all texts are such.
+fn hints_judged(such: fn(Answer) -> bool) -> anyhow::Result<String> {
+    let in_book = flags()?.into_iter().filter_map(|flag| flag.hint_right);
+    let elsewhere = contacts()?.into_iter().filter_map(|flag| flag.hint_right);
+    Ok(in_book.chain(elsewhere).filter(|right| such(*right)).count().to_string())
 }
 
 /// How many of the errata of a kind the program finds.

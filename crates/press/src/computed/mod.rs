@@ -14,7 +14,7 @@ mod never_printed;
 mod pin;
 mod program;
 mod quick_return;
-mod runs;
+pub mod runs;
 mod solver;
 mod terminal_speed;
 pub mod timer;

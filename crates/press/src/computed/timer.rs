@@ -207,3 +207,20 @@ fn averages() -> anyhow::Result<Vec<f64>> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_governed_speed_follows_the_torque_as_its_power_says() {
+        // The brake holds with ω² − 1, so the speed under a torque is the root of one more than it.
+        let speed = |torque: f64| (1.0 + torque).sqrt();
+        for beyond in [1.01, BEYOND, 2.0] {
+            let torque = beyond * beyond - 1.0;
+            let slope = libm::log(speed(torque * 1.0001) / speed(torque / 1.0001)) / (2.0 * libm::log(1.0001));
+            assert!((slope - governed(beyond)).abs() < 1e-7, "{beyond}: {slope}");
+            assert!(slope < 0.5);
+        }
+    }
+}

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
+/// How far behind a dollar sign inside braces the end of the formula is searched for, in bytes.
+pub(crate) const FARTHEST: usize = 500;
 
 /// Environments whose content is a display.
 pub(crate) const DISPLAYS: [&str; 12] = [
@@ -138,23 +140,31 @@ fn single(text: &str, at: usize) -> Option<(usize, usize, usize)> {
     if first.is_ascii_whitespace() {
         return None;
     }
-    let mut end = at + 1;
-    let mut lines = 0;
-    loop {
-        match *bytes.get(end)? {
-            b'\\' => end += 1,
-            b'$' => break,
-            b'\n' => {
+    let (mut end, mut lines, mut depth) = (at + 1, 0, 0usize);
+    // A mark inside braces belongs to text in the formula, unless no other one follows.
+    let mut inside = None;
+    let end = loop {
+        if inside.is_some_and(|inside| end > inside + FARTHEST) {
+            break inside?;
+        }
+        match bytes.get(end) {
+            Some(b'\\') => end += 1,
+            Some(b'{') => depth += 1,
+            Some(b'}') => depth = depth.saturating_sub(1),
+            Some(b'$') if depth == 0 => break end,
+            Some(b'$') => inside = inside.or(Some(end)),
+            Some(b'\n') => {
                 lines += 1;
                 let blank = bytes.get(end + 1..).is_some_and(|rest| rest.first() == Some(&b'\n'));
                 if blank || lines > 5 {
-                    return None;
+                    break inside?;
                 }
             }
-            _ => {}
+            Some(_) => {}
+            None => break inside?,
         }
         end += 1;
-    }
+    };
     let before = bytes.get(end - 1)?;
     let digit_behind = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
     (!before.is_ascii_whitespace() && !digit_behind && text.is_char_boundary(end)).then_some((1, end, 1))

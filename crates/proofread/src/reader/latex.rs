@@ -1,6 +1,6 @@
 //! Documents in LaTeX: their macros, and the formulas of their body.
 
-use super::delimited::DISPLAYS;
+use super::delimited::{DISPLAYS, FARTHEST};
 use super::tex::{self, Macro, Macros};
 use super::{Formula, Found};
 use crate::token::{Span, signs};
@@ -104,18 +104,27 @@ fn begin(
 fn until(text: &str, at: usize, open: usize, end: &str, scope: u32, macros: &Macros, each: &mut Found<'_>) -> usize {
     let start = at + open;
     let bytes = text.as_bytes();
-    let mut stop = start;
+    let (mut stop, mut depth, mut inside) = (start, 0usize, None);
     let close = loop {
         let Some(rest) = bytes.get(stop..).filter(|rest| !rest.is_empty() && stop - start < LONGEST) else {
-            break None;
+            break inside;
         };
+        if inside.is_some_and(|inside| stop > inside + FARTHEST) {
+            break inside;
+        }
+        // A dollar sign inside braces belongs to text in the formula, unless no other one follows.
         if rest.starts_with(end.as_bytes()) {
-            break Some(stop);
+            if depth == 0 || end != "$" {
+                break Some(stop);
+            }
+            inside = inside.or(Some(stop));
         }
         match rest[0] {
             b'\\' => stop += 2,
             // A blank line ends a formula that an author forgot to end.
-            b'\n' if rest.get(1) == Some(&b'\n') && end.starts_with('$') => break None,
+            b'\n' if rest.get(1) == Some(&b'\n') && end.starts_with('$') => break inside,
+            b'{' => (stop, depth) = (stop + 1, depth + 1),
+            b'}' => (stop, depth) = (stop + 1, depth.saturating_sub(1)),
             b'%' => stop += rest.iter().position(|c| *c == b'\n').unwrap_or(rest.len()).max(1),
             _ => stop += 1,
         }
@@ -159,7 +168,7 @@ fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros, 
 }
 
 /// The macros that the document defines; the last definition of a name counts.
-fn macros(text: &str) -> Macros {
+pub(crate) fn macros(text: &str) -> Macros {
     let mut out = Macros::new();
     let mut at = 0;
     while let Some(found) = text[at..].find('\\').map(|found| at + found) {

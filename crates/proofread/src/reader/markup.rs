@@ -1,6 +1,7 @@
 //! Tags of XML and HTML, read as they come: an end without a start, a bare `&` or an attribute without quotes stops nothing.
 
 use super::mathml;
+use super::pretext;
 use super::tex::{self, Macros};
 use super::{Formula, Found, delimited};
 use crate::token::{Sign, Span};
@@ -273,6 +274,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
     let mut scopes: Vec<(String, u32)> = Vec::new();
     // What has been said since the last formula of the paragraph, or nothing if there was none.
     let mut before = Before::default();
+    let mut macros = None;
     while let Some(tag) = next_tag(text, at) {
         if let Some(between) = text.get(at..tag.start) {
             before.prose(between);
@@ -291,6 +293,12 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             formula.goes_on = goes_on(&text[end..]);
             each(formula);
             before = Before { formula: true, ..Before::default() };
+            at = end;
+            continue;
+        } else if pretext::ELEMENTS.contains(&tag.name.as_str()) && !tag.empty {
+            let (mut formula, end) = pretext::formula(text, &tag, macros.get_or_insert_with(|| pretext::macros(text)));
+            formula.scope = scopes.last().map_or(0, |(_, id)| *id);
+            each(formula);
             at = end;
             continue;
         } else if SILENT.contains(&tag.name.as_str()) && !tag.empty {

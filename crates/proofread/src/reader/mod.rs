@@ -1,5 +1,6 @@
 //! Readers: a text in one of the formats to formulas, each a list of tokens with their places.
 
+mod commas;
 mod delimited;
 mod latex;
 mod markdown;
@@ -7,6 +8,7 @@ mod markup;
 mod mathml;
 mod notebook;
 mod plain;
+mod pretext;
 mod recognised;
 mod siunitx;
 mod symbols;
@@ -22,7 +24,7 @@ pub enum Format {
     Markdown,
     /// A document in LaTeX, or a part of one.
     Latex,
-    /// XML with MathML, such as CNXML or a DocBook.
+    /// XML with MathML, such as CNXML or a DocBook, or with TeX as in PreTeXt.
     Xml,
     /// HTML with MathML, or with TeX for MathJax or KaTeX.
     Html,
@@ -58,7 +60,7 @@ impl Format {
         Some(match extension.to_ascii_lowercase().as_str() {
             "md" | "markdown" | "mdown" | "mkd" | "qmd" | "rmd" => Self::Markdown,
             "tex" | "latex" | "ltx" => Self::Latex,
-            "xml" | "cnxml" | "mml" | "docbook" | "dbk" => Self::Xml,
+            "xml" | "cnxml" | "ptx" | "mml" | "docbook" | "dbk" => Self::Xml,
             "html" | "htm" | "xhtml" => Self::Html,
             "ipynb" => Self::Notebook,
             "txt" | "text" => Self::Plain,
@@ -140,6 +142,24 @@ pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
     if text.len() > LONGEST {
         return Err(Unreadable::TooLong);
     }
+    if commas::are_decimal(text, format) {
+        return formulas(text, format, &mut |mut formula| {
+            commas::understood(&mut formula.tokens);
+            each(formula);
+        });
+    }
+    formulas(text, format, each)
+}
+
+/// The tokens of running text that starts `base` bytes into the document.
+pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {
+    let mut out = Vec::new();
+    words::words(&crate::token::signs(text, base), &mut out);
+    out
+}
+
+/// The formulas with their numbers as in English.
+fn formulas(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
     match format {
         Format::Markdown => markdown::read(text, each),
         Format::Latex => latex::read(text, each),

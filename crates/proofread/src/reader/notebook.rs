@@ -15,9 +15,7 @@ type Object<'t> = HashMap<String, &'t RawValue>;
 pub(crate) fn read(text: &str, each: &mut Found<'_>) -> Result<(), Unreadable> {
     let wrong = |error: serde_json::Error| Unreadable::Notebook(error.to_string());
     let notebook: Object<'_> = serde_json::from_str(text).map_err(wrong)?;
-    let cells = notebook.get("cells").ok_or(Unreadable::Notebook("it has no `cells`".to_owned()))?;
-    let cells: Vec<&RawValue> = serde_json::from_str(cells.get()).map_err(wrong)?;
-    for cell in cells {
+    for cell in cells(&notebook)? {
         let cell: Object<'_> = serde_json::from_str(cell.get()).map_err(wrong)?;
         let is_markdown = cell.get("cell_type").is_some_and(|kind| kind.get() == "\"markdown\"");
         let Some(source) = cell.get("source").filter(|_| is_markdown) else { continue };
@@ -41,6 +39,22 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) -> Result<(), Unreadable> {
         });
     }
     Ok(())
+}
+
+/// The cells; those of format 3 lie in worksheets.
+fn cells<'t>(notebook: &Object<'t>) -> Result<Vec<&'t RawValue>, Unreadable> {
+    let wrong = |error: serde_json::Error| Unreadable::Notebook(error.to_string());
+    if let Some(cells) = notebook.get("cells") {
+        return serde_json::from_str(cells.get()).map_err(wrong);
+    }
+    let missing = Unreadable::Notebook("it has neither `cells` nor `worksheets`".to_owned());
+    let worksheets = notebook.get("worksheets").ok_or(missing)?;
+    let worksheets: Vec<Object<'t>> = serde_json::from_str(worksheets.get()).map_err(wrong)?;
+    let mut out = Vec::new();
+    for cells in worksheets.iter().filter_map(|worksheet| worksheet.get("cells")) {
+        out.extend(serde_json::from_str::<Vec<&'t RawValue>>(cells.get()).map_err(wrong)?);
+    }
+    Ok(out)
 }
 
 /// The text of a JSON string that starts `base` bytes into the document, and the place of each of its bytes there.

@@ -52,6 +52,8 @@ fn line_of(line: &str, base: usize, each: &mut Found<'_>) {
     if is_code(line) {
         return;
     }
+    let numbered = numbered(line);
+    let (line, base) = (&line[numbered..], base + numbered);
     let mut tokens = Vec::new();
     words(&signs(line, base), &mut tokens);
     let tokens = understood(tokens);
@@ -61,12 +63,50 @@ fn line_of(line: &str, base: usize, each: &mut Found<'_>) {
     each(formula);
 }
 
+/// The bytes of a number or letter with a bracket before a line, as in `2) 4 + 4 = 8`.
+fn numbered(line: &str) -> usize {
+    let rest = line.trim_start().trim_start_matches('(');
+    let length = rest.chars().take_while(char::is_ascii_alphanumeric).count();
+    let label = rest.get(..length).unwrap_or_default();
+    let short = (1..=2).contains(&length) && (length == 1 || label.chars().all(|c| c.is_ascii_digit()));
+    let closes = rest[length..].starts_with(") ");
+    if short && closes { line.len() - rest.len() + length + 1 } else { 0 }
+}
+
 /// Words between formulas that look like units.
 const PROSE: [&str; 12] = ["a", "in", "at", "as", "A", "I", "min", "per", "t", "d", "e", "u"];
+
+/// Words that may stand behind a result without belonging to it.
+const BEHIND: &str = " a after also an and are as at because before but by can does exactly for from gives has have hence here if in is \
+    it its may must not now of on only or our per should since so than that the then there therefore this thus to true was we \
+    what when where which while will with without wrong would yet you correct incorrect false approximately about means shows \
+    yields holds ";
+
+fn is_noun(word: &str) -> bool {
+    word.len() > 2 && !BEHIND.split_whitespace().any(|known| known.eq_ignore_ascii_case(word))
+}
+
+/// Whether what stands last takes an exponent: a ten, or a unit behind a number or another unit.
+fn lost_its_exponent(out: &[Token]) -> bool {
+    match out.last() {
+        Some(Token { kind: Kind::Number(text), .. }) => text == "10",
+        Some(Token { kind: Kind::Word(word), .. }) => unit(word).is_some(),
+        _ => false,
+    }
+}
 
 /// Makes letters, exponents, products and separators of what running text writes with words and signs.
 fn understood(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::new();
+    // Whether any unit is on the line that is nothing else.
+    let has_units = tokens.iter().filter_map(Token::word).any(|word| unit(word).is_some() && !PROSE.contains(&word));
+    let behind_number = |of: &[Token]| match of {
+        [Token { kind: Kind::Number(_), .. }, space, Token { kind: Kind::Word(word), .. }] if space.is_space() => {
+            Some(word.clone())
+        }
+        _ => None,
+    };
+    let behind_numbers: Vec<String> = tokens.windows(3).filter_map(behind_number).collect();
     let mut rest = tokens.into_iter().peekable();
     while let Some(token) = rest.next() {
         let next_is = |is: &dyn Fn(&Token) -> bool, rest: &mut std::iter::Peekable<std::vec::IntoIter<Token>>| {
@@ -107,7 +147,7 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 let follows_unit = before.is_some_and(|token| match &token.kind {
                     Kind::Number(_) => true,
                     Kind::Word(word) => unit(word).is_some(),
-                    Kind::Scripts(..) => true,
+                    Kind::Scripts(..) | Kind::Basis(_) => true,
                     Kind::Operator(c) => ")]/·".contains(*c),
                     _ => false,
                 });
@@ -138,22 +178,64 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 let before_word = next.as_ref().is_some_and(|next| next.word().is_some());
                 let letter = single && !(before_word && PROSE.contains(&word.as_str()));
                 let before_equals = next.as_ref().is_some_and(|next| next.is('='));
+                // 5 A, but not: 5 A block slides.
+                let closes = match word.as_str() {
+                    "min" => true,
+                    "A" | "u" | "in" | "e" if !before_word => {
+                        let doubtful = word == "e" || (word != "in" && before_equals);
+                        let repeated = behind_numbers.iter().filter(|of| **of == word).count() > 1;
+                        has_units || repeated || !doubtful
+                    }
+                    _ => false,
+                };
+                let power_of_e = word == "e" && rest.peek().is_some_and(|next| next.is('^'));
                 let named = letter || ((before_equals || calls) && !follows_unit);
-                let kind = if word == "pi" {
+                let kind = if power_of_e {
+                    Kind::Name(word)
+                } else if word == "pi" {
                     Kind::Name("π".to_owned())
                 } else if word == "sqrt" {
                     Kind::Operator('√')
                 } else if let Some(function) = Function::named(&word).filter(|_| word != "sec") {
                     Kind::Function(function)
-                } else if follows_unit && unit(&word).is_some() && (touching || !PROSE.contains(&word.as_str())) {
+                } else if follows_unit
+                    && unit(&word).is_some()
+                    && (touching || closes || !PROSE.contains(&word.as_str()))
+                {
                     Kind::Word(word)
                 } else if named {
                     Kind::Name(word)
+                } else if word == "mod" {
+                    Kind::Unknown(word)
+                } else if before.is_some_and(|before| before.number().is_some()) && is_noun(&word) {
+                    // What is counted has no unit that is known.
+                    Kind::Word(word)
                 } else {
                     // Prose, or a unit that is not known.
                     Kind::Operator(';')
                 };
                 out.push(Token::new(kind, span));
+            }
+            // Exponents that are not raised any more: 10-3 and s-1.
+            Kind::Operator('-')
+                if next_is(&|next| next.number().is_some() && next.span.start == span.end, &mut rest)
+                    && out.last().is_some_and(|last| last.span.end == span.start)
+                    && lost_its_exponent(&out) =>
+            {
+                let times = out.iter().rev().skip(1).find(|token| !token.is_space()).is_some_and(|of| of.is('×'));
+                let ten = out.last().is_some_and(|last| last.number().is_some());
+                if times || !ten {
+                    let mut raised = vec![Token::new(Kind::Operator('-'), span)];
+                    raised.extend(rest.next());
+                    out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), span));
+                } else {
+                    out.push(Token::new(Kind::Unknown("ten to a power, or a difference".to_owned()), span));
+                }
+            }
+            // In running text, space parts two numbers.
+            Kind::Space(_) if next_is(&|next| next.number().is_some(), &mut rest) => {
+                let number = out.last().is_some_and(|last| last.number().is_some());
+                out.push(Token::new(Kind::Space(if number { 6 } else { 2 }), span));
             }
             kind => out.push(Token::new(kind, span)),
         }

@@ -33,7 +33,7 @@ impl Format {
         let has = |marks: &[&str]| marks.iter().any(|mark| text.contains(mark));
         if start.starts_with('<') || has(&["<math", "<m:math", "<mml:math"]) {
             let lower = text.to_ascii_lowercase();
-            let is_xml = start.starts_with("<?xml") && !lower.contains("<html") || has(&["<m:math"]);
+            let is_xml = start.starts_with("<?xml") && !lower.contains("<html") || has(&["<m:math", "<m>", "<me>"]);
             let is_html = !is_xml && HTML.iter().any(|mark| lower.contains(mark));
             return if is_html { Self::Html } else { Self::Xml };
         }
@@ -54,6 +54,7 @@ mod tests {
         for (text, format) in [
             ("\u{feff}{\n \"cells\": []}", Format::Notebook),
             ("<?xml version=\"1.0\"?><document><m:math/></document>", Format::Xml),
+            ("<chapter><p>It is <m>1 + 1 = 2</m>.</p></chapter>", Format::Xml),
             ("<para><math><mn>1</mn></math></para>", Format::Xml),
             ("<!DOCTYPE html>\n<p>\\(1+1=2\\)</p>", Format::Html),
             ("\\documentclass{article}\n$1+1=2$", Format::Latex),

@@ -2,12 +2,16 @@
 
 use super::words::{whole, words};
 use crate::token::{Kind, Sign, Token};
+use crate::unit::takes_prefix;
 
 /// A number with its exponent behind `e`.
 pub(crate) fn number(signs: &[Sign], out: &mut Vec<Token>) {
     let exponent = signs.iter().position(|sign| matches!(sign.c, 'e' | 'E' | 'd' | 'D'));
     let (mantissa, exponent) = signs.split_at(exponent.unwrap_or(signs.len()));
-    // Groups of digits may be parted by spaces or braces.
+    // Groups of digits may be parted by spaces or braces, and the uncertainty of the last digits stands in brackets.
+    let uncertain = mantissa.iter().skip(1).position(|sign| sign.c == '(').map_or(mantissa.len(), |at| at + 1);
+    let closes = mantissa.last().is_some_and(|sign| sign.c == ')');
+    let mantissa = if closes { &mantissa[..uncertain] } else { mantissa };
     let mantissa: Vec<Sign> =
         mantissa.iter().filter(|sign| !sign.c.is_whitespace() && !"{}~_".contains(sign.c)).copied().collect();
     words(&mantissa, out);
@@ -28,7 +32,7 @@ pub(crate) fn unit(signs: &[Sign]) -> Vec<Sign> {
     let mut at = 0;
     let mut below = false;
     let mut prefix = "";
-    let mut power = "";
+    let mut power = String::new();
     while let Some(sign) = signs.get(at) {
         if sign.c != '\\' {
             // A point or a tilde is a product; the rest is as in any formula.
@@ -46,33 +50,59 @@ pub(crate) fn unit(signs: &[Sign]) -> Vec<Sign> {
         at += 1 + length.max(1);
         match name.as_str() {
             "per" => below = true,
-            "square" => power = "^2",
-            "cubic" => power = "^3",
+            "square" => power = "^2".to_owned(),
+            "cubic" => power = "^3".to_owned(),
             "squared" => raise("2", sign, &mut out),
             "cubed" => raise("3", sign, &mut out),
-            "tothe" | "raiseto" | "of" | "text" | "mathrm" => {}
+            "tothe" | "raiseto" => {
+                let (digits, end) = group(signs, at);
+                at = end;
+                match name.as_str() {
+                    "tothe" => raise(&digits, sign, &mut out),
+                    _ => power = format!("^{digits}"),
+                }
+            }
+            "of" => at = group(signs, at).1,
+            "text" | "mathrm" => {}
             name => {
                 if let Some(known) = prefix_of(name) {
                     prefix = known;
                     continue;
                 }
                 let known = sign_of(name);
-                let known = if known.is_empty() { name } else { known };
+                let known = if known.is_empty() { abbreviated(name) } else { known.to_owned() };
                 if !out.is_empty() {
                     write("\\,", sign, &mut out);
                 }
                 write(prefix, sign, &mut out);
-                write(known, sign, &mut out);
-                match (below, power) {
+                write(&known, sign, &mut out);
+                match (below, power.as_str()) {
                     (false, power) => write(power, sign, &mut out),
                     (true, "") => write("^{-1}", sign, &mut out),
                     (true, power) => write(&format!("^{{-{}}}", power.trim_start_matches('^')), sign, &mut out),
                 }
-                (below, prefix, power) = (false, "", "");
+                (below, prefix, power) = (false, "", String::new());
             }
         }
     }
     out
+}
+
+/// The digits in the group that begins at `at`, and the place behind it.
+fn group(signs: &[Sign], at: usize) -> (String, usize) {
+    let open = signs[at..].iter().take_while(|sign| sign.c.is_whitespace() || sign.c == '{').count();
+    let inner: String = signs[at + open..].iter().map(|sign| sign.c).take_while(|c| *c != '}').collect();
+    let end = at + open + inner.chars().count() + 1;
+    (inner, end.min(signs.len()))
+}
+
+/// The unit that an abbreviation such as `\uF` or `\kohm` stands for: itself, with `u` for micro.
+fn abbreviated(name: &str) -> String {
+    let whole = name.strip_suffix("ohm").map_or(name.to_owned(), |prefix| format!("{prefix}Ω"));
+    match whole.strip_prefix('u') {
+        Some(rest) if takes_prefix(rest) => format!("μ{rest}"),
+        _ => whole,
+    }
 }
 
 fn write(text: &str, at: &Sign, out: &mut Vec<Sign>) {
@@ -104,6 +134,9 @@ fn prefix_of(name: &str) -> Option<&'static str> {
         "nano" => "n",
         "pico" => "p",
         "femto" => "f",
+        "atto" => "a",
+        "peta" => "P",
+        "exa" => "E",
         _ => return None,
     })
 }
@@ -112,6 +145,7 @@ fn sign_of(name: &str) -> &'static str {
     match name {
         "metre" | "meter" => "m",
         "gram" => "g",
+        "kilogram" => "kg",
         "second" => "s",
         "ampere" => "A",
         "kelvin" => "K",
@@ -146,6 +180,10 @@ fn sign_of(name: &str) -> &'static str {
         "tonne" => "t",
         "bar" => "bar",
         "angstrom" => "Å",
+        "lumen" => "lm",
+        "lux" => "lx",
+        "decibel" => "dB",
+        "arcsecond" => "arcsec",
         "dalton" | "atomicmassunit" => "u",
         "astronomicalunit" => "au",
         _ => "",

@@ -6,11 +6,12 @@ use crate::token::{Function, Kind, Span, Token};
 pub(crate) fn symbol(name: &str) -> Kind {
     const GREEK: &str = "alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta θ iota ι kappa κ \
         lambda λ mu μ nu ν xi ξ pi π rho ρ varrho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ \
-        Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω hbar ℏ ell ℓ infty ∞ micro μ ohm Ω";
+        Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω hbar ℏ ell ℓ infty ∞ micro μ textmu μ upmu μ \
+        ohm Ω textohm Ω AA Å angstrom Å";
     let mut greek = GREEK.split_whitespace();
     while let (Some(known), Some(letter)) = (greek.next(), greek.next()) {
         if known == name {
-            let upright = name == "ohm";
+            let upright = name.ends_with("ohm") || letter == "Å";
             return if upright { Kind::Word(letter.to_owned()) } else { Kind::Name(letter.to_owned()) };
         }
     }
@@ -37,6 +38,7 @@ pub(crate) fn symbol(name: &str) -> Kind {
         "lbrack" => '[',
         "rbrack" => ']',
         "prime" => '′',
+        "odot" | "sun" | "astrosun" => '⊙',
         "sum" => '∑',
         "prod" => '∏',
         "int" | "oint" | "iint" => '∫',

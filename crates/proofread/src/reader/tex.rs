@@ -3,7 +3,7 @@
 use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
-use crate::token::{Function, Kind, Sign, Span, Token};
+use crate::token::{Function, Kind, Sign, Span, Token, show};
 use std::collections::HashMap;
 
 /// Deepest nesting of braces, fractions and scripts that is read.
@@ -24,7 +24,7 @@ pub(crate) type Macros = HashMap<String, Macro>;
 
 /// Reads a formula.
 pub(crate) fn formula(signs: &[Sign], macros: &Macros) -> Vec<Token> {
-    let mut reader = Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0 };
+    let mut reader = Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0, upright: false };
     reader.tokens(0, &[])
 }
 
@@ -33,6 +33,8 @@ struct Tex<'m> {
     stack: Vec<Sign>,
     macros: &'m Macros,
     expanded: usize,
+    /// Whether the rest of the group is upright, as behind `\rm`.
+    upright: bool,
 }
 
 fn token(kind: Kind, span: Span) -> Token {
@@ -152,6 +154,8 @@ impl Tex<'_> {
     /// Tokens up to one of `ends`, which is taken, or to the end.
     fn tokens(&mut self, depth: usize, ends: &[char]) -> Vec<Token> {
         let mut out: Vec<Token> = Vec::new();
+        // From here on, what is in the group is upright.
+        let mut upright: Option<usize> = None;
         if depth > DEEPEST {
             let span = self.peek().map_or(Span::default(), |sign| sign.span);
             if ends == ['}'] {
@@ -199,7 +203,12 @@ impl Tex<'_> {
                     self.stack.pop();
                     out.push(token(Kind::Operator('′'), span));
                 }
-                '\\' => self.command(depth, &mut out),
+                '\\' => {
+                    self.command(depth, &mut out);
+                    if std::mem::take(&mut self.upright) {
+                        upright = upright.or(Some(out.len()));
+                    }
+                }
                 _ if self.number(&mut out) => {}
                 _ => {
                     self.stack.pop();
@@ -213,7 +222,11 @@ impl Tex<'_> {
                     });
                 }
             }
+            if out.last().is_some_and(|last| matches!(last.kind, Kind::Cell | Kind::Line)) {
+                stand(&mut out, &mut upright);
+            }
         }
+        stand(&mut out, &mut upright);
         out
     }
 
@@ -225,13 +238,13 @@ impl Tex<'_> {
             return false;
         }
         let mut taken = Vec::new();
-        let mut groups = true;
+        let (mut groups, mut leading) = (true, None);
         loop {
             while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit()) {
                 taken.push(sign);
                 self.stack.pop();
             }
-            let leading = taken.iter().take_while(|sign| sign.c != ',').count();
+            let leading = *leading.get_or_insert(taken.len());
             let separator: &[char] = [&[','][..], &['{', ',', '}'], &['\\', ',']]
                 .into_iter()
                 .find(|of| of.iter().enumerate().all(|(at, c)| self.ahead(at) == Some(*c)))
@@ -245,7 +258,10 @@ impl Tex<'_> {
             }
             let span = self.peek().map_or(Span::default(), |sign| sign.span);
             self.stack.truncate(self.stack.len() - n);
-            taken.push(Sign { c: ',', span });
+            // Space parts thousands in texts with decimal commas, too.
+            if separator != ['\\', ','] {
+                taken.push(Sign { c: ',', span });
+            }
         }
         // A comma in braces before other than three digits is a decimal comma.
         let comma = [Some('{'), Some(','), Some('}')] == [self.ahead(0), self.ahead(1), self.ahead(2)];
@@ -325,7 +341,8 @@ impl Tex<'_> {
                 push(out, Kind::Root(of, index));
             }
             "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf"
-            | "textsf" | "hbox" | "textnormal" | "mathtt" => self.upright(&name, depth, out),
+            | "textsf" | "hbox" | "textnormal" | "mathtt" | "textup" | "mathup" | "symup" | "symrm" | "textsc"
+            | "textmd" => self.upright(&name, depth, out),
             "mathbf" | "boldsymbol" | "mathit" | "mathcal" | "bm" | "mathbb" | "mathscr" | "mathfrak" | "pmb"
             | "boxed" | "underline" | "underbrace" | "overbrace" | "cancel" | "bcancel" | "xcancel" | "ensuremath"
             | "fbox" | "mathnormal" | "framebox" => {
@@ -338,12 +355,13 @@ impl Tex<'_> {
                     self.stack.pop();
                 }
             }
-            "rm" | "it" | "bf" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl"
-            | "biggr" | "Biggl" | "Biggr" | "displaystyle" | "textstyle" | "limits" | "nolimits" | "scriptstyle"
-            | "nonumber" | "hfill" | "notag" | "noindent" | "hline" | "par" | "allowbreak" | "break" | "relax"
-            | "middle" | "strut" => {}
+            "rm" | "upshape" | "rmfamily" => self.upright = true,
+            "it" | "bf" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl" | "biggr"
+            | "Biggl" | "Biggr" | "displaystyle" | "textstyle" | "limits" | "nolimits" | "scriptstyle" | "nonumber"
+            | "hfill" | "notag" | "noindent" | "hline" | "par" | "allowbreak" | "break" | "relax" | "middle"
+            | "strut" => {}
             "tag" | "label" | "ref" | "cite" | "eqref" | "vspace" | "hspace" | "phantom" | "color" | "intertext"
-            | "footnote" | "hphantom" | "vphantom" | "shortintertext" => {
+            | "footnote" | "require" | "hphantom" | "vphantom" | "shortintertext" => {
                 self.raw_group();
                 if name.ends_with("intertext") {
                     push(out, Kind::Line);
@@ -366,7 +384,7 @@ impl Tex<'_> {
                 let base = self.argument(depth);
                 push(out, Kind::Accent(base, sign.to_owned()));
             }
-            "circ" | "degree" | "textdegree" | "degreeCelsius" | "celsius" => {
+            "circ" | "degree" | "textdegree" | "degreeCelsius" | "celsius" | "textcelsius" => {
                 push(out, Kind::Word(if name.ends_with("elsius") { "°C" } else { "°" }.to_owned()));
             }
             "ang" => {
@@ -374,8 +392,25 @@ impl Tex<'_> {
                 words(&signs, out);
                 push(out, Kind::Word("°".to_owned()));
             }
+            // The brackets of the package physics.
+            "qty" | "quantity" if self.peek().is_some_and(|next| "([|".contains(next.c)) => {}
+            "mathring" | "r" => {
+                let of = self.argument(depth);
+                match show(&of).as_str() {
+                    "A" => push(out, Kind::Word("Å".to_owned())),
+                    _ => push(out, Kind::Accent(of, "˚".to_owned())),
+                }
+            }
+            "cancelto" => {
+                let (_to, of) = (self.argument(depth), self.argument(depth));
+                push(out, Kind::Group(of));
+            }
             "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
-                self.optional();
+                let options = self.optional().unwrap_or_default();
+                // The number of the package units.
+                if name == "unit" && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || sign.c == '-') {
+                    words(&options, out);
+                }
                 self.quantity(&name, depth, out);
             }
             "quad" => push(out, Kind::Space(10)),
@@ -387,6 +422,7 @@ impl Tex<'_> {
             "%" | "$" => push(out, Kind::Word(name)),
             "{" | "}" | "|" | "#" | "_" => push(out, Kind::Operator(name.chars().next().unwrap_or('|'))),
             "&" => {}
+            "amp" => push(out, Kind::Cell),
             "\\" | "newline" | "cr" | "tabularnewline" => {
                 self.optional();
                 push(out, Kind::Line);
@@ -407,7 +443,9 @@ impl Tex<'_> {
             return;
         }
         if text.contains(['\\', '^', '_', '{', '$']) || (command == "mathrm" && text.contains('~')) {
-            let inner = self.inside(raw.iter().rev().filter(|sign| sign.c != '$').copied().collect(), depth);
+            // Space for a dollar sign ends the name of a command before it.
+            let spaced = |sign: &Sign| if sign.c == '$' { Sign { c: ' ', ..*sign } } else { *sign };
+            let inner = self.inside(raw.iter().rev().map(spaced).collect(), depth);
             merge_letters(inner, out);
             return;
         }
@@ -471,6 +509,14 @@ impl Tex<'_> {
             "subequations",
         ];
         out.push(token(if ROWS.contains(&base) { Kind::Line } else { Kind::Unknown(name) }, span));
+    }
+}
+
+/// Makes words of the letters from `upright` on.
+fn stand(out: &mut Vec<Token>, upright: &mut Option<usize>) {
+    if let Some(from) = upright.take() {
+        let letters = out.split_off(from.min(out.len()));
+        merge_letters(letters, out);
     }
 }
 

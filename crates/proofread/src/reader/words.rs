@@ -108,6 +108,26 @@ pub(crate) fn is_greek(c: char) -> bool {
     ('α'..='ω').contains(&c) || ('Α'..='Ω').contains(&c) || c == 'ℏ'
 }
 
+/// The unit vector at the start, as the number of its axis, and how many characters it is.
+fn basis(signs: &[Sign]) -> Option<(u8, usize)> {
+    let hat = signs.get(1).is_some_and(|next| next.c == '\u{302}');
+    Some(match (signs.first()?.c, hat) {
+        ('î', _) => (1, 1),
+        ('ĵ', _) | ('ŷ', _) => (2, 1),
+        ('ẑ', _) => (3, 1),
+        ('i' | 'x', true) => (1, 2),
+        ('j' | 'y', true) => (2, 2),
+        ('k' | 'z', true) => (3, 2),
+        _ => return None,
+    })
+}
+
+/// The length of a number such as `0x1F` at the start.
+fn hexadecimal(signs: &[Sign]) -> Option<usize> {
+    let marked = signs.first()?.c == '0' && signs.get(1)?.c == 'x' && signs.get(2)?.c.is_ascii_hexdigit();
+    marked.then(|| 2 + signs[2..].iter().take_while(|sign| sign.c.is_ascii_hexdigit()).count())
+}
+
 fn in_word(c: char) -> bool {
     c.is_ascii_alphabetic() || is_greek(c) || matches!(c, 'Å' | 'ℓ') || (c.is_alphabetic() && !c.is_ascii())
 }
@@ -119,6 +139,11 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
     while let Some(&Sign { c, span }) = signs.get(at) {
         let rest = &signs[at..];
         let length = number_length(rest);
+        if let Some(length) = hexadecimal(rest) {
+            out.push(Token::new(Kind::Unknown("a hexadecimal number".to_owned()), whole(&rest[..length])));
+            at += length;
+            continue;
+        }
         if length > 0 {
             out.push(number(&rest[..length]));
             at += length;
@@ -126,8 +151,12 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
         }
         let run = |is: &dyn Fn(char) -> bool| rest.iter().take_while(|sign| is(sign.c)).count().max(1);
         let mut taken = 1;
-        if in_word(c) {
-            taken = run(&in_word);
+        if let Some((axis, length)) = basis(rest) {
+            taken = length;
+            out.push(Token::new(Kind::Basis(axis), whole(&rest[..length])));
+        } else if in_word(c) {
+            let all = run(&in_word);
+            taken = (1..all).find(|at| basis(&rest[*at..]).is_some()).unwrap_or(all);
             word(&rest[..taken], out);
         } else if c.is_whitespace() {
             taken = run(&char::is_whitespace);

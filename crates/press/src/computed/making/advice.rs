@@ -3,6 +3,7 @@
 use super::{Number, STATIONS, rounded_down, sizes, told};
 use crate::numbers::fixed;
 use anyhow::Context;
+use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Scale, SharedTolerance, Sizes, Wheel};
 use std::f64::consts::PI;
@@ -26,6 +27,13 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.all.width", || together(|of| of.width)),
     ("making.all.direction-rim", || together(|of| of.direction * wheel_radius())),
     ("making.all.slot-end", || Ok(told(rounded_down(shared()?.slot_end)))),
+    ("making.rms-share.3", || rms_share_told(3)),
+    ("making.rms-share.4", || rms_share_told(4)),
+    ("making.rms-share.5", || rms_share_told(5)),
+    ("making.rms-share.6", || rms_share_told(6)),
+    ("making.rms-share.8", || rms_share_told(8)),
+    ("making.rms-share.10", || rms_share_told(10)),
+    ("making.rms-share.12", || rms_share_told(12)),
     ("making.cam.four", || cam(4)),
     ("making.cam.six", || cam(STATIONS)),
     ("making.cam.eight", || cam(8)),
@@ -66,6 +74,18 @@ fn fit_told(over: f64, up_to: f64) -> String {
     format!("{least} to {most}&nbsp;mm")
 }
 
+/// Root mean square of the crank's torque over a turn, over its peak, dimensionless: without friction it depends on the numbers
+/// of stations and pins alone.
+fn rms_share(stations: u32) -> anyhow::Result<f64> {
+    let wheel = Wheel::new(stations)?;
+    let loads = WheelLoads::new(&wheel, 1.0, 0.0, 1.0)?;
+    Ok(loads.rms_crank_torque() / loads.crank_torque().driving.value)
+}
+
+fn rms_share_told(stations: u32) -> anyhow::Result<String> {
+    Ok(fixed(rms_share(stations)?, 3))
+}
+
 /// Greatest acceleration of the modified-sine law over the whole rise and the time of the rise squared, dimensionless: the
 /// acceleration is a sine of the period 1/2 in the first and last eighth and of 3/2 between.
 const MODIFIED_SINE: f64 = 4.0 * PI * PI / (4.0 + PI);
@@ -97,6 +117,26 @@ mod tests {
         assert!((6.0..10.0).contains(&sizes.pin_diameter) && (25.0..69.0).contains(&(1000.0 * sizes.play.slot)));
         let large = looser().expect("fits");
         assert!((18.0..30.0).contains(&large.pin_diameter) && 1000.0 * large.play.slot > 1.4 * 106.0);
+    }
+
+    #[test]
+    fn without_friction_the_rms_torque_is_the_same_part_of_the_peak_at_any_inertia_and_speed() {
+        for stations in [3, 6, 8, 12] {
+            let wheel = Wheel::new(stations).expect("possible");
+            let loads = WheelLoads::new(&wheel, 0.37, 0.0, 21.0).expect("possible");
+            let share = loads.rms_crank_torque() / loads.crank_torque().driving.value;
+            assert!((share / rms_share(stations).expect("one") - 1.0).abs() < 1e-9, "{stations}");
+            // By many equal steps.
+            let end = wheel.engagement_half_angle();
+            let torque = |step: u32| {
+                let motion = wheel.engaged(end * (f64::from(step) / 5e3 - 1.0)).expect("in the slot");
+                motion.acceleration * motion.velocity
+            };
+            let all: Vec<f64> = (0..=10_000).map(torque).collect();
+            let square = all.iter().map(|torque| torque * torque).sum::<f64>() * end / 5e3 / (2.0 * PI);
+            let peak = all.iter().copied().fold(0.0, f64::max);
+            assert!((square.sqrt() / peak / share - 1.0).abs() < 1e-4, "{stations}");
+        }
     }
 
     #[test]

@@ -1,0 +1,76 @@
+//! What an equals sign between two quantities may mean besides that they are equal: one stands for the other, or the factor
+//! between their units is rounded.
+
+use crate::token::{Kind, Token, any};
+use crate::unit::{Dimension, unit};
+use crate::value::{Angle, Value};
+use std::f64::consts::PI;
+
+/// Units whose size in others texts round or define differently, and by how much relative to it.
+const LOOSE: [(&[&str], f64); 9] = [
+    (&["hp"], 0.015),
+    (&["cal", "kcal", "Cal"], 0.0012),
+    (&["Btu", "BTU"], 0.0015),
+    (&["y", "yr", "year", "years"], 0.003),
+    (&["ly", "Mly", "pc", "kpc", "Mpc", "AU", "au"], 0.003),
+    (&["mi", "mile", "miles", "mph"], 0.006),
+    (&["lb", "lbs", "lbf", "lbm"], 0.003),
+    (&["knot", "knots", "nmi"], 0.002),
+    (&["M⊙", "L⊙", "R⊙"], 0.01),
+];
+
+/// Units of a logarithm, which are neither added nor converted as others are.
+const DECIBELS: [&str; 3] = ["dB", "dBm", "dBA"];
+
+fn has(tokens: &[Token], words: &[&str]) -> bool {
+    any(tokens, &|kind| matches!(kind, Kind::Word(word) if words.contains(&word.as_str())))
+}
+
+/// How far two sides may be apart, relative to their size, since the size of a unit of only one of them is rounded.
+pub(crate) fn looseness(left: &[Token], right: &[Token]) -> f64 {
+    LOOSE.iter().filter(|(words, _)| has(left, words) != has(right, words)).map(|(_, by)| by).sum()
+}
+
+/// Whether two sides agree if the bare numbers of one of them are degrees, too.
+pub(crate) fn lacks_degrees(left: &Value, right: &Value) -> bool {
+    let bare = |of: &Value| of.angle.is_none() && !of.has_unit;
+    let in_degrees = |of: &Value| of.angle == Some(Angle::Degrees) && of.dimension.is_none();
+    let scaled = |of: &Value| of.scaled(180.0 / PI);
+    (bare(left) && in_degrees(right) && left.meets(&scaled(right), 0.0))
+        || (bare(right) && in_degrees(left) && right.meets(&scaled(left), 0.0))
+}
+
+/// Whether one side is said to stand for the other, as on a scale drawing, of a mole or by a law of physics.
+pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Value)) -> bool {
+    let (one, other) = values;
+    let both_printed = one.is_literal() && other.is_literal();
+    let decibels = [has(left, &DECIBELS), has(right, &DECIBELS)];
+    if decibels == [true, true] {
+        return true;
+    }
+    // A price.
+    let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
+    if money(left) != money(right) && one.has_unit && other.has_unit {
+        return true;
+    }
+    if !both_printed || one.parts.is_vector() || other.parts.is_vector() {
+        return false;
+    }
+    let counted = |tokens: &[Token]| has(tokens, &["mol", "mole", "moles"]);
+    let is_one = |value: &Value| !value.has_unit && value.number().is_ok_and(|of| of.point == 1.0);
+    if one.has_unit && other.has_unit {
+        let is_unity = |tokens: &[Token]| tokens.iter().find_map(Token::number) == Some("1");
+        let unity = is_unity(left) || is_unity(right);
+        return one.dimension != other.dimension
+            && (unity || (is_convertible(one.dimension) && is_convertible(other.dimension)));
+    }
+    decibels != [false, false] || counted(left) != counted(right) || is_one(one) || is_one(other)
+}
+
+/// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, weight, temperature,
+/// amount, number, wave number.
+fn is_convertible(dimension: Dimension) -> bool {
+    let of = |word: &str| unit(word).map(|unit| unit.dimension);
+    let known = ["kg", "J", "K", "N", "mol", "rad"].map(of);
+    known.contains(&Some(dimension)) || of("m").map(|length| length.power(-1.0)) == Some(dimension)
+}

@@ -1,0 +1,206 @@
+//! Units that are written in pieces, and powers of ten behind an `e`.
+
+use crate::token::{Kind, Span, Token};
+use crate::unit::{pair, takes_prefix, unit};
+
+fn word(text: &str, span: Span) -> Token {
+    Token::new(Kind::Word(text.to_owned()), span)
+}
+
+fn last(tokens: &[Token]) -> Option<&Token> {
+    tokens.iter().rev().find(|token| !token.is_space())
+}
+
+fn is_unit(token: &Token) -> bool {
+    token.word().is_some_and(|word| unit(word).is_some())
+}
+
+/// Whether what stands before makes a unit out of a letter: a number, a bracket, or another unit with a sign of a product.
+pub(crate) fn takes_unit(before: &[Token]) -> bool {
+    let Some(token) = last(before) else { return false };
+    match token.kind {
+        Kind::Number(_) | Kind::Power(_) | Kind::Fraction(..) => true,
+        Kind::Operator(')') => true,
+        Kind::Operator('·' | '/') => {
+            let at = before.iter().rposition(|of| std::ptr::eq(of, token)).unwrap_or(0);
+            last(&before[..at]).is_some_and(|of| is_unit(of) || matches!(of.kind, Kind::Power(_)))
+        }
+        _ => false,
+    }
+}
+
+/// A unit whose name has a subscript: pounds of force or of mass, and what the sun has.
+pub(crate) fn with_subscript(base: &[Token], sub: &str) -> Option<&'static str> {
+    let [Token { kind: Kind::Word(base) | Kind::Name(base), .. }] = base else { return None };
+    Some(match (base.as_str(), sub) {
+        ("lb", "f") => "lbf",
+        ("lb", "m") => "lbm",
+        ("kg" | "kgf", "f") => "kgf",
+        ("M", "⊙" | "☉") => "M⊙",
+        ("L", "⊙" | "☉") => "L⊙",
+        ("R", "⊙" | "☉") => "R⊙",
+        _ => return None,
+    })
+}
+
+/// Parts of a unit that are written without anything between them before a negative exponent, as in `kgms⁻¹`.
+const PARTS: [&str; 17] =
+    ["mol", "kg", "kJ", "Pa", "dm", "cm", "mm", "km", "g", "m", "s", "J", "N", "W", "V", "C", "A"];
+
+/// The units that run together in a word, the last of which has a negative exponent.
+fn run_together(text: &str) -> Option<Vec<&'static str>> {
+    let mut rest = text;
+    let mut found = Vec::new();
+    while !rest.is_empty() {
+        let part = PARTS.iter().find(|part| rest.starts_with(**part))?;
+        rest = &rest[part.len()..];
+        found.push(*part);
+    }
+    (2..=3).contains(&found.len()).then_some(found)
+}
+
+/// Words that are several units become several words.
+pub(crate) fn split(tokens: Vec<Token>) -> Vec<Token> {
+    let mut out = Vec::with_capacity(tokens.len());
+    let mut rest = tokens.into_iter().peekable();
+    while let Some(token) = rest.next() {
+        let below = rest.peek().is_some_and(|next| match &next.kind {
+            Kind::Power(power) => power.first().is_some_and(|first| first.is('-')),
+            _ => false,
+        });
+        let text = token.word().unwrap_or_default();
+        let parts = match pair(text) {
+            Some((one, other)) if !matches!(text, "Wh" | "Ah") => vec![one, other],
+            _ if below && (text == "ms" || unit(text).is_none()) => run_together(text).unwrap_or_default(),
+            _ => Vec::new(),
+        };
+        if parts.is_empty() {
+            out.push(token);
+            continue;
+        }
+        for (at, part) in parts.into_iter().enumerate() {
+            // Without a sign, `m` and `s` would become a millisecond again.
+            if at > 0 && below {
+                out.push(Token::new(Kind::Operator('·'), token.span));
+            }
+            out.push(word(part, token.span));
+        }
+    }
+    out
+}
+
+/// Units in square brackets behind a number lose the brackets, and their letters become words.
+pub(crate) fn bracketed(tokens: Vec<Token>) -> Vec<Token> {
+    if !tokens.iter().any(|token| token.is('[')) {
+        return tokens;
+    }
+    let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        let behind = token.is('[') && last(&out).is_some_and(|of| matches!(of.kind, Kind::Number(_) | Kind::Power(_)));
+        let end = tokens[at..].iter().position(|token| token.is(']')).filter(|_| behind).map(|end| at + end);
+        if let Some(units) = end.and_then(|end| letters(&tokens[at + 1..end]).map(|units| (units, end))) {
+            out.extend(units.0);
+            at = units.1 + 1;
+            continue;
+        }
+        out.push(token.clone());
+        at += 1;
+    }
+    out
+}
+
+/// The tokens with their letters joined to words, if all words are units and there is nothing else than products of them.
+fn letters(tokens: &[Token]) -> Option<Vec<Token>> {
+    let mut out: Vec<Token> = Vec::new();
+    let mut joined = false;
+    for token in tokens {
+        match &token.kind {
+            Kind::Name(letter) if joined => match out.last_mut() {
+                Some(Token { kind: Kind::Word(before), span }) => {
+                    before.push_str(letter);
+                    *span = span.join(token.span);
+                }
+                _ => return None,
+            },
+            Kind::Name(letter) => out.push(word(letter, token.span)),
+            Kind::Fraction(above, below) => {
+                out.push(Token::new(Kind::Fraction(letters(above)?, letters(below)?), token.span));
+            }
+            Kind::Word(_) | Kind::Power(_) | Kind::Operator('·' | '/') | Kind::Space(_) => out.push(token.clone()),
+            _ => return None,
+        }
+        joined = matches!(token.kind, Kind::Name(_));
+    }
+    let known = |token: &Token| token.word().is_none_or(|word| unit(word).is_some());
+    (!out.is_empty() && out.iter().all(known)).then_some(out)
+}
+
+/// Whether the point at `at` stands between two units as the sign of a product.
+pub(crate) fn is_product(tokens: &[Token], at: usize) -> bool {
+    if !tokens[at].is('.') || at == 0 || !tokens.get(at + 1).is_some_and(is_unit) {
+        return false;
+    }
+    match &tokens[at - 1].kind {
+        Kind::Power(_) => at > 1 && is_unit(&tokens[at - 2]),
+        _ => is_unit(&tokens[at - 1]),
+    }
+}
+
+/// The power of ten that an `e` behind a number stands for, as in 1.5e−3, and how many tokens it takes.
+pub(crate) fn power_of_ten(tokens: &[Token], before: &[Token]) -> (Vec<Token>, usize) {
+    let nothing = (Vec::new(), 0);
+    let (Some(e), Some(number)) = (tokens.first(), before.last().and_then(Token::number)) else { return nothing };
+    let sign = usize::from(tokens.get(1).is_some_and(|token| token.is_one_of("+-")));
+    let Some(digits) = tokens.get(1 + sign).and_then(Token::number) else { return nothing };
+    let upright = e.word().is_some();
+    // An italic e may be the base of the logarithms or a charge.
+    let plain = digits.len() <= 3 && digits.chars().all(|c| c.is_ascii_digit());
+    if !plain || !(upright || number.contains('.') || (sign == 0 && digits.len() == 2)) {
+        return nothing;
+    }
+    let made = [Kind::Operator('×'), Kind::Number("10".to_owned()), Kind::Power(tokens[1..2 + sign].to_vec())];
+    (made.into_iter().map(|kind| Token::new(kind, e.span)).collect(), 2 + sign)
+}
+
+/// A length of mercury or water as a pressure: cm Hg, inches of mercury.
+pub(crate) fn column(tokens: &[Token], at: usize, length: &str) -> Option<(Kind, usize, Span)> {
+    let words = tokens.iter().enumerate().skip(at + 1).filter(|(_, token)| !token.is_space() && !token.is('.'));
+    let mut words = words.filter(|(_, token)| token.word() != Some("of"));
+    let (last, next) = words.next()?;
+    let of = match next.word()? {
+        "Hg" | "mercury" => "Hg",
+        "water" => "water",
+        _ => return None,
+    };
+    let length = if length.starts_with("in") { "in" } else { length };
+    Some((Kind::Word(format!("{length}{of}")), last, next.span))
+}
+
+/// A prefix and its unit, which stand apart.
+pub(crate) fn prefixed(
+    token: &Token,
+    text: &str,
+    next: Option<(&Token, usize)>,
+    out: &[Token],
+) -> Option<(Kind, usize, Span)> {
+    let (next, at) = next?;
+    let is_word = token.word().is_some();
+    let unit = match &next.kind {
+        Kind::Word(unit) => unit,
+        Kind::Name(unit) if (text == "μ" && !is_word) || unit == "Ω" => unit,
+        _ => return None,
+    };
+    if !is_word && text != "μ" && unit != "Ω" {
+        return None;
+    }
+    let before = out.iter().rev().find(|token| !token.is_space());
+    let follows = before.is_some_and(|before| match before.kind {
+        Kind::Number(_) | Kind::Power(_) | Kind::Fraction(..) => true,
+        Kind::Operator(c) => ")/]".contains(c),
+        _ => false,
+    });
+    let follows = follows || out.last().is_none_or(Token::is_space);
+    let takes = takes_prefix(unit) && (unit != "g" || text == "μ") && (follows || unit == "g");
+    takes.then(|| (Kind::Word(format!("{text}{unit}")), at, next.span))
+}

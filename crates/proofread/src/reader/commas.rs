@@ -1,0 +1,116 @@
+//! Texts in which a comma parts the decimals: whether a text is one, and its numbers.
+//!
+//! In one that is, `3,5` is three and a half and `1.000` a thousand; in any other, `3,5` are two numbers and `1,000` is a
+//! thousand.
+
+use super::{Format, formulas};
+use crate::token::{Kind, Token};
+
+/// How the numbers of a text are written.
+#[derive(Debug, Default)]
+struct Seen {
+    /// With a comma that cannot part thousands.
+    commas: usize,
+    /// With one comma before three digits.
+    either: usize,
+    /// With a point.
+    points: usize,
+}
+
+/// Whether commas part the decimals in a text.
+pub(crate) fn are_decimal(text: &str, format: Format) -> bool {
+    if !may_be(text) {
+        return false;
+    }
+    let mut seen = Seen::default();
+    // A text that cannot be read says so when it is read.
+    let _ = formulas(text, format, &mut |formula| count(&formula.tokens, text, &mut seen));
+    seen.commas > 3 * seen.points && 2 * seen.commas >= seen.either
+}
+
+/// Whether a digit, a comma and a digit that are no thousands follow each other anywhere.
+fn may_be(text: &str) -> bool {
+    let bytes = text.as_bytes();
+    text.match_indices(',').any(|(at, _)| {
+        let braced = at > 1 && bytes[at - 1] == b'{' && bytes.get(at + 1) == Some(&b'}');
+        let (before, behind) = if braced { (at - 2, at + 2) } else { (at.wrapping_sub(1), at + 1) };
+        bytes.get(before).is_some_and(u8::is_ascii_digit) && {
+            let zero = bytes[before] == b'0' && !bytes.get(before.wrapping_sub(1)).is_some_and(u8::is_ascii_digit);
+            let digits = bytes[behind.min(bytes.len())..].iter().take_while(|c| c.is_ascii_digit()).count();
+            digits > 0 && (digits != 3 || zero)
+        }
+    })
+}
+
+/// The two numbers around the comma at `at`, if they touch it.
+fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
+    let (before, behind) = (tokens.get(at.checked_sub(1)?)?, tokens.get(at + 1)?);
+    let (whole, decimals) = (before.number()?, behind.number()?);
+    // Between them is no more than a comma, or one in braces.
+    let near = behind.span.start.saturating_sub(before.span.end) <= 3;
+    let follows = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is(','));
+    let number = |at: usize| tokens.get(at).is_some_and(|token| token.number().is_some());
+    // A list, unless the next comma is followed by space.
+    let listed = follows(at.checked_sub(2)) && at > 2 && number(at - 3) || follows(Some(at + 2)) && number(at + 3);
+    let plain = |text: &str| text.chars().all(|c| c.is_ascii_digit());
+    (tokens[at].is(',') && near && !listed && plain(decimals) && thousands(whole).is_some())
+        .then_some((whole, decimals))
+}
+
+/// The digits of a whole number with or without points between its thousands.
+fn thousands(text: &str) -> Option<String> {
+    let mut groups = text.split('.');
+    let first = groups.next()?;
+    let all = groups.clone().count();
+    let fits = all == 0 || ((1..=3).contains(&first.len()) && first != "0" && groups.all(|group| group.len() == 3));
+    let digits: String = text.chars().filter(|c| *c != '.').collect();
+    (fits && digits.chars().all(|c| c.is_ascii_digit())).then_some(digits)
+}
+
+fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
+    for (at, token) in tokens.iter().enumerate() {
+        match &token.kind {
+            Kind::Operator(',') if parted(tokens, at).is_some() => {
+                let opens = at > 1 && tokens[at - 2].is_one_of("([{");
+                let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}"));
+                // A pair in brackets may be a point of the plane.
+                seen.commas += usize::from(!(opens && closes));
+            }
+            Kind::Number(number) if number.contains('.') => {
+                let braced = text.get(token.span.range()).is_some_and(|source| source.contains(','));
+                if braced { seen.commas += 1 } else { seen.points += 1 }
+            }
+            Kind::Number(number) if number.matches(',').count() == 1 => seen.either += 1,
+            Kind::Scripts(base, _, power) => [base, power].into_iter().for_each(|part| count(part, text, seen)),
+            _ => token.inner().into_iter().for_each(|inner| count(inner, text, seen)),
+        }
+    }
+}
+
+/// Makes decimals of what is behind commas.
+pub(crate) fn understood(tokens: &mut Vec<Token>) {
+    let mut at = 0;
+    while at < tokens.len() {
+        if let Some((whole, decimals)) = parted(tokens, at)
+            && let Some(whole) = thousands(whole)
+        {
+            let number = Kind::Number(format!("{whole}.{decimals}"));
+            let span = tokens[at - 1].span.join(tokens[at + 1].span);
+            tokens.splice(at - 1..at + 2, [Token::new(number, span)]);
+            continue;
+        }
+        let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is(','));
+        match &mut tokens[at].kind {
+            Kind::Number(number) if number.matches(',').count() == 1 && !number.contains('.') => {
+                *number = number.replace(',', ".");
+            }
+            Kind::Number(number) if number.contains('.') && !next_is_comma => {
+                if let Some(whole) = thousands(number) {
+                    *number = whole;
+                }
+            }
+            kind => kind.lists().into_iter().for_each(understood),
+        }
+        at += 1;
+    }
+}

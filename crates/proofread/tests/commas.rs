@@ -1,0 +1,63 @@
+//! Texts in which a comma parts the decimals, and thousands parted by space.
+
+use crate::{report, wrong};
+use proofread::{Format, List};
+
+/// How many pairs were compared, and what is wrong.
+fn compared(text: &str, format: Format) -> (usize, Vec<String>) {
+    let report = report(text, format);
+    let numbers = report.findings.iter().filter(|of| of.list == List::Numbers);
+    (report.tally.pairs, numbers.map(|of| format!("{} | {}", of.left, of.right)).collect())
+}
+
+#[test]
+fn a_text_with_decimal_commas_is_read_as_one() {
+    for (text, pairs) in [
+        (r"$12,75\text{ kg} + 7,25\text{ kg} = 20,0\text{ kg}$", 1),
+        (r"$40{\times}-1,5{\times}{10}^{-6}\text{C} = -6,0\ensuremath{\times}{10}^{-5}\text{C}$", 1),
+        (r"$\frac{0,9\text{ km}}{0,24\text{ h}} = 3,75 \text{ km} \cdot \text{h}^{-1}$", 1),
+        (r"$90\text{km} \cdot \text{h}^{-1} \div 3,6 = 25 \text{m}\cdot \text{s}^{-1}$", 1),
+        (r"$5,1\times10^3\times4,2\times10^4 = 21,42\times10^7 = 2,142\times10^8$", 2),
+        (r"$0{,}25 + 0{,}5 = 0{,}75$, $1\,000 - 0{,}5 = 999{,}5$", 2),
+        (r"$1~250 + 0,5 = 1~250,5$", 1),
+        (r"$0,5 + 0,5 = 1,0$, $1,5 + 1,5 = 3,0$, $1.250 + 0,5 = 1.250,5$", 3),
+    ] {
+        for format in [Format::Latex, Format::Markdown] {
+            let (found, wrong) = compared(text, format);
+            assert_eq!(wrong, [""; 0], "{text}");
+            assert!(found >= pairs, "{text}: {found} of {pairs} pairs");
+        }
+    }
+    assert_eq!(wrong("$12,75 + 7,25 = 21,0$", Format::Latex), ["12.75 + 7.25 | 21.0"]);
+    assert_eq!(wrong("U = 2,5 V + 1,5 V = 4,5 V", Format::Plain), ["2.5 V + 1.5 V | 4.5 V"]);
+    let html = "<p><math><mn>2,5</mn><mo>+</mo><mn>1,5</mn><mo>=</mo><mn>4,5</mn></math></p>";
+    assert_eq!(wrong(html, Format::Html), ["2.5 + 1.5 | 4.5"]);
+}
+
+#[test]
+fn commas_of_lists_pairs_and_thousands_stay() {
+    for text in [
+        "$x = 3, y = 4$ and $3 + 4 = 7$",
+        "$x = 1,2,3$ and $0.5 + 0.5 = 1.0$",
+        "$(1,2)$ and $(3,4)$ with $2 + 3 = 5$",
+        r"$500 + 700 = 1,200$ and $0.5 + 1.0 = 1.5$ and $a_{1,2} = 3$",
+        r"$500 + 700 = 1{,}200$",
+        r"$\{1,2\}$, $500 + 700 = 1,200$",
+    ] {
+        assert_eq!(wrong(text, Format::Markdown), [""; 0], "{text}");
+    }
+    assert!(report("$500 + 700 = 1,300$", Format::Markdown).findings.iter().any(|of| of.list == List::Numbers));
+}
+
+#[test]
+fn thousands_are_parted_by_narrow_space() {
+    for text in
+        ["$2~512 + 500 = 3~012$", r"$2\,512 + 500 = 3\,012$", "$2 512 + 500 = 3 012$", r"$2\ 512.5 - 0.5 = 2\;512.0$"]
+    {
+        assert_eq!(compared(text, Format::Markdown), (1, Vec::new()), "{text}");
+        let changed = text.replacen("512", "612", 1);
+        assert_eq!(wrong(&changed, Format::Markdown).len(), 1, "{changed}");
+    }
+    // In running text, two numbers side by side are two numbers.
+    assert_eq!(wrong("In task 12 100 + 5 = 105.", Format::Plain), [""; 0]);
+}

@@ -1,0 +1,120 @@
+//! What else a chain may mean: each case is one in which something is left to be understood.
+
+use crate::{report, verdicts};
+use proofread::{Format, List};
+
+/// The list and the verdict of each pair in a text.
+fn lists(text: &str) -> Vec<(&'static str, &'static str)> {
+    report(text, Format::Markdown).findings.iter().map(|of| (of.list.name(), of.verdict.name())).collect()
+}
+
+#[track_caller]
+fn all(cases: &[(&str, &[&str])]) {
+    for (tex, expected) in cases {
+        assert_eq!(verdicts(tex), *expected, "{tex}");
+    }
+}
+
+#[test]
+fn factors_behind_a_stroke_may_all_be_below_it() {
+    all(&[
+        (r"1/2\pi = 0.159", &["consistent"]),
+        (r"1/2\pi = 1.57", &["consistent"]),
+        (r"1/2\pi = 0.179", &["inconsistent"]),
+        (r"8.0/2(4.0) = 1.0", &["consistent"]),
+        (r"1/2\,(3.0)(4.0)^2 = 24", &["consistent"]),
+        (r"3/2\sqrt{2} = 1.06", &["consistent"]),
+        (r"3/2\sqrt{2} = 1.26", &["inconsistent"]),
+    ]);
+}
+
+#[test]
+fn of_several_readings_the_nearest_is_shown() {
+    let findings = report(r"$720^\circ/4\pi = 57.6^\circ$", Format::Markdown).findings;
+    assert_eq!(findings[0].recomputed.as_deref(), Some("57.3°"));
+}
+
+#[test]
+fn a_factor_without_its_unit_is_for_the_list_of_units() {
+    all(&[
+        (r"\frac{2.50\,\text{V}}{50} = 50\,\text{mA}", &["units"]),
+        (r"3\,\text{mA}\,(400 + 600) = 3\,\text{V}", &["units"]),
+        (r"\frac{2.50\,\text{V}}{50} = 60\,\text{mA}", &["dimensions"]),
+    ]);
+}
+
+#[test]
+fn a_unit_directly_behind_the_formula_belongs_to_it() {
+    for text in [
+        r"$3\times10^{-9} / 0.06 = 5 \times 10^{-8} = 50$ nC/m.",
+        r"$50\times10^{-9}\times 0.003 = 1.5 \times 10^{-10} = 150$ pC, say.",
+        r"It is $0.25 = 25$% of all, or $2.5 \times 10^6 = 2.5$ million.",
+        r"$0.9\,\text{m} \cdot 2 = 180$~cm",
+    ] {
+        let found = lists(text);
+        assert!(!found.is_empty() && found.iter().all(|(list, _)| *list == "agreeing"), "{text}: {found:?}");
+    }
+    let html = "<p><math><mn>2</mn><mo>·</mo><mn>0.3</mn><mtext> m</mtext><mo>=</mo><mn>60</mn></math> cm</p>";
+    assert!(report(html, Format::Html).findings.iter().all(|of| of.list == List::Agreeing));
+    // Another number stays wrong, and a word that is no unit changes nothing.
+    assert!(lists(r"$3\times10^{-9} / 0.06 = 9 \times 10^{-8} = 90$ nC/m").contains(&("numbers", "inconsistent")));
+    assert_eq!(lists(r"$2 + 2 = 7$ here"), [("numbers", "inconsistent")]);
+}
+
+#[test]
+fn words_may_say_the_sign() {
+    for text in [
+        r"$-7\ \mathsf{N} = 7\ \mathsf{N}\ \mathsf{\textit{to the left}}$",
+        r"$3\,\text{m} - 8\,\text{m} = 5\,\text{m}$ downwards",
+        r"$2.0\,\text{m/s} - 6.0\,\text{m/s} = 4.0\,\text{m/s}$, due west",
+    ] {
+        assert_eq!(lists(text), [("agreeing", "doubtful")], "{text}");
+    }
+    for text in
+        [r"$\left(3 - 8\right) = 5$ and $\left(1\right)$", r"$3\,\text{m} - 8\,\text{m} = 6\,\text{m}$ downwards"]
+    {
+        assert!(lists(text).contains(&("numbers", "inconsistent")), "{text}");
+    }
+}
+
+#[test]
+fn particles_may_count_as_their_charge_and_pounds_as_a_mass() {
+    all(&[
+        (r"2.0\,\text{A} = 1.248\times10^{19}\,\text{electrons}/\text{s}", &["consistent"]),
+        (r"2.0\,\text{A} = 1.348\times10^{19}\,\text{electrons}/\text{s}", &["inconsistent"]),
+        (r"3\,\text{electrons} + 2\,\text{electrons} = 5\,\text{electrons}", &["consistent"]),
+        (r"22.0\,\text{lb} = 9.98\,\text{kg}", &["consistent"]),
+        (r"22.0\,\text{lb} = 97.9\,\text{N}", &["consistent"]),
+        (r"22.0\,\text{lb} = 9.78\,\text{kg}", &["inconsistent"]),
+    ]);
+}
+
+#[test]
+fn a_vector_may_begin_in_the_formula_before() {
+    all(&[
+        (r"- 2.0\,\text{N}\,\hat{j} = -3.0\,\text{N}\,\hat{i} - 2.0\,\text{N}\,\hat{j}", &["doubtful"]),
+        (r"- 2.3\,\text{N}\,\hat{j} = -3.0\,\text{N}\,\hat{i} - 2.0\,\text{N}\,\hat{j}", &["inconsistent"]),
+        (r"3.0\hat{i} + 2.0\hat{j} = 2.0\hat{j}", &["inconsistent"]),
+    ]);
+}
+
+#[test]
+fn what_is_cut_off_is_called_so() {
+    all(&[
+        (r"179.2\,\text{s} = 2.98\,\text{min}", &["truncated"]),
+        (r"2.986 = 2.98", &["truncated"]),
+        (r"2.98 = 2.986", &["truncated"]),
+        (r"179.2\,\text{s} = 2.97\,\text{min}", &["inconsistent"]),
+    ]);
+}
+
+#[test]
+fn behind_approximately_equal_three_digits_are_meant() {
+    all(&[
+        (r"\frac{22}{7} \approx 3.142", &["approximate"]),
+        (r"\frac{22}{7} \approx 3.2", &["approximate"]),
+        (r"\frac{22}{7} \approx 3", &["consistent"]),
+        (r"0.952 \approx 1", &["approximate"]),
+        (r"\frac{22}{7} \approx 3.18", &["last-digit"]),
+    ]);
+}
