@@ -22,12 +22,17 @@ pub(crate) fn coincide(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
 
 /// Compares two numbers as [`agrees`] does, and says both.
 pub(crate) fn same(a: f64, b: f64) -> Finding {
-    Finding::new(agrees(a, b), pair("number", &a.to_string(), &b.to_string()))
+    Finding::new(agrees(a, b), pair("number", &short(a), &short(b)))
 }
 
 /// Compares two numbers whose last bits are not the same on every machine, and says six places of both.
 pub(crate) fn meets(a: f64, b: f64) -> Finding {
     Finding::new(agrees(a, b), pair("number", &format!("{a:.6}"), &format!("{b:.6}")))
+}
+
+/// A number to ten digits, which routes that agree have in common.
+pub(crate) fn short(number: f64) -> String {
+    format!("{number:.9e}").parse().map_or_else(|_| number.to_string(), |number: f64| number.to_string())
 }
 
 /// Two results that were compared, in words: of two that look alike one is said.

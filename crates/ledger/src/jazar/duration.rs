@@ -63,7 +63,7 @@ fn angle() -> Vec<Claim> {
                         let last = (0..wheel.stations()).fold(first, |slot, _| slot.plus(&step));
                         vanishes((last.direction() - first.direction()).norm())
                     },
-                    "that many steps from slot to slot lead back to the first slot",
+                    "this number of steps from slot to slot leads back to the first slot",
                 )
             })
             .but_not("α is the whole angle between neighbouring slots"),

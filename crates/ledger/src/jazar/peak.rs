@@ -205,9 +205,10 @@ fn numbers() -> Vec<Claim> {
 /// Whether a product of numbers rounds to the printed speed of the driver.
 pub(super) fn rounds_to_the_speed(tex: &str) -> Finding {
     match number(tex) {
-        Some(product) => {
-            Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("the formula gives {product}"))
-        }
+        Some(product) => Finding::new(
+            rounds("jazar.ex-d.driver-speed", product),
+            format!("the formula gives {}", crate::agreement::short(product)),
+        ),
         None => Finding::of_reading(None),
     }
 }

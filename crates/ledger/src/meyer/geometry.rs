@@ -208,7 +208,15 @@ fn fewest_engaged((pins, slots): (u32, u32)) -> usize {
 pub fn every(numbers: impl Iterator<Item = f64>, holds: impl Fn(f64) -> bool, what: &str) -> Finding {
     let numbers: Vec<f64> = numbers.collect();
     let all = !numbers.is_empty() && numbers.iter().all(|number| holds(*number));
-    Finding::new(all, format!("{what} {}", joined_numbers(&numbers)))
+    Finding::new(
+        all,
+        match numbers[..] {
+            [first, _, ..] if numbers.iter().all(|number| (number - first).abs() < 5e-4) => {
+                format!("{what} all {}", joined_numbers(&[first]))
+            }
+            _ => format!("{what} {}", joined_numbers(&numbers)),
+        },
+    )
 }
 
 /// Whether the follower goes on by a slot or, wrongly stated, by two, for each usual number of slots.

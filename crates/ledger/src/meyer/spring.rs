@@ -113,7 +113,7 @@ fn in_the_equation(stated: Stated) -> Finding {
     Finding::new(
         agrees == [true; 3],
         format!(
-            "with {what} for K, Eq. (1-15) gives the torque at {} of three angles",
+            "with {what} for K, Eq. (1-15) gives the torque at {} of 3 angles",
             agrees.iter().filter(|agrees| **agrees).count()
         ),
     )

@@ -40,7 +40,8 @@ pub fn of_parameters() -> Vec<Claim> {
             Finding::new(
                 holds,
                 format!(
-                    "we asked how the pin's distance changes just past −{} degrees, the angles of Appendix D",
+                    "we asked how the pin's distance changes just past the angles of Appendix D, {} degrees before the \
+                     line of centres",
                     joined(&angles)
                 ),
             )

@@ -3,8 +3,7 @@
 use crate::html::escape;
 use geneva_ledger::{Check, Evidence, Finding, Judged};
 
-/// How a form was found to hold or to fail, with the reading; for a missing value, what is missing. Without the last full
-/// stop.
+/// How a form was found to hold or to fail, with the reading; for a missing value, what is missing.
 pub fn how(judged: &Judged) -> String {
     let sentences = match &judged.claim.check {
         Check::Missing { reason } => vec![(*reason).to_owned()],
@@ -14,8 +13,13 @@ pub fn how(judged: &Judged) -> String {
     let reading = judged.claim.reading.map(str::to_owned);
     let reading = reading.filter(|_| !judged.claim.check.evidence().is_empty());
     let all: Vec<_> = reading.into_iter().chain(sentences).collect();
-    let all: Vec<_> = all.iter().map(|sentence| escape(sentence.trim_end_matches('.'))).collect();
-    all.join(".<br>")
+    let all: Vec<_> = all.iter().map(|sentence| in_words(sentence.trim_end_matches('.'))).collect();
+    if all.is_empty() { String::new() } else { all.join(".<br>") + "." }
+}
+
+/// What was found, as a page has it: with a minus sign before negative numbers.
+pub fn in_words(found: &str) -> String {
+    escape(&found.replace(" -", " −").replace("(-", "(−"))
 }
 
 /// The sentences on a form as printed and on its correction, by both routes.
@@ -54,7 +58,7 @@ fn forms(judged: &Judged) -> Vec<String> {
         _ => format!("By a second way{second}, {} {}: {}", lowered(right), says(again), again.how),
     });
     let told = refused.filter(|refused| refused.how != again.how && Some(*refused) != printed);
-    sentences.extend(told.map(|refused| format!("By this way, the printed form {}: {}", says(refused), refused.how)));
+    sentences.extend(told.map(|refused| format!("In this way, the printed form {}: {}", says(refused), refused.how)));
     sentences
 }
 
@@ -71,7 +75,7 @@ fn statement(judged: &Judged, neighbour: &str) -> Vec<String> {
         return sentences;
     }
     sentences.push(format!("By a second way{second}, what is printed {}: {}", says(again), again.how));
-    let version = format!("By this way, too, the false version {}", says(refused));
+    let version = format!("In this way, too, the false version {}", says(refused));
     sentences.push(if refused.how == again.how { version } else { format!("{version}: {}", refused.how) });
     sentences
 }
@@ -127,7 +131,7 @@ mod tests {
                 assert!(!told.contains(log), "{id}: {log} in {told}");
             }
             let first = &judged.findings[0].1.how;
-            assert!(told.contains(&escape(first)), "{id}: {first} is not in {told}");
+            assert!(told.contains(&in_words(first)), "{id}: {first} is not in {told}");
         }
     }
 }

@@ -4,7 +4,7 @@
 //! when the first claim is opened. Without scripts every row is there, and `claims.json` has the rest.
 
 use super::errata::forms;
-use super::findings::{how, in_a_word};
+use super::findings::{how, in_a_word, in_words};
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
@@ -126,7 +126,7 @@ fn right(judged: &Judged) -> String {
 fn found(judged: &Judged) -> String {
     let mistake = mistake(judged).map(|link| format!("Mistake: {link}"));
     let missing = open::group_of(judged).map(|group| format!("Open: {}", group.link()));
-    let holds = judged.findings.first().map(|(_, finding)| escape(&finding.how));
+    let holds = judged.findings.first().map(|(_, finding)| in_words(&finding.how));
     [mistake, missing, holds].into_iter().flatten().collect::<Vec<_>>().join(". ")
 }
 
