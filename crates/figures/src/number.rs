@@ -37,7 +37,7 @@ pub fn count_word(pins: u32) -> &'static str {
 /// Which escapement a figure shows, as its caption ends: pins, friction and the ratio of the inertias.
 pub fn shown(parameters: &Parameters) -> String {
     format!(
-        "Shown: {} pins and {} slots, friction μ = {}, driver's moment of inertia over the follower's {}.",
+        "Shown: {} pins and {} slots, friction μ = {}, ratio of the driver's moment of inertia to the follower's: {}.",
         parameters.mechanism().pins(),
         parameters.mechanism().slots(),
         trimmed(parameters.friction(), 4),

@@ -3,6 +3,7 @@
 use crate::Finding;
 use crate::tolerance::{CLOSURE, ROUTES};
 use nalgebra::Vector2;
+use std::fmt::Display;
 
 /// Whether two numbers agree as two routes must.
 pub(crate) fn agrees(a: f64, b: f64) -> bool {
@@ -21,10 +22,37 @@ pub(crate) fn coincide(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
 
 /// Compares two numbers as [`agrees`] does, and says both.
 pub(crate) fn same(a: f64, b: f64) -> Finding {
-    Finding::new(agrees(a, b), format!("{a} against {b}"))
+    Finding::new(agrees(a, b), pair("number", &short(a), &short(b)))
 }
 
 /// Compares two numbers whose last bits are not the same on every machine, and says six places of both.
 pub(crate) fn meets(a: f64, b: f64) -> Finding {
-    Finding::new(agrees(a, b), format!("{a:.6} against {b:.6}"))
+    Finding::new(agrees(a, b), pair("number", &format!("{a:.6}"), &format!("{b:.6}")))
+}
+
+/// A number to ten digits, which routes that agree have in common.
+pub(crate) fn short(number: f64) -> String {
+    format!("{number:.9e}").parse().map_or_else(|_| number.to_string(), |number: f64| number.to_string())
+}
+
+/// Two results that were compared, in words: of two that look alike one is said.
+pub(crate) fn pair(what: &str, a: &str, b: &str) -> String {
+    if a == b { format!("both {what}s are {a}") } else { format!("one {what} is {a} and the other {b}") }
+}
+
+/// Items with commas between them and *and* before the last; of none, "none".
+pub(crate) fn joined<T: Display>(items: impl IntoIterator<Item = T>) -> String {
+    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    match &items[..] {
+        [] => "none".to_owned(),
+        [only] => only.clone(),
+        [most @ .., last] => format!("{} and {last}", most.join(", ")),
+    }
+}
+
+/// Numbers as [`joined`], with three places each.
+pub(crate) fn joined_numbers(numbers: &[f64]) -> String {
+    // Rounded to zero, a number has no sign.
+    let tidy = |number: &f64| format!("{number:.3}").replace("-0.000", "0.000");
+    joined(numbers.iter().map(tidy))
 }

@@ -389,7 +389,8 @@ impl Claim {
             (found @ None, _) | (found, None) => Finding::of_reading(found),
             (Some(right), Some(_)) => Finding::new(
                 right && (reader.holds)(self.printed) != Some(true),
-                "read and evaluated, the corrected characters hold and the printed ones do not",
+                "we read and evaluated the characters wherever they must hold, and the corrected ones are right and the printed \
+                 ones wrong",
             ),
         }
     }

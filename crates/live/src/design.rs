@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub const LIVE: Live = Live {
     name: "design",
     figure: "wheel-dimensions",
-    hint: "Choose your stations and your size: pin, play and shafts follow, until you move them. Make the pin thicker until it \
+    hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by hand. Make the pin thicker until it \
            no longer fits. Double the speed: without friction the force of the pin grows fourfold. Move the axes apart by 0.02 \
            mm, and the pin knocks less. At 0.06 mm it meets a corner of its slot.",
     controls: &[

@@ -42,7 +42,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "least", label: "least speed" },
         Quantity { name: "greatest", label: "greatest speed" },
         Quantity { name: "period", label: "from pin to pin" },
-        Quantity { name: "engagements", label: "pins until within 1 %" },
+        Quantity { name: "engagements", label: "engagements until within 1 % of the terminal speed" },
         Quantity { name: "critical", label: "may jam from μ =" },
     ],
     others: &[],

@@ -64,8 +64,8 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
         ),
         format!(
             "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}; both angles are \
-             negative before the line of centres. The pin is as far from the line of centres by either angle: R sin θ = r sin φ. The foot of that \
-             distance divides l into R cos θ and r cos φ.",
+             negative before the line of centres. Either angle gives the same distance of the pin from \
+             the line of centres: R sin θ = r sin φ. The foot of that distance divides l into R cos θ and r cos φ.",
             escapement.pins(),
             escapement.slots()
         ),

@@ -74,9 +74,9 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
             significant(ratio, 4)
         ),
         format!(
-            "The hand-over with {m} pins and {n} slots; the driver, at the left, turns counter-clockwise. Each crank is \
-             at right angles to its slot, so both pins move along their slots' centre lines and the follower stands \
-             still for this instant: θ₀ + φ₀ is a quarter turn."
+            "The hand-over with {m} pins and {n} slots; the driver, at the left, turns counter-clockwise. The crank \
+             radius to each pin is at right angles to that pin's slot, so θ₀ + φ₀ is a quarter turn. Both pins therefore \
+             move along their slots, and the follower stands still for an instant."
         ),
     );
     words.figure(canvas, Kind::Mechanism, series)

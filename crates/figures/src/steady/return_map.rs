@@ -108,8 +108,8 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
             significant(added, 4)
         ),
         format!(
-            "The solid line gives the square of the speed at the end of an engagement from its square at the \
-             start. Where the curve crosses the \
+            "The solid line shows the square of the speed at the end of an engagement as a function of the square of the \
+             speed at its start. Where the curve crosses the \
              dashed diagonal, the motion is steady. Go up or down to the curve and across to the diagonal, and the next \
              engagement begins: the first two from rest and from above have numbers. At the crossing a small difference \
              shrinks to {multiplier} of itself in each engagement. Without friction (dotted) each engagement adds the \

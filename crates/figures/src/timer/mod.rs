@@ -89,5 +89,8 @@ fn inertias(all: &[Tested]) -> String {
         let ratio = crate::number::significant(one.parameters.inertias().ratio(), 2);
         format!("{ratio} with {} pins", one.parameters.mechanism().pins())
     };
-    format!("Driver's moment of inertia over the follower's: {}.", all.iter().map(of).collect::<Vec<_>>().join(", "))
+    format!(
+        "Ratio of the driver's moment of inertia to the follower's: {}.",
+        all.iter().map(of).collect::<Vec<_>>().join(", ")
+    )
 }

@@ -83,8 +83,9 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         format!(
             "The greatest accelerations and the greatest force on the pin in the steady motion, without their signs: the \
              accelerations times the follower's inertia over the torque, the force over that of the spring at the crank \
-             radius. So each curve holds for every spring. The kink with four pins is where friction begins to brake the \
-             driver harder than the follower throws it on. Marks are the frictions of the thesis's runs. {}",
+             radius. So each curve holds for every spring. The kink in the four-pin curve is where the driver's greatest \
+             deceleration, caused by friction, overtakes its greatest acceleration, caused by the follower pushing it \
+             forward. Marks are the frictions of the thesis's runs. {}",
             super::inertias(all)
         ),
     );

@@ -40,24 +40,44 @@ pub struct Refutation {
 
 impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Variables that stand nowhere come last.
-        let used = self.degrees.iter().rposition(|degree| *degree > 0).map_or(1, |last| last + 1);
-        let degrees: Vec<_> = self.degrees.iter().take(used).map(u32::to_string).collect();
-        write!(f, "exact at {} points, degree at most {}", self.points, degrees.join(", "))
+        // Most variables of a large identity are not in it.
+        let degrees: Vec<_> = self.degrees.iter().filter(|degree| **degree > 0).map(u32::to_string).collect();
+        match &degrees[..] {
+            [] => f.write_str("the two sides are exactly equal, and no variable is left in their difference"),
+            [only] => write!(f, "the two sides are exactly equal at {} points, enough for degree {only}", self.points),
+            [all @ .., last] => write!(
+                f,
+                "the two sides are exactly equal at {} points, enough for degrees {} and {last} in the variables",
+                self.points,
+                all.join(", ")
+            ),
+        }
     }
 }
 
 impl fmt::Display for Refutation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let at: Vec<_> = self.at.iter().map(RBig::to_string).collect();
+        let at = place(&self.at);
         match &self.difference {
-            Some(difference) => write!(f, "fails at ({}): the sides differ by {difference}", at.join(", ")),
-            None => write!(f, "has no value at ({}): something is divided by zero there", at.join(", ")),
+            Some(difference) => write!(f, "with {at}, the two sides differ by {difference}"),
+            None => write!(f, "with {at}, something is divided by zero"),
         }
     }
 }
 
 impl std::error::Error for Refutation {}
+
+/// The values of variables in words: one value of many variables is said once.
+fn place(at: &[RBig]) -> String {
+    let usual = at.iter().max_by_key(|value| at.iter().filter(|other| other == value).count());
+    let others: Vec<_> = at.iter().filter(|value| Some(*value) != usual).collect();
+    match (usual, &others[..]) {
+        (Some(usual), []) if at.len() == 1 => format!("the variable set to {usual}"),
+        (Some(usual), []) => format!("every variable set to {usual}"),
+        (Some(usual), [other]) if at.len() > 2 => format!("one variable set to {other} and every other to {usual}"),
+        _ => format!("the variables set to {}", at.iter().map(RBig::to_string).collect::<Vec<_>>().join(", ")),
+    }
+}
 
 /// Proves or refutes `identity` by exact arithmetic on a grid of rationals.
 ///

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::Dimension as Exponents;
+use crate::agreement::joined_numbers;
 use geneva_kinematics::rational;
 
 const PLOT: Place = at("Paragraph on Fig. 5.30");
@@ -179,8 +180,9 @@ fn least_stations() -> Claim {
             Finding::new(
                 (least..=1000).all(positive) && !positive(least - 1),
                 format!(
-                    "{least} stations: the way past the axis, the rim and the slot are {:.3?} crank radii",
-                    sizes(least)
+                    "with {least} stations the pin passes the axis at a distance, the rim has a radius and the slot a length of {} \
+                     crank radii",
+                    joined_numbers(&sizes(least))
                 ),
             )
         })
@@ -216,7 +218,7 @@ fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> boo
     let some =
         more.iter().map(|(stations, most)| format!("{most} with {stations} stations")).collect::<Vec<_>>().join(", ");
     let some = if some.is_empty() { "more with none".into() } else { some };
-    Finding::new(all.holds && !more.is_empty(), format!("{}; up to {some}", all.how))
+    Finding::new(all.holds && !more.is_empty(), format!("{}; there is room for up to {some}", all.how))
 }
 
 /// The caption of Fig. 5.30, which comes among the paragraphs on Fig. 5.31.
@@ -230,7 +232,8 @@ pub(super) fn caption() -> Claim {
         .by(Dimension, |stated| {
             let velocity = pure_number(Exponents::ANGULAR_SPEED, 1);
             let acceleration = pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1));
-            Finding::new(velocity.holds && acceleration.holds, format!("{}; {}", velocity.how, acceleration.how))
+            let how = format!("for the velocity {}, and for the acceleration {}", velocity.how, acceleration.how);
+            Finding::new(velocity.holds && acceleration.holds, how)
         })
         .by(Series, |stated| {
             let (velocity, acceleration) = (same_at_each_speed(1, 1), same_at_each_speed(2, stated.pick(2, 1)));
@@ -242,7 +245,8 @@ pub(super) fn caption() -> Claim {
 /// Whether a rate of the wheel over a power of the driver's speed is a pure number.
 pub(super) fn pure_number(rate: Exponents, power: u32) -> Finding {
     let exponents = (0..power).fold(rate, |rest, _| rest / Exponents::ANGULAR_SPEED);
-    Finding::new(exponents == Exponents::NONE, exponents.to_string())
+    let is_pure = exponents == Exponents::NONE;
+    Finding::new(is_pure, format!("the quotient {} {exponents}", if is_pure { "is" } else { "has the dimension" }))
 }
 
 /// Whether a derivative of the wheel's angle over a power of the driver's speed is the same for each speed.

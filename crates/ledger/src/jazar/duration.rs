@@ -38,7 +38,7 @@ fn angle() -> Vec<Claim> {
                         let end = libm::acos(1.0 / ratio) * stated.pick(1.0, 0.5);
                         [-end, end].iter().all(|t| agrees(by_cosines(ratio, *t).1.abs(), pitch / 2.0))
                     },
-                    "by the law of cosines, where the crank is tangent to the slot",
+                    "the law of cosines gives this angle where the crank is tangent to the slot",
                 )
             })
             .but_not("it is that angle when the pin has gone half of the way from there to the line of centres"),
@@ -51,7 +51,7 @@ fn angle() -> Vec<Claim> {
                         let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
                         agrees(stated.pick(2.0, 1.0) * alpha * f64::from(wheel.stations()), 2.0 * PI)
                     },
-                    "all slots together make one turn, where the sine of α is the crank over the centre distance",
+                    "all slots together make one turn if the sine of α is the crank over the centre distance",
                 )
             })
             .by(Vectors, |stated| {
@@ -63,7 +63,7 @@ fn angle() -> Vec<Claim> {
                         let last = (0..wheel.stations()).fold(first, |slot, _| slot.plus(&step));
                         vanishes((last.direction() - first.direction()).norm())
                     },
-                    "that many steps from slot to slot lead back to the first slot",
+                    "this number of steps from slot to slot leads back to the first slot",
                 )
             })
             .but_not("α is the whole angle between neighbouring slots"),
@@ -160,9 +160,9 @@ fn compare_neighbours(quantities: &[fn(&Wheel) -> f64], ordering: Ordering) -> F
     };
     let failing = wheels().windows(2).find(|pair| !compares(pair));
     let how = match (failing, ordering) {
-        (Some(pair), _) => format!("not from {} stations to the next", pair[0].stations()),
-        (None, Ordering::Less) => format!("rises with each station more, {}", numbers_of_stations()),
-        (None, _) => format!("falls with each station more, {}", numbers_of_stations()),
+        (Some(pair), _) => format!("it does not do so from {} stations to the next number", pair[0].stations()),
+        (None, Ordering::Less) => format!("it rises with each additional station, for {}", numbers_of_stations()),
+        (None, _) => format!("it falls with each additional station, for {}", numbers_of_stations()),
     };
     Finding::new(failing.is_none(), how)
 }

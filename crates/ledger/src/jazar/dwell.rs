@@ -72,7 +72,10 @@ fn formula() -> Claim {
         || {
             let alpha = rational(180, 4);
             let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
-            Finding::new(locked == rational(3, 4), format!("{locked} for four stations"))
+            Finding::new(
+                locked == rational(3, 4),
+                format!("with four stations the wheel is locked for {locked} of the cycle"),
+            )
         },
     )
     .corrected(r"\lambda = \frac{180 + 2\alpha}{360}", MOVING_PART)

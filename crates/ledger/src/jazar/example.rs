@@ -172,7 +172,7 @@ fn senses() -> Claim {
                         (x * next_y - y * next_x) * stated.pick(-1.0, 1.0) > 0.0
                     })
                 },
-                "the sense of the wheel while the driver turns counter-clockwise",
+                "the wheel turns in this sense while the driver turns counter-clockwise",
             )
         })
         .but_not("the wheel and the driver turn in the same sense")

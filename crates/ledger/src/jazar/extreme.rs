@@ -55,14 +55,14 @@ fn alpha_range() -> Claim {
                 let alpha = alpha(*stations);
                 alpha <= start || if closed { alpha > end } else { alpha >= end }
             });
-            let but = outside.map_or("none".to_owned(), |stations| stations.to_string());
+            let but = outside.map_or_else(
+                || "every number of stations from 3 to 1000 is in the range".to_owned(),
+                |stations| format!("α is outside the range with {stations} stations"),
+            );
             // An end that belongs to the range is reached.
             let missed = closed && !(3..=1000).any(|stations| alpha(stations) == end);
-            let at_the_end = if missed { "; none is at the end" } else { "" };
-            Finding::new(
-                outside.is_none() && !missed,
-                format!("numbers of stations from 3 to 1000 that are outside: {but}{at_the_end}"),
-            )
+            let at_the_end = if missed { ", but none is at its end" } else { "" };
+            Finding::new(outside.is_none() && !missed, format!("{but}{at_the_end}"))
         })
         .by(Vectors, |stated| {
             let slot = |wheel: &Wheel| by_series(wheel, wheel.engagement_half_angle())[0].to_degrees();
@@ -71,7 +71,13 @@ fn alpha_range() -> Claim {
                 (wheels().iter().map(slot).fold(f64::INFINITY, f64::min), greatest(wheels().iter().map(slot)));
             let at_the_end = agrees(greatest, end);
             let holds = least > start && if closed { at_the_end } else { !at_the_end && greatest < end };
-            Finding::new(holds, format!("the slot of the three-station wheel enters at {greatest:.4}°"))
+            Finding::new(
+                holds,
+                format!(
+                    "α is greatest with three stations, {greatest:.4}°, and the range {} up to there",
+                    if holds { "goes" } else { "does not go" }
+                ),
+            )
         })
         .corrected(
             r"0 < \alpha \le 60^{\circ}",

@@ -98,7 +98,7 @@ fn wheels() -> &'static [Wheel] {
 
 /// Of which numbers of stations these are.
 fn numbers_of_stations() -> String {
-    format!("{} to {} stations", STATIONS.start(), STATIONS.end())
+    format!("every number of stations from {} to {}", STATIONS.start(), STATIONS.end())
 }
 
 /// Whether a property holds for each number of stations that a wheel can have.
@@ -108,9 +108,11 @@ fn numbers_of_stations() -> String {
 fn for_all_stations(holds: impl Fn(&Wheel) -> bool, how: &str) -> Finding {
     let failing: Vec<u32> = wheels().iter().filter(|wheel| !holds(wheel)).map(Wheel::stations).collect();
     let how = match failing[..] {
-        [] => format!("{how}, {}", numbers_of_stations()),
-        [first] => format!("{how}, but not for {first} stations"),
-        [first, .., last] => format!("{how}, but not for {} numbers of stations from {first} to {last}", failing.len()),
+        [] => format!("with {}, {how}", numbers_of_stations()),
+        [first] => format!("with {first} stations it is not true that {how}"),
+        [first, .., last] => {
+            format!("with {} numbers of stations, from {first} to {last}, it is not true that {how}", failing.len())
+        }
     };
     Finding::new(failing.is_empty(), how)
 }

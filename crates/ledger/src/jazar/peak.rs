@@ -180,7 +180,7 @@ fn numbers() -> Vec<Claim> {
                 "jazar.ex-e.ratio",
                 "±1.372",
                 "",
-                "greatest size of the acceleration of the six-station wheel, over the square of the driver's speed",
+                "greatest magnitude of the acceleration of the six-station wheel, divided by the square of the driver's speed",
             )
             .by(ClosedForm, || six(|w| acceleration_peak(w).ratio))
             .by(Series, || six_pair(peak_by_series).1)
@@ -205,7 +205,10 @@ fn numbers() -> Vec<Claim> {
 /// Whether a product of numbers rounds to the printed speed of the driver.
 pub(super) fn rounds_to_the_speed(tex: &str) -> Finding {
     match number(tex) {
-        Some(product) => Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}")),
+        Some(product) => Finding::new(
+            rounds("jazar.ex-d.driver-speed", product),
+            format!("the formula gives {}", crate::agreement::short(product)),
+        ),
         None => Finding::of_reading(None),
     }
 }

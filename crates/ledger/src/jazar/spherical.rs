@@ -1,6 +1,7 @@
 //! What the handout says of spherical Geneva mechanisms.
 
 use super::*;
+use crate::agreement::joined;
 use geneva_kinematics::{Expression, Identity, angular_velocity, prove};
 use nalgebra::{Vector2, Vector3};
 
@@ -24,10 +25,13 @@ fn angulated() -> Claim {
                 ANGLES.iter().all(|angle| indexes(stations, angle.to_radians(), stated.pick(false, true)))
             };
             let failing = STATIONS.clone().find(|stations| !indexed(*stations));
-            let but = failing.map_or(String::new(), |stations| format!("; not with {stations}"));
+            let but = failing.map_or(String::new(), |stations| format!(", but not with {stations} stations"));
             Finding::new(
                 failing.is_none(),
-                format!("shafts at {ANGLES:?}°: the pin enters and leaves along meridians a station apart{but}"),
+                format!(
+                    "with shafts at {} degrees the pin enters and leaves along meridians a station apart{but}",
+                    joined(ANGLES)
+                ),
             )
         })
         .by(ExactIdentity, |stated| {

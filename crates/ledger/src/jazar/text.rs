@@ -198,7 +198,7 @@ fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
                 !vanishes(size) && jump * crank * sign < 0.0
             })
         },
-        "the jump of the wheel's speed as the pin enters and as it leaves",
+        "the wheel's speed jumps this way as the pin enters and as it leaves",
     )
 }
 

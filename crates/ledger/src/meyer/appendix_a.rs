@@ -155,7 +155,7 @@ fn corrected_centre(claim: Claim) -> Claim {
             id: "",
             reason: "One over the sine of 60° is 2/√3, which is a little less than printed. With 1.73 for the root, \
                      which the appendix itself prints to one place more further down, the printed number is \
-                     reproduced. But a digit may also have been misread.",
+                     reproduced. Or a digit was misread, by the author or in the copy.",
             witness: "The hand-over, drawn with exact roots.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Number,

@@ -7,6 +7,7 @@ use super::letters::start;
 use super::reading::Moment;
 use super::slips::LOST_DOTS;
 use super::*;
+use crate::agreement::joined;
 use crate::numbers_in;
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
@@ -45,7 +46,7 @@ fn given() -> Vec<Claim> {
                 let own = stated.number() + stated.pick(0.0, 1.0);
                 Finding::new(
                     said.first().is_some_and(|said| f64::from(*said) == own),
-                    format!("Appendix B has {said:?} after the program"),
+                    format!("after the program, Appendix B gives the speed {}", joined(said)),
                 )
             })
             .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
@@ -70,7 +71,7 @@ fn given() -> Vec<Claim> {
                 angles.sort_by(f64::total_cmp);
                 let mut said: Vec<f64> = start_angles("meyer.app-d.angles").collect();
                 said.sort_by(f64::total_cmp);
-                Finding::new(angles == said, format!("180° over the number of pins: {angles:?}"))
+                Finding::new(angles == said, format!("180° over the number of pins is {}°", joined(&angles)))
             })
             .by(Vectors, |stated| {
                 let angles: Vec<f64> = said_pins(stated).iter().map(|pins| PI / pins).collect();
@@ -110,7 +111,7 @@ fn said_angles(stated: Stated) -> Vec<f64> {
 pub fn of_the_pins(stated: Stated) -> Finding {
     let said = said_angles(stated);
     let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| 180.0 / f64::from(at.pins())).collect();
-    Finding::new(said == angles, format!("180° over the number of pins: {angles:?}"))
+    Finding::new(said == angles, format!("180° over the number of pins is {}°", joined(&angles)))
 }
 
 /// The neighbour of a place that gives the three angles of the start.
@@ -131,7 +132,10 @@ fn said_starts(stated: Stated) -> Vec<f64> {
 pub fn before_the_line(stated: Stated) -> Finding {
     let said = said_starts(stated);
     let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| -180.0 / f64::from(at.pins())).collect();
-    Finding::new(said == angles, format!("180° over the number of pins, before the line of centres: {angles:?}"))
+    Finding::new(
+        said == angles,
+        format!("180° over the number of pins, before the line of centres, is {}°", joined(&angles)),
+    )
 }
 
 /// Whether at these angles a pin moves along its slot towards the follower's axis, at each in another of the escapements.
@@ -145,7 +149,7 @@ pub fn coming_in(stated: Stated) -> Finding {
     let count = Mechanism::ALL.iter().zip(&said).filter(|pair| comes_in(*pair)).count();
     Finding::new(
         count == 3 && said.len() == 3,
-        format!("at {said:?} degrees the pin comes in along its slot in {count} of 3 escapements"),
+        format!("at {} degrees the pin comes in along its slot in {count} of 3 escapements", joined(&said)),
     )
 }
 
@@ -155,7 +159,10 @@ pub fn along_the_slots(stated: Stated) -> Finding {
     let still = Mechanism::ALL.iter().zip(&said).all(|(at, angle)| {
         [1.0, -1.0].iter().all(|side| vanishes(PinKinematics::new(at, side * angle.to_radians()).turning()))
     });
-    Finding::new(still && said.len() == 3, format!("the pin moves along its slot at {said:?} degrees"))
+    Finding::new(
+        still && said.len() == 3,
+        format!("we asked whether the pin moves along its slot at {} degrees", joined(&said)),
+    )
 }
 
 fn equations() -> Vec<Claim> {
@@ -181,7 +188,7 @@ fn equations() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "the program's lines of R and V, compared with the factors of the equation of motion",
+                    "we compared the program's lines of R and V with the factors of the equation of motion",
                 )
             })
             .by(Vectors, |stated| {
@@ -208,7 +215,7 @@ fn equations() -> Vec<Claim> {
                     let own: Vec<f64> = of_slots(*mechanism).map(|(_, c)| stated.pick(c.e, c.a)).collect();
                     own.iter().all(|factor| agrees(*factor, own[0]))
                 });
-                Finding::new(holds, "the factor over the whole engagement of each mechanism")
+                Finding::new(holds, "we evaluated the factor over the whole engagement of each mechanism")
             })
             .by(OtherPlaceInSource, |stated| {
                 let line = stated.pick("meyer.factor-e", "meyer.factor-a");
@@ -219,7 +226,7 @@ fn equations() -> Vec<Claim> {
                     reading::value(right, &letters.map(|(name, value)| (name.to_owned(), value)).into())
                 };
                 let holds = (0..=9).all(|k| agrees(at(f64::from(k) / 9.0), at(0.0)));
-                Finding::new(holds, "the substitution before Eq. (1-19), read and evaluated at ten angles")
+                Finding::new(holds, "we read and evaluated the substitution before Eq. (1-19) at ten angles")
             })
             .but_not("A is the same at all angles too"),
         starting(
@@ -236,7 +243,7 @@ fn equations() -> Vec<Claim> {
         .by(ClosedForm, |stated| {
             let speed = stated.pick(0.0, FAST);
             let holds = poses().all(|(_, c)| c.acceleration(speed).is_ok_and(|found| found.value > 0.0));
-            Finding::new(holds, format!("the acceleration at the speed {speed}, at 63 poses"))
+            Finding::new(holds, format!("we computed the acceleration at the speed {speed} in 63 positions"))
         })
         .by(LimitCase, |stated| {
             // The left side, along positive accelerations: does it come from below E to E?
@@ -285,14 +292,14 @@ fn equations() -> Vec<Claim> {
                     let line = reading::value(start_formula(), &with(stated.pick(size, 0.0)).collect());
                     agrees(line, reading::value(right_side("meyer.app-d.acceleration"), &with(number(3.0)).collect()))
                 });
-                Finding::new(holds, "both formulas, read and evaluated for 20 sets of numbers")
+                Finding::new(holds, "we read both formulas and evaluated them for 20 sets of numbers")
             })
             .by(Vectors, |stated| {
                 let line = start_formula().replace('V', stated.pick("V", "0"));
                 let holds = holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
                 Finding::new(
                     holds == Some(true),
-                    "the program's line, compared with what both members require from rest",
+                    "we compared the program's line with the torque that both members require from rest",
                 )
             })
             .but_not("the program's line is this equation without V"),
@@ -304,7 +311,7 @@ fn equations() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| {
                 let holds = poses().all(|(_, c)| stated.pick(c.a, c.d) > 0.0);
-                Finding::new(holds, "the factor at 63 poses")
+                Finding::new(holds, "we computed the factor in 63 positions")
             })
             .by(Vectors, |stated| {
                 equal(
@@ -312,7 +319,7 @@ fn equations() -> Vec<Claim> {
                         let factor = letter(stated.pick("A", "D"));
                         (factor.abs(), factor)
                     },
-                    "the size of the factor by Newton's laws, and the factor itself",
+                    "the size of the factor by Newton's laws and the factor itself",
                 )
             })
             .but_not("V, without bars, is always positive too"),

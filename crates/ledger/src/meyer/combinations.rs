@@ -4,6 +4,7 @@ use super::geometry::{and_with_a_slot_more, every};
 use super::hand_over::Drawn;
 use super::hand_over_letters::{COUNTS, RIGHT_TRIANGLE};
 use super::*;
+use crate::agreement::joined;
 use geneva_kinematics::escapement::entry_proofs::PinsAndSlots;
 use geneva_kinematics::escapement::{pins_needed, possible};
 use geneva_kinematics::pin_slot::velocity_ratio;
@@ -61,7 +62,7 @@ fn angle_sum() -> Vec<Claim> {
                     let angle = 2.0 * libm::atan(crank.sin / (ratio - crank.cos)) - at.follower_pitch_angle();
                     [angle, velocity_ratio(&ratio, &crank) - velocity_ratio(&ratio, &crank.reversed())]
                 });
-                every(gaps, vanishes, "jumps of the follower's angle and speed from pin to pin")
+                every(gaps, vanishes, "the jumps of the follower's angle and speed from pin to pin are")
             })
             .by(Vectors, |stated| {
                 let missing = Mechanism::ALL.into_iter().map(|at| {
@@ -72,7 +73,7 @@ fn angle_sum() -> Vec<Claim> {
                 every(
                     missing,
                     |slots| (slots - 1.0).abs() < 1e-9,
-                    "number of slots by which each pin carries the follower",
+                    "the numbers of slots by which each pin carries the follower are",
                 )
             })
             .but_not("with Eq. (1-1) and one pin more than Eq. (1-3) gives, the motion is continuous too"),
@@ -123,7 +124,7 @@ fn remarks() -> Vec<Claim> {
                         more > fewer && stated.pick(true, more * whole(n) == fewer * whole(n + 1))
                     })
                 });
-                Finding::new(holds, "from each number of slots to the next, 3 to 1000")
+                Finding::new(holds, "we compared each number of slots with the next, from 3 to 1000")
             })
             .by(Series, |stated| {
                 // m = 2n/(n − 2) as a series in n.
@@ -138,7 +139,11 @@ fn remarks() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    format!("dm/dn is {:.2} for three slots and {:.4} for twenty", pins(3.0).rate(), pins(20.0).rate()),
+                    format!(
+                        "the derivative dm/dn is {:.2} for three slots and {:.4} for twenty",
+                        pins(3.0).rate(),
+                        pins(20.0).rate()
+                    ),
                 )
             })
             .but_not("m decreases in inverse proportion"),
@@ -154,8 +159,8 @@ fn remarks() -> Vec<Claim> {
                 Finding::new(
                     holds && falls,
                     format!(
-                        "how far the number of pins is above it with a thousand, a million and 10⁹ slots: {above:?}; \
-                         {how}"
+                        "with a thousand, a million and 10⁹ slots the number of pins is above it by {}; {how}",
+                        joined(above)
                     ),
                 )
             })
@@ -191,7 +196,11 @@ fn remarks() -> Vec<Claim> {
                         here.normalize().perp(&(there - here)) / step
                     })
                 });
-                every(parts, |part| part.abs() < 1e-5, "part of a small step of the pin that is off that line")
+                every(
+                    parts,
+                    |part| part.abs() < 1e-5,
+                    "the parts of a small step of the pin that are off that line are",
+                )
             })
             .but_not("the path runs along it too if the follower has a slot more"),
     ]

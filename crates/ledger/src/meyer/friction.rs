@@ -179,7 +179,7 @@ fn substituted() -> Vec<Claim> {
                         let factor = letter("r") * letter("I_f") * stated.pick(1.0, letter("N"));
                         (letter("friction").abs(), factor * (letter("friction") / factor).abs())
                     },
-                    "bars around the whole expression, and around what is left of it between them",
+                    "the expression with bars around all of it and the expression with fewer factors between the bars",
                 )
             })
             .by(ClosedForm, |stated| {
@@ -205,7 +205,7 @@ fn substituted() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "the expression between the bars, by the equation of motion, at 18 angles and three speeds",
+                    "we evaluated the expression between the bars by the equation of motion, at 18 angles and three speeds",
                 )
             })
             .but_not("the normal force is always positive too, so it may stand outside them"),

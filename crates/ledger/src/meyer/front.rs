@@ -2,6 +2,7 @@
 
 use super::hand_over::Drawn;
 use super::*;
+use crate::agreement::joined;
 use crate::stated::in_words;
 
 const CONTENTS: Place = at("Table of contents");
@@ -92,14 +93,18 @@ pub fn page_of_definition() -> Claim {
             let said = said_page(stated);
             Finding::new(
                 (before + 1..after).contains(&said),
-                format!("Fig. 8 is on page {before}, Fig. 9 on page {after}; the page given is {said}"),
+                format!("Fig. 8 is on page {before} and Fig. 9 on page {after}, and the page given is {said}"),
             )
         })
         .by(LimitCase, |stated| {
             let (pages, before) = (pages_of_text(), figures_before("meyer.fig-8.rise").unwrap_or(usize::MAX));
             Finding::new(
                 pages.get(before) == Some(&said_page(stated)),
-                format!("text is on the pages {pages:?} of chapter II; figures before the definition: {before}"),
+                format!(
+                    "the pages of chapter II with text are {}, and {before} {} before the definition",
+                    joined(&pages),
+                    if before == 1 { "figure comes" } else { "figures come" }
+                ),
             )
         })
         .but_not("the page after")
@@ -166,7 +171,10 @@ fn has_its_angles(stated: Stated, which: usize) -> Finding {
     };
     Finding::new(
         agrees(theta * f64::from(pins), 180.0) && agrees(phi * f64::from(slots), 180.0),
-        format!("{pins} pins and {slots} slots; the angles of computation {} are {theta}° and {phi}°", which + 1),
+        format!(
+            "the figure has {pins} pins and {slots} slots, and the angles of computation {} are {theta}° and {phi}°",
+            which + 1
+        ),
     )
 }
 

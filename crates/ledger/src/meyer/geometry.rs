@@ -3,6 +3,7 @@
 use super::hand_over::Drawn;
 use super::hand_over_letters::{HALVES, RATIO, RIGHT_TRIANGLE};
 use super::*;
+use crate::agreement::joined_numbers;
 use geneva_kinematics::escapement::{AtHandOver, Continuous};
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
@@ -29,7 +30,7 @@ fn conditions() -> Vec<Claim> {
                 moved_on(
                     stated,
                     |wheel| 2.0 * angle_at_exit(wheel),
-                    "from entry to exit the pin's direction turns so far",
+                    "from entry to exit the pin's direction turns by this angle",
                 )
             })
             .but_not("two slots of n"),
@@ -37,11 +38,15 @@ fn conditions() -> Vec<Claim> {
             .statement("meyer.intermittent", "intermittent", "with one pin the follower moves by fits and starts")
             .by(ClosedForm, |stated| {
                 let dwells = stated.pick(single(), complete()).into_iter().map(|(pins, slots)| dwell(pins, slots));
-                every(dwells, |dwell| dwell > 0.0, "part of the driver's turn that is dwell")
+                every(dwells, |dwell| dwell > 0.0, "the parts of the driver's turn in which the follower dwells are")
             })
             .by(Vectors, |stated| {
                 let fewest = stated.pick(single(), complete()).into_iter().map(|pair| fewest_engaged(pair) as f64);
-                every(fewest, |pins| pins == 0.0, "fewest pins within the rim over a turn")
+                every(
+                    fewest,
+                    |pins| pins == 0.0,
+                    "over a turn of the driver, the least numbers of pins within the rim are",
+                )
             })
             .but_not("it does so with the pins of the escapement too"),
         CONDITION
@@ -52,8 +57,9 @@ fn conditions() -> Vec<Claim> {
             )
             .missing(
                 "The thesis does not say whether such an escapement needs a pin at every instant, or whether this one \
-                 shall have it. Without a pin the follower rests. The text calls such motion undesirable, not \
-                 impossible, so as a choice it cannot be tested. As a need it would be false. If some of the pins are \
+                 shall have it. Without a pin the follower rests. The text calls such intermittent motion \
+                 undesirable, not impossible. If the sentence only states what the designer chose, there is nothing \
+                 to test. As a need it would be false. If some of the pins are \
                  taken away, and the follower is held between two engagements, each of the three mechanisms comes to \
                  a steady speed too, with each friction of the runs",
             ),
@@ -74,7 +80,7 @@ fn conditions() -> Vec<Claim> {
                 every(
                     angles,
                     |pitches| agrees(pitches, 1.0),
-                    "turn of the driver in an engagement over its turn between two pins",
+                    "the quotients of the driver's turn in an engagement and its turn from pin to pin are",
                 )
             })
             .by(Vectors, |stated| {
@@ -85,7 +91,11 @@ fn conditions() -> Vec<Claim> {
                     let next = drawn.place(leaving - 2.0 * drawn.half());
                     next.norm() - drawn.tangent()
                 });
-                every(ahead, vanishes, "how far the next pin is outside the rim as one pin leaves")
+                every(
+                    ahead,
+                    vanishes,
+                    "as one pin leaves, the distances of the next pin from the rim, positive outside, are",
+                )
             })
             .but_not("with one pin more or fewer, the next pin enters at that instant too"),
         hand_over::along_the_slot(),
@@ -125,7 +135,7 @@ fn triangle() -> Vec<Claim> {
                     let drawn = Drawn::new(at.pins(), at.slots() + stated.pick(0, 1));
                     1.0 + drawn.place(drawn.half()).norm_squared() - drawn.axis * drawn.axis
                 });
-                every(misfits, vanishes, "squares of two sides minus the square of the third")
+                every(misfits, vanishes, "the squares of two sides minus the square of the third are")
             })
             .but_not("they are at right angles too if the follower has a slot more"),
         at("3rd display before Eq. (1-1)")
@@ -198,7 +208,15 @@ fn fewest_engaged((pins, slots): (u32, u32)) -> usize {
 pub fn every(numbers: impl Iterator<Item = f64>, holds: impl Fn(f64) -> bool, what: &str) -> Finding {
     let numbers: Vec<f64> = numbers.collect();
     let all = !numbers.is_empty() && numbers.iter().all(|number| holds(*number));
-    Finding::new(all, format!("{what}: {numbers:.3?}"))
+    Finding::new(
+        all,
+        match numbers[..] {
+            [first, _, ..] if numbers.iter().all(|number| (number - first).abs() < 5e-4) => {
+                format!("{what} all {}", joined_numbers(&[first]))
+            }
+            _ => format!("{what} {}", joined_numbers(&numbers)),
+        },
+    )
 }
 
 /// Whether the follower goes on by a slot or, wrongly stated, by two, for each usual number of slots.
@@ -207,7 +225,7 @@ fn moved_on(stated: Stated, turned: fn(&Wheel) -> f64, what: &str) -> Finding {
         let wanted = stated.pick(stated.number(), 2.0) * 2.0 * PI / f64::from(*slots);
         !Wheel::new(*slots).is_ok_and(|wheel| agrees(turned(&wheel), wanted))
     });
-    let but = failing.map_or(String::new(), |slots| format!(": not with {slots} slots"));
+    let but = failing.map_or(String::new(), |slots| format!(", but this fails with {slots} slots"));
     Finding::new(failing.is_none(), format!("{what}, for three to eighteen slots{but}"))
 }
 

@@ -6,6 +6,7 @@ use super::runs::{Column, rows};
 use super::slips::ENTRY_ALONG_THE_SLOT;
 use super::*;
 use crate::Evidence::RungeKutta;
+use crate::agreement::joined;
 use geneva_kinematics::escapement::{ContinuityStep, Continuous};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::{Jet, angular_velocity};
@@ -49,7 +50,7 @@ pub fn conclusion() -> Vec<Claim> {
             .read_as(reading)
             .corrected(
                 "All geometrical configurations with 1/m + 2/n < 1 and inertias that suit the friction, of which only \
-                 three have the follower at rest at each hand-over,",
+                 three have the follower at rest at each hand-over",
                 ENTRY_ALONG_THE_SLOT,
             ),
         at(locator)
@@ -330,7 +331,13 @@ fn named_work(stated: Stated, works: fn(u32, u32) -> bool) -> Finding {
     let named = front::pins_and_slots(stated.characters());
     let pairs: Vec<_> = named.iter().map(|(pins, slots)| (*pins, slots.saturating_sub(stated.pick(0, 1)))).collect();
     let working = pairs.iter().filter(|(pins, slots)| works(*pins, *slots)).count();
-    Finding::new(working == 3 && pairs.len() == 3, format!("{working} of {} work: {pairs:?}", pairs.len()))
+    Finding::new(
+        working == 3 && pairs.len() == 3,
+        format!(
+            "of {}, {working} work",
+            joined(pairs.iter().map(|(pins, slots)| format!("{pins} pins with {slots} slots")))
+        ),
+    )
 }
 
 #[cfg(test)]

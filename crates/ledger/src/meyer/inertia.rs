@@ -38,7 +38,11 @@ fn material() -> Vec<Claim> {
                 let density = metric_density(stated.number() - stated.pick(0.0, LIGHTER));
                 Finding::new(
                     STEELS.contains(&density),
-                    format!("{density:.0} kg/m³; handbooks give {STEELS:?} for steels"),
+                    format!(
+                        "the number is {density:.0} kg/m³, and handbooks give {:.0} to {:.0} for steels",
+                        STEELS.start(),
+                        STEELS.end()
+                    ),
                 )
             })
             .by(ClosedForm, |stated| {
@@ -194,7 +198,7 @@ fn estimate() -> Vec<Claim> {
             })
             .but_not("387"),
         at("Chapter II, 3rd display of I")
-            .value("meyer.disc.inertia", "0.5", UNIT, "moment of inertia of either disc, about")
+            .value("meyer.disc.inertia", "0.5", UNIT, "approximate moment of inertia of either disc")
             .by(ClosedForm, || data().map_or(f64::NAN, |data| MILLIONTHS * disc(data.diameter, data.thickness)))
             .by(LimitCase, || {
                 // A disc is a ring without a hole: half of its mass times the square of its radius.

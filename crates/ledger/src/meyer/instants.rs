@@ -181,5 +181,5 @@ pub fn equal(both: impl Fn(&Value) -> (f64, f64), how: &str) -> Finding {
         apart(a, b)
     });
     let holds = worst.fold(0.0, f64::max) <= crate::tolerance::ROUTES.relative;
-    Finding::new(holds, format!("{how}: {} at {} instants", if holds { "agrees" } else { "differs" }, instants().len()))
+    Finding::new(holds, format!("{how} {} at {} instants", if holds { "agree" } else { "differ" }, instants().len()))
 }

@@ -86,7 +86,7 @@ fn forces() -> Vec<Claim> {
                         let potential = stated.pick(0.0, -letter("K") * letter("theta'"));
                         (growth + potential, letter("tau") * letter("theta'"))
                     },
-                    "growth of the energies, and power of the torques",
+                    "the growth of the energies and the power of the torques",
                 )
             })
             .by(Evidence::Quadrature, |stated| {
@@ -96,7 +96,7 @@ fn forces() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "energy over an engagement without friction, compared with the work of the spring's torque",
+                    "we compared the energy gained over an engagement without friction with the work of the spring's torque",
                 )
             })
             .but_not("the spring's potential −K θ is in the equation beside its torque")
@@ -122,7 +122,7 @@ fn forces() -> Vec<Claim> {
                         (-10..10)
                             .all(|k| 6 - constraints(&PinKinematics::new(at, instant(at, k))).rank(1e-9) == freedom)
                     },
-                    "coordinates of two members in the plane minus the rank of their constraints",
+                    "we subtracted the rank of the constraints from the coordinates of two members in the plane",
                 )
             })
             .but_not("it has two"),
@@ -166,7 +166,7 @@ fn vector_sum() -> Claim {
                 letter("I_D") * letter("theta''") + letter("I_f") * letter("phi''") * letter("phi'") / letter("theta'");
             vanishes((force - asked) / force.abs().max(asked.abs()).max(1.0))
         });
-        Finding::new(holds, "with a torque on the follower, by the forces between pin and slot")
+        Finding::new(holds, "we computed it with a torque on the follower, by the forces between pin and slot")
     })
     .by(Evidence::Quadrature, |stated| {
         for_each(
@@ -178,7 +178,7 @@ fn vector_sum() -> Claim {
                 let work = simpson(factor, -at.engagement_half_angle(), at.engagement_half_angle());
                 agrees_in_steps(work, at.follower_pitch_angle())
             },
-            "work of a torque on the follower over an engagement, compared with the angle that the follower turns by",
+            "we compared the work of a torque on the follower over an engagement with the angle that the follower turns by",
         )
     })
     .but_not("a torque on the follower counts like a torque on the driver")
@@ -231,7 +231,7 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
             });
             Finding::new(
                 holds,
-                "friction, compared with the sliding of the pin, on either flank, at 20 instants of each escapement",
+                "we compared friction with the sliding of the pin, on either flank, at 20 instants of each escapement",
             )
         })
         .by(ClosedForm, |stated| {

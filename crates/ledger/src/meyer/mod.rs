@@ -167,7 +167,7 @@ fn at_instants(both: impl Fn(&PinKinematics) -> (f64, f64)) -> Finding {
         })
         .fold(0.0, f64::max);
     let holds = worst <= crate::tolerance::ROUTES.relative;
-    Finding::new(holds, format!("{} at 20 instants of each escapement", if holds { "agrees" } else { "differs" }))
+    Finding::new(holds, format!("it {} at 20 instants of each escapement", if holds { "agrees" } else { "differs" }))
 }
 
 /// The k-th of the instants between −10 and 9.
@@ -179,8 +179,8 @@ fn instant(escapement: &Mechanism, k: i32) -> f64 {
 fn for_each(holds: impl Fn(&Mechanism) -> bool, how: &str) -> Finding {
     let failing = Mechanism::ALL.into_iter().find(|escapement| !holds(escapement));
     match failing {
-        None => Finding::new(true, format!("{how}, for each of the three")),
-        Some(escapement) => Finding::new(false, format!("{how}: not for {} slots", escapement.slots())),
+        None => Finding::new(true, format!("{how}, for each of the three mechanisms")),
+        Some(escapement) => Finding::new(false, format!("{how}: this fails with {} slots", escapement.slots())),
     }
 }
 
@@ -188,8 +188,8 @@ fn for_each(holds: impl Fn(&Mechanism) -> bool, how: &str) -> Finding {
 fn exactly(holds: impl Fn(&HandOver) -> bool, how: &str) -> Finding {
     let failing = Mechanism::ALL.into_iter().find(|escapement| !holds(&escapement.hand_over()));
     match failing {
-        None => Finding::new(true, format!("{how}, with the roots exact, for each of the three")),
-        Some(escapement) => Finding::new(false, format!("{how}: not for {} slots", escapement.slots())),
+        None => Finding::new(true, format!("{how}, with the roots exact, for each of the three mechanisms")),
+        Some(escapement) => Finding::new(false, format!("{how}: this fails with {} slots", escapement.slots())),
     }
 }
 

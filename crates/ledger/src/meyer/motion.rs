@@ -219,5 +219,5 @@ fn arc(
 /// Whether the printed characters hold, of a display whose slip no identity can express.
 fn reads_printed(id: &str) -> Finding {
     let holds = holds(characters(id)) == Some(true);
-    Finding::new(holds, "with an inverse cosine, read and evaluated")
+    Finding::new(holds, "we read and evaluated it with an inverse cosine")
 }

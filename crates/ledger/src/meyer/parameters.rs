@@ -7,6 +7,7 @@ use super::newton::Newton;
 use super::*;
 use crate::Dimension as Exponents;
 use crate::Evidence::RungeKutta;
+use crate::agreement::joined;
 use geneva_kinematics::escapement::pins_needed;
 
 pub const AFTER_THE_LIST: Place = at("Chapter II, paragraph after the list of parameters");
@@ -40,7 +41,7 @@ pub fn after_the_list() -> Vec<Claim> {
                     let slot = PI / f64::from(at.slots());
                     stated.pick(PI / 2.0 - slot, slot) - PI / pins
                 });
-                every(off, vanishes, "that angle minus π/m, with m by Eq. (1-3)")
+                every(off, vanishes, "with m by Eq. (1-3), the differences of that angle and π/m are")
             })
             .by(Vectors, |stated| {
                 let across = Mechanism::ALL.into_iter().map(|at| {
@@ -49,7 +50,7 @@ pub fn after_the_list() -> Vec<Claim> {
                     let angle = stated.pick(PI / 2.0 - slot, slot);
                     drawn.place(angle).perp(&Drawn::velocity(angle))
                 });
-                every(across, vanishes, "velocity across the slot of a pin at that angle")
+                every(across, vanishes, "at that angle, the velocities of a pin across its slot are")
             })
             .but_not("θ_0 is the follower's angle π/n"),
         AFTER_THE_LIST
@@ -138,8 +139,25 @@ fn count_that_matter(stated: Stated, quantities: &[Quantity]) -> Finding {
     let found = Mechanism::ALL.map(|at| counted(&at));
     Finding::new(
         found.iter().all(|count| *count == stated.count() as usize),
-        format!("number of {quantities:?} that change an engagement, for each mechanism: {found:?}"),
+        format!(
+            "of {}, the numbers that change an engagement are {} for the three mechanisms",
+            named(quantities),
+            joined(found)
+        ),
     )
+}
+
+/// The quantities in words.
+fn named(quantities: &[Quantity]) -> String {
+    joined(quantities.iter().map(|quantity| match quantity {
+        Quantity::Slots => "slots",
+        Quantity::EntryAngle => "angle at entry",
+        Quantity::Friction => "friction",
+        Quantity::Torque => "torque",
+        Quantity::Follower => "follower's inertia",
+        Quantity::Driver => "driver's inertia",
+        Quantity::Radius => "radius",
+    }))
 }
 
 /// Whether so many of the quantities may enter a relation with speeds and accelerations of angles, by their dimensions:
@@ -159,7 +177,11 @@ fn count_that_may_enter(stated: Stated, quantities: &[Quantity]) -> Finding {
     let products = entering.len() - rank(&entering.iter().map(timeless).collect::<Vec<_>>());
     Finding::new(
         stated.pick(entering.len(), products) == stated.count() as usize,
-        format!("rank {full}; of {quantities:?} these may enter: {entering:?}, in {products} products"),
+        format!(
+            "the matrix of dimensions has the rank {full}, so of {} these may enter, in {products} products: {}",
+            named(quantities),
+            named(&entering)
+        ),
     )
 }
 

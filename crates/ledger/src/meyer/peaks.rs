@@ -183,8 +183,8 @@ fn at_the_centres() -> Vec<Claim> {
                  speed of the extreme, to one unit of the tables' speeds.",
             )
             .corrected(
-                "the driver velocity has been a minimum 0.48 to 5.8° before, and is by up to 2.1 rad/s greater, and the \
-                 follower velocity becomes a maximum 9.3 to 25° later, which is 4.9 to 15 rad/s greater",
+                "the driver velocity is a minimum 0.48 to 5.8° earlier, and on the line it is up to 2.1 rad/s greater; the \
+                 follower velocity is a maximum 9.3 to 25° later, and that maximum is 4.9 to 15 rad/s greater",
                 EXTREMES_ON_CENTRES,
             ),
         PEAKS

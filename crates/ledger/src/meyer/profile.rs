@@ -64,7 +64,7 @@ fn shape() -> Claim {
              correction, the shape is how deep the minimum is, and how high the speed at entry, relative to the peak.",
         )
         .corrected(
-            "will, but for the driving torque, change the shape of the curve",
+            "will, with the exception of the driving torque, change the shape of the curve",
             Slip {
                 id: "",
                 reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \

@@ -7,6 +7,7 @@
 use super::instants::moments;
 use super::reading::{Letters, Moment};
 use super::*;
+use crate::agreement::{joined, joined_numbers};
 use geneva_dynamics::existence::least_margin;
 use geneva_dynamics::singularity::{AtOne, BoundAsSquare, SingularAngle};
 use geneva_dynamics::{Coefficients, Pose};
@@ -71,7 +72,10 @@ fn quantity() -> Vec<Claim> {
             let found = u32::from(at_the_axis) + u32::from(elsewhere);
             Finding::new(
                 found == stated.count(),
-                format!("the terms grow without bound where the pin is on the follower's axis; elsewhere: {elsewhere}"),
+                format!(
+                    "the terms grow without bound where the pin is on the follower's axis, {}",
+                    if elsewhere { "and elsewhere too" } else { "and nowhere else" }
+                ),
             )
         })
         .but_not("when it is solved for the acceleration, it divides by nothing else that could be zero either")
@@ -90,7 +94,10 @@ fn quantity() -> Vec<Claim> {
                         instants::letters_of(moment)("square"),
                     )
                 });
-                Finding::new(holds, "read and evaluated, and compared with the pin's distance by coordinates")
+                Finding::new(
+                    holds,
+                    "we read and evaluated the quantity and compared it with the pin's distance by coordinates",
+                )
             })
             .by(ClosedForm, |stated| {
                 // A less the ratio of the inertias is the square of a cos θ − 1 over that of the quantity.
@@ -167,7 +174,7 @@ fn bounds() -> Vec<Claim> {
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
                 Finding::new(
                     found == [stated.pick(stated.number(), NEXT_RATIO)],
-                    format!("the last inequality holds for {found:?}"),
+                    format!("among the ratios that we tried, the last inequality holds for {}", joined(&found)),
                 )
             })
             .by(Vectors, |stated| {
@@ -179,7 +186,7 @@ fn bounds() -> Vec<Claim> {
                 let found: Vec<f64> = ratios().filter(|ratio| vanishes(nearest(ratio))).collect();
                 Finding::new(
                     found == [stated.pick(stated.number(), NEXT_RATIO)],
-                    format!("of 80 centre distances, the pin comes onto the follower's axis at {found:?}"),
+                    format!("of 80 centre distances, the pin comes onto the follower's axis at {}", joined(&found)),
                 )
             })
             .but_not("only the next greater ratio that we tried, seventeen sixteenths, allows it"),
@@ -209,7 +216,10 @@ fn slots() -> Vec<Claim> {
                 let found = slots_that_satisfy(characters("meyer.singularity.sine"));
                 Finding::new(
                     found.as_deref() == Some(&[stated.pick(stated.count(), 3)]),
-                    format!("read and evaluated for 1 to 100 slots, the sine is one for {found:?}"),
+                    format!(
+                        "we read and evaluated the sine for 1 to 100 slots, and it is one for {}",
+                        joined(found.iter().flatten())
+                    ),
                 )
             })
             .by(Vectors, |stated| {
@@ -225,7 +235,7 @@ fn slots() -> Vec<Claim> {
                 let found: Vec<u32> = (2..=100).filter(|slots| agrees(distance(*slots), 1.0)).collect();
                 Finding::new(
                     found == [stated.pick(stated.count(), 3)],
-                    format!("the axes are r apart for {found:?} slots"),
+                    format!("the axes are r apart for {} slots", joined(&found)),
                 )
             })
             .but_not("only three slots"),
@@ -235,7 +245,13 @@ fn slots() -> Vec<Claim> {
                 let letters = [named(("n", stated.pick(2.0, 3.0)))].into();
                 let pins = reading::value(right, &letters);
                 let ruled_out = !(pins.is_finite() && pins >= 1.0 && agrees(pins, pins.round()));
-                Finding::new(ruled_out, format!("Eq. (1-3), read and evaluated, gives {pins} pins"))
+                Finding::new(
+                    ruled_out,
+                    format!(
+                        "Eq. (1-3), read and evaluated, gives {} pins",
+                        if pins.is_finite() { pins.to_string() } else { "infinitely many".into() }
+                    ),
+                )
             })
             .by(LimitCase, |stated| {
                 let slots = stated.pick(2, 3);
@@ -243,7 +259,10 @@ fn slots() -> Vec<Claim> {
                 let found = (1..=1000).find(fits);
                 Finding::new(
                     found.is_none() && pins_needed(slots).is_none(),
-                    format!("with 1 to 1000 pins tried, the angles at the hand-over make a right angle for {found:?}"),
+                    format!(
+                        "we tried 1 to 1000 pins, and the angles at the hand-over make a right angle for {}",
+                        found.map_or("none of these numbers".into(), |pins: u32| format!("{pins} pins"))
+                    ),
                 )
             })
             .but_not("three slots are ruled out by Eq. (1-3)"),
@@ -264,7 +283,7 @@ fn slots() -> Vec<Claim> {
             let least: Vec<f64> = least.collect();
             Finding::new(
                 least.iter().all(|least| *least > 0.0),
-                format!("the least values of the divisor are {least:.3?}"),
+                format!("the least values of the divisor are {}", joined_numbers(&least)),
             )
         })
         .by(Vectors, |stated| {
@@ -285,7 +304,7 @@ fn slots() -> Vec<Claim> {
             });
             Finding::new(
                 nearest.iter().all(|distance| !vanishes(*distance)) && stated.pick(true, positive),
-                format!("a pin comes as near to the follower's axis as {nearest:.3?} radii"),
+                format!("a pin comes as near to the follower's axis as {} radii", joined_numbers(&nearest)),
             )
         })
         .but_not("when it is solved for the acceleration, it divides by zero nowhere, whatever the friction")

@@ -110,5 +110,11 @@ fn in_the_equation(stated: Stated) -> Finding {
         agrees(reading::value(right, &letters), TORQUE)
     });
     let what = stated.pick("a torque", "a torque over an angle");
-    Finding::new(agrees == [true; 3], format!("Eq. (1-15) has one torque at all angles, with {what} for K: {agrees:?}"))
+    Finding::new(
+        agrees == [true; 3],
+        format!(
+            "with {what} for K, Eq. (1-15) gives the torque at {} of 3 angles",
+            agrees.iter().filter(|agrees| **agrees).count()
+        ),
+    )
 }

@@ -4,6 +4,7 @@ use super::inertia::printed_inertia;
 use super::runs::{Column, Hypothesis, Row, rows};
 use super::*;
 use crate::Evidence::Quadrature;
+use crate::agreement::joined;
 use geneva_dynamics::steady::SteadyState;
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -24,7 +25,7 @@ pub fn of_parameters() -> Vec<Claim> {
             // The place in question is that with the sign of Appendix D; a pin that enters moves inwards there.
             let inwards: fn(&HandOver) -> bool = |at| at.entering.outward.approximate() < 0.0;
             let outwards: fn(&HandOver) -> bool = |at| at.entering.outward.approximate() > 0.0;
-            exactly(stated.pick(inwards, outwards), "the sense of the pin's velocity in its slot at −π/m")
+            exactly(stated.pick(inwards, outwards), "we found the sense of the pin's velocity in its slot at −π/m")
         })
         .by(OtherPlaceInSource, |stated| {
             let printed = characters("meyer.app-d.angles");
@@ -38,7 +39,11 @@ pub fn of_parameters() -> Vec<Claim> {
             let holds = angles.len() == 3 && Mechanism::ALL.into_iter().zip(&angles).all(nearer);
             Finding::new(
                 holds,
-                format!("just past the angles of Appendix D, −{angles:?}°, how the pin's distance changes"),
+                format!(
+                    "we asked how the pin's distance changes just past the angles of Appendix D, {} degrees before the \
+                     line of centres",
+                    joined(&angles)
+                ),
             )
         })
         .but_not("it is where the pin leaves")

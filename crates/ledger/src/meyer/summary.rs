@@ -73,16 +73,16 @@ pub fn claims() -> Vec<Claim> {
                         && stated.pick(beyond.iter().all(|count| *count > 0) && as_said(), beyond == [0, 0]),
                     format!(
                         "to one per cent, the velocity at each angle is steady only after {FIFTY} ms in {} runs, in \
-                         one of them after {:.1}; the average of peak and minimum is so in {} runs, in one of them \
+                         one of them after {:.1}, and the average of peak and minimum in {} runs, in one of them \
                          after {:.1}",
                         beyond[0], most[0], beyond[1], most[1]
                     ),
                 )
             })
-            .read_as("As much as means that no run takes longer.")
+            .read_as("“As much as” means that no run takes longer.")
             .corrected(
-                "more than fifty milliseconds: in Appendix E as much as 101, and by the mechanisms 103, or 145 until the \
-                 average of peak and minimum is attained",
+                "more than fifty milliseconds: up to 101 in Appendix E, and for the mechanisms themselves up to 103, or up to \
+                 145 if the rise ends when the average of peak and minimum is reached",
                 Slip {
                     id: "",
                     reason: "The claim disagrees with the thesis's own table, because a good part of the rise times \

@@ -47,7 +47,7 @@ pub fn claims() -> Vec<Claim> {
                 let which = if still { "zero at both, exactly" } else { "not zero" };
                 Finding::new(
                     still,
-                    format!("power series at entry and exit, with √2 exact: the wheel's speed is {which}"),
+                    format!("by power series at entry and exit, with √2 exact, the wheel's speed is {which}"),
                 )
             })
             .but_not("six slots, with the same distance"),

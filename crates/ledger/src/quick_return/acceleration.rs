@@ -148,8 +148,12 @@ fn known() -> Vec<Claim> {
                         path(|t| turned(crank.pin(t), -stated.pick(crank.slot(t) - slot, t * 0.0)));
                     let curvature = velocity.perp(&acceleration) / (velocity.norm() * velocity.norm_squared());
                     let straight = vanishes(curvature * crank.radius);
-                    let what = if straight { "straight".into() } else { format!("{:.2} m", curvature.recip()) };
-                    Finding::new(straight, format!("radius of curvature: {what}"))
+                    let what = if straight {
+                        "has no curvature".into()
+                    } else {
+                        format!("has a radius of curvature of {:.2} m", curvature.recip())
+                    };
+                    Finding::new(straight, format!("the path {what}"))
                 })
             })
             .by(Vectors, |stated| {

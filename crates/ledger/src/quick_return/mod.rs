@@ -18,7 +18,7 @@ mod with_printed_angle;
 pub use symbols::SYMBOLS;
 pub use with_printed_angle::{WithPrintedAngle, with_printed_angle};
 
-use crate::agreement::{agrees, coincide, meets, vanishes};
+use crate::agreement::{agrees, coincide, meets, pair, vanishes};
 use crate::by_id::{interval, printed, rounds};
 use crate::duals::{Crank, Time, advance, path, turned};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
@@ -137,7 +137,7 @@ fn at_the_instant(find: impl Fn(&Instant) -> Option<Finding>) -> Finding {
 fn in_both_drawings(find: impl Fn(&Instant) -> Option<Finding>) -> Finding {
     let [drawn, mirrored] = [Instant::printed(), Instant::mirrored()]
         .map(|instant| instant.ok().and_then(|instant| find(&instant)).unwrap_or_else(nowhere));
-    Finding::new(drawn.holds && mirrored.holds, format!("{}; in the mirror image {}", drawn.how, mirrored.how))
+    Finding::new(drawn.holds && mirrored.holds, both_drawings(&drawn.how, &mirrored.how))
 }
 
 /// What is found at the printed instant from where the pin is, by dual numbers.
@@ -149,9 +149,23 @@ fn nowhere() -> Finding {
     Finding::new(false, "there is no such position")
 }
 
+/// A finding in two drawings, which is said once if both give it.
+fn both_drawings(drawn: &str, mirrored: &str) -> String {
+    if drawn == mirrored {
+        format!("{drawn}, and in the mirror image too")
+    } else {
+        format!("{drawn}, and in the mirror image {mirrored}")
+    }
+}
+
+/// The components of a vector.
+fn in_words(vector: &Vector2<f64>) -> String {
+    format!("({:.3}, {:.3})", vector.x, vector.y)
+}
+
 /// Two vectors that must agree, by their components.
 fn alike(a: &Vector2<f64>, b: &Vector2<f64>) -> Finding {
-    Finding::new(coincide(a, b), format!("({:.3}, {:.3}) against ({:.3}, {:.3})", a.x, a.y, b.x, b.y))
+    Finding::new(coincide(a, b), pair("vector", &in_words(a), &in_words(b)))
 }
 
 /// A quantity of the position at the printed instant.

@@ -158,7 +158,7 @@ fn sum_while_the_lever_swings() -> Finding {
     Finding::new(
         sums.into_iter().all(|(holds, _)| holds),
         format!(
-            "at five lever angles, with p from {:.3} to {:.3} m along the lever",
+            "we computed both at five lever angles, with p from {:.3} to {:.3} m along the lever",
             least.unwrap_or(f64::NAN),
             most.unwrap_or(f64::NAN)
         ),

@@ -359,7 +359,7 @@ const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
         "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. But the \
          disc turns on, so the horns come inside it on both sides of the middle.",
-        "We used the triangles of the axes, the pin and the tip of a horn.",
+        "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )
 }

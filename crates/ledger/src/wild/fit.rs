@@ -1,6 +1,7 @@
 //! A wheel that fits its driver, twice: by the formula crate and by coordinates; and formulas evaluated on it.
 
 use super::*;
+use crate::agreement::joined;
 use crate::tex::{Moment, holds};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
@@ -121,15 +122,14 @@ pub fn counted(slots: RangeInclusive<u32>, holds: impl Fn(u32) -> Option<bool>) 
     let range = if all == 1 {
         format!("{} slots", slots.start())
     } else {
-        format!("{} to {} slots", slots.start(), slots.end())
+        format!("every number of slots from {} to {}", slots.start(), slots.end())
     };
     let how = match &holding[..] {
-        _ if holding.len() == all => format!("holds for {range}"),
-        [] => format!("holds for no number of slots, tried for {range}"),
-        [only] => format!("of {range} it holds for {only} alone"),
+        _ if holding.len() == all => format!("it is right for {range}"),
+        [] => format!("we tried it for {range}, and it is right for none"),
+        [only] => format!("we tried it for {range}, and it is right only for {only}"),
         some => {
-            let some: Vec<_> = some.iter().map(u32::to_string).collect();
-            format!("of {range} it holds for {} alone", some.join(", "))
+            format!("we tried it for {range}, and it is right only for {}", joined(some))
         }
     };
     Finding::new(holding.len() == all, how)
@@ -172,10 +172,16 @@ mod tests {
     #[test]
     fn what_holds_for_some_is_counted() {
         let how = |holds: fn(u32) -> bool| counted(3..=6, |slots| Some(holds(slots))).how;
-        assert_eq!(how(|_| true), "holds for 3 to 6 slots");
-        assert_eq!(how(|slots| slots == 4), "of 3 to 6 slots it holds for 4 alone");
-        assert_eq!(how(|slots| slots < 5), "of 3 to 6 slots it holds for 3, 4 alone");
-        assert_eq!(how(|_| false), "holds for no number of slots, tried for 3 to 6 slots");
+        assert_eq!(how(|_| true), "it is right for every number of slots from 3 to 6");
+        assert_eq!(
+            how(|slots| slots == 4),
+            "we tried it for every number of slots from 3 to 6, and it is right only for 4"
+        );
+        assert_eq!(
+            how(|slots| slots < 5),
+            "we tried it for every number of slots from 3 to 6, and it is right only for 3 and 4"
+        );
+        assert_eq!(how(|_| false), "we tried it for every number of slots from 3 to 6, and it is right for none");
         assert!(!counted(4..=4, |_| None).holds);
     }
 }

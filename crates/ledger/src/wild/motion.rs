@@ -217,8 +217,8 @@ fn starts(stated: Stated, speed: impl Fn(f64, f64) -> f64) -> Finding {
     let at_pin = stated.pick(PI / 2.0, 4.0 * PI / 9.0);
     let worst = ANY.map(|slots| speed_at_entry(slots, at_pin, &speed));
     let worst = worst.fold(0.0, f64::max);
-    let how = if vanishes(worst) { "at rest".to_owned() } else { format!("up to {worst:.3} of the driver's speed") };
-    Finding::new(vanishes(worst), format!("{how} as the pin enters, 3 to 60 slots"))
+    let how = if vanishes(worst) { "no speed".to_owned() } else { format!("up to {worst:.3} of the driver's speed") };
+    Finding::new(vanishes(worst), format!("with 3 to 60 slots, the wheel has {how} as the pin enters"))
 }
 
 /// Speed of the wheel as the pin comes to a slot with this angle between slot and crank. By the law of sines in the triangle
@@ -240,7 +240,7 @@ fn crosses(stated: Stated, speed: impl Fn(f64, f64) -> f64) -> Finding {
     };
     let least = least(stated.pick(&[1.0, 10.0, 30.0], &[10.0]));
     let holds = stated.pick(!vanishes(least), vanishes(least));
-    Finding::new(holds, format!("at entry the wheel has at least {least:.4} of the driver's speed, 3 to 60 slots"))
+    Finding::new(holds, format!("with 3 to 60 slots, the wheel starts with at least {least:.4} of the driver's speed"))
 }
 
 /// Whether the acceleration has jumped as the pin enters and as it leaves, for all wheels; or is that of a wheel at rest.
@@ -255,8 +255,8 @@ fn jumps(stated: Stated, at_the_ends: impl Fn(&Wheel) -> [f64; 2]) -> Finding {
     Finding::new(
         holds,
         format!(
-            "as the pin enters it is at least {enters:.4} of the driver's speed squared, and as it leaves {leaves:.4}, \
-             3 to 60 slots"
+            "with 3 to 60 slots, the acceleration is at least {enters:.4} of the driver's speed squared as the pin \
+             enters and {leaves:.4} as it leaves"
         ),
     )
 }
@@ -294,6 +294,8 @@ fn extremes(stated: Stated, acceleration: impl Fn(&Wheel, f64) -> f64) -> Findin
     let [external, internal] = [0, 1].map(|part| all.iter().map(|points| points[part]).sum::<usize>());
     Finding::new(
         holds,
-        format!("{external} extremes on the external part, {internal} on the internal one, 3 to 60 slots"),
+        format!(
+            "with 3 to 60 slots, we found {external} extremes on the external part and {internal} on the internal part"
+        ),
     )
 }

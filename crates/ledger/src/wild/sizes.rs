@@ -381,6 +381,10 @@ fn of_four() -> Vec<Claim> {
 /// through the middle of the line of centres.
 fn bottom(fit: &Fit, stated: Stated) -> Finding {
     let circle = stated.pick(fit.centres - fit.crank, fit.centres / 2.0);
-    let how = format!("{:.4} against {:.4} crank radii", circle / fit.crank, fit.deepest / fit.crank);
+    let how = format!(
+        "the circle has a radius of {:.4} crank radii, and the end of the slot is at {:.4}",
+        circle / fit.crank,
+        fit.deepest / fit.crank
+    );
     Finding::new(crate::agreement::agrees(circle, fit.deepest), how)
 }

@@ -126,7 +126,7 @@ pub fn claims() -> Vec<Claim> {
                         "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost, \
                          because the stored copy has a degree sign in its place, before the 0.",
                         "We used the coordinates of the pin and of the driver's axis.",
-                        "We don't know what changes, because the stored text ends before the direction is used.",
+                        "We don't know what this error affects, because our copy of the page ends before the direction is used.",
                     )
                 },
             ),

@@ -1,6 +1,6 @@
 //! What is wrong in the sources: one erratum in its chapter, and the pages of all slips by what they do.
 
-use super::findings::how;
+use super::findings::{how, in_a_word};
 use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::formula::{broken, changed};
 use crate::html::{Cells, Table, escape, table, tex_or_text};
@@ -68,7 +68,12 @@ pub fn summary() -> anyhow::Result<Table> {
             (slips_of(*consequence).count(), slips_of(*consequence).map(|of| of.claims.len()).sum::<usize>());
         Ok(vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()])
     });
-    table("Slips by what they do", Cells::Words, &["Consequence", "What it means", "Slips", "Claims reached"], rows)
+    table(
+        "Mistakes by what they do",
+        Cells::Words,
+        &["Consequence", "What it means", "Mistakes", "Claims reached"],
+        rows,
+    )
 }
 
 /// How many slips of the documents there are of a consequence, or of all but those of the copy.
@@ -134,11 +139,11 @@ fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String))
         ("Second witness's number", judged.witnessed, evidence.last()),
     ] {
         if let (Some(number), Some(kind)) = (number, kind) {
-            entry(term, format!("{} ({kind})", with_unit(&rounded(judged, number), claim.unit)?));
+            entry(term, format!("{} ({})", with_unit(&rounded(judged, number), claim.unit)?, in_a_word(*kind)));
         }
     }
     if let Some(reading) = claim.reading.filter(|_| judged.findings.is_empty()) {
-        entry("Read as", escape(reading));
+        entry("How we read it", escape(reading));
     }
     if !judged.findings.is_empty() {
         // With the reading.

@@ -1,33 +1,137 @@
-//! What was found of an equation, a figure or a statement.
+//! What was found of an equation, a figure or a statement, in sentences.
 
 use crate::html::escape;
-use geneva_ledger::{Check, Judged};
+use geneva_ledger::{Check, Evidence, Finding, Judged};
 
-/// How a form was found to hold or to fail, with the reading; for a missing datum, what is missing.
+/// How a form was found to hold or to fail, with the reading; for a missing value, what is missing.
 pub fn how(judged: &Judged) -> String {
-    if let Check::Missing { reason } = &judged.claim.check {
-        return escape(reason);
-    }
-    let evidence = judged.claim.check.evidence();
-    let kind = |role: &str| match role {
-        "as printed" | "corrected" | "neighbour" => evidence.first(),
-        "witness" | "neighbour by the witness" | "as printed by the witness" => evidence.last(),
-        _ => None,
+    let sentences = match &judged.claim.check {
+        Check::Missing { reason } => vec![(*reason).to_owned()],
+        Check::Statement { neighbour: Some(neighbour), .. } => statement(judged, neighbour),
+        _ => forms(judged),
     };
-    let mut parts: Vec<_> = judged
-        .findings
-        .iter()
-        .map(|(role, finding)| {
-            let kind = kind(role).map_or_else(String::new, |kind| format!(" ({kind})"));
-            let says = if finding.holds { "holds" } else { "fails" };
-            format!("{role}{kind} {says}: {}", escape(&finding.how))
-        })
-        .collect();
-    if let Some(reading) = judged.claim.reading {
-        parts.insert(0, format!("read as: {}", escape(reading.trim_end_matches('.'))));
+    let reading = judged.claim.reading.map(str::to_owned);
+    let reading = reading.filter(|_| !judged.claim.check.evidence().is_empty());
+    let all: Vec<_> = reading.into_iter().chain(sentences).collect();
+    let all: Vec<_> = all.iter().map(|sentence| in_words(sentence.trim_end_matches('.'))).collect();
+    if all.is_empty() { String::new() } else { all.join(".<br>") + "." }
+}
+
+/// What was found, as a page has it: with a minus sign before negative numbers.
+pub fn in_words(found: &str) -> String {
+    escape(&found.replace(" -", " −").replace("(-", "(−"))
+}
+
+/// The sentences on a form as printed and on its correction, by both routes.
+fn forms(judged: &Judged) -> Vec<String> {
+    let [first, second] = routes(judged);
+    let (printed, corrected) = (of(judged, "as printed"), of(judged, "corrected"));
+    let (again, refused) = (of(judged, "witness"), of(judged, "as printed by the witness"));
+    let right = ["The printed form", "The corrected form"][usize::from(corrected.is_some())];
+    let mut sentences = match (printed, corrected) {
+        (Some(printed), Some(corrected)) if printed.how == corrected.how => {
+            vec![format!(
+                "The printed form {} and the corrected form {}{first}: {}",
+                says(printed),
+                says(corrected),
+                printed.how
+            )]
+        }
+        _ => {
+            let both = [("The printed form", printed), ("The corrected form", corrected)].into_iter();
+            let found = both.filter_map(|(form, found)| Some((form, found?)));
+            found.map(|(form, found)| format!("{form} {}{first}: {}", says(found), found.how)).collect()
+        }
+    };
+    let Some(again) = again else { return sentences };
+    let known = corrected.or(printed);
+    sentences.push(match refused {
+        _ if known.is_some_and(|known| known == again) && (refused.is_none() || refused == printed) => {
+            format!("A second way{second} gives the same result")
+        }
+        Some(refused) if refused.how == again.how => format!(
+            "By a second way{second}, the printed form {} and the corrected form {}: {}",
+            says(refused),
+            says(again),
+            again.how
+        ),
+        _ => format!("By a second way{second}, {} {}: {}", lowered(right), says(again), again.how),
+    });
+    let told = refused.filter(|refused| refused.how != again.how && Some(*refused) != printed);
+    sentences.extend(told.map(|refused| format!("In this way, the printed form {}: {}", says(refused), refused.how)));
+    sentences
+}
+
+/// The sentences on a statement that is right as printed and on a false version of it, by both routes.
+fn statement(judged: &Judged, neighbour: &str) -> Vec<String> {
+    let [first, second] = routes(judged);
+    let all = ["as printed", "neighbour", "witness", "neighbour by the witness"].map(|form| of(judged, form));
+    let [Some(printed), Some(wrong), Some(again), Some(refused)] = all else { return Vec::new() };
+    let mut sentences = vec![format!("What is printed {}{first}: {}", says(printed), printed.how)];
+    let version = format!("A false version of it ({neighbour}) {}", says(wrong));
+    sentences.push(if wrong.how == printed.how { version } else { format!("{version}: {}", wrong.how) });
+    if (again, refused) == (printed, wrong) {
+        sentences.push(format!("A second way{second} gives the same results"));
+        return sentences;
     }
-    if let Check::Statement { neighbour: Some(words), .. } = &judged.claim.check {
-        parts.push(format!("the neighbour: {}", escape(words)));
+    sentences.push(format!("By a second way{second}, what is printed {}: {}", says(again), again.how));
+    let version = format!("In this way, too, the false version {}", says(refused));
+    sentences.push(if refused.how == again.how { version } else { format!("{version}: {}", refused.how) });
+    sentences
+}
+
+/// What was found of a form.
+fn of<'a>(judged: &'a Judged, form: &str) -> Option<&'a Finding> {
+    judged.findings.iter().find(|(name, _)| *name == form).map(|(_, finding)| finding)
+}
+
+fn says(finding: &Finding) -> &'static str {
+    if finding.holds { "holds" } else { "fails" }
+}
+
+fn lowered(words: &str) -> String {
+    words.replacen("The", "the", 1)
+}
+
+/// The kinds of evidence of both routes, in brackets.
+fn routes(judged: &Judged) -> [String; 2] {
+    let evidence = judged.claim.check.evidence();
+    [evidence.first(), evidence.last()]
+        .map(|kind| kind.map_or_else(String::new, |kind| format!(" ({})", in_a_word(*kind))))
+}
+
+/// A kind of evidence in a word or two.
+pub fn in_a_word(kind: Evidence) -> &'static str {
+    match kind {
+        Evidence::ClosedForm => "a formula",
+        Evidence::ExactIdentity => "an exact proof",
+        Evidence::Jet => "power series",
+        Evidence::AutomaticDerivative => "dual numbers",
+        Evidence::Vectors => "coordinates",
+        Evidence::LimitCase => "known or single cases",
+        Evidence::Dimension => "dimensions",
+        Evidence::OtherPlaceInSource => "another place in the source",
+        Evidence::Quadrature => "integrals over the driver's angle",
+        Evidence::RungeKutta => "integration in steps",
+        Evidence::Program => "the program of 1973",
     }
-    parts.join(";<br>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_ledger::verdicts;
+
+    #[test]
+    fn every_finding_is_told_in_sentences() {
+        for judged in verdicts().iter().filter(|judged| !judged.findings.is_empty()) {
+            let (id, told) = (judged.claim.id, how(judged));
+            assert!(told.contains("printed") && told.contains("econd way"), "{id}: {told}");
+            for log in ["fails: fails", "holds: holds", ";<br>", "[", "Some(", "..=", "-identity"] {
+                assert!(!told.contains(log), "{id}: {log} in {told}");
+            }
+            let first = &judged.findings[0].1.how;
+            assert!(told.contains(&in_words(first)), "{id}: {first} is not in {told}");
+        }
+    }
 }

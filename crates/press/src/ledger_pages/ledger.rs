@@ -4,7 +4,7 @@
 //! when the first claim is opened. Without scripts every row is there, and `claims.json` has the rest.
 
 use super::errata::forms;
-use super::findings::how;
+use super::findings::{how, in_a_word, in_words};
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
@@ -12,7 +12,7 @@ use crate::formula::broken;
 use crate::html::{escape, tex_or_text};
 use crate::lookup;
 use crate::pages::{SECTIONS, Section, page_of_slip};
-use geneva_ledger::{Consequence, Evidence, Judged, Kind, Truth, Verdict, Work, in_full, verdicts};
+use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, verdicts};
 use std::collections::BTreeMap;
 
 /// What filters the rows and opens them, and how they look.
@@ -126,7 +126,7 @@ fn right(judged: &Judged) -> String {
 fn found(judged: &Judged) -> String {
     let mistake = mistake(judged).map(|link| format!("Mistake: {link}"));
     let missing = open::group_of(judged).map(|group| format!("Open: {}", group.link()));
-    let holds = judged.findings.first().map(|(_, finding)| escape(&finding.how));
+    let holds = judged.findings.first().map(|(_, finding)| in_words(&finding.how));
     [mistake, missing, holds].into_iter().flatten().collect::<Vec<_>>().join(". ")
 }
 
@@ -157,12 +157,12 @@ fn details(judged: &Judged) -> anyhow::Result<String> {
         ("Right", judged.right_value, None),
     ] {
         if let Some(value) = value {
-            let kind = kind.map_or_else(String::new, |kind| format!(" ({kind})"));
+            let kind = kind.map_or_else(String::new, |kind| format!(" ({})", in_a_word(*kind)));
             entry(term, number(value)? + &kind);
         }
     }
     if judged.computed.is_none() {
-        entry("Two routes", evidence.iter().map(Evidence::to_string).collect::<Vec<_>>().join(", "));
+        entry("Two routes", evidence.iter().copied().map(in_a_word).collect::<Vec<_>>().join(", "));
     }
     let missing = if evidence.is_empty() { "What is missing" } else { "How it was checked" };
     entry(missing, how(judged));

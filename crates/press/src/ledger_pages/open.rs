@@ -144,7 +144,7 @@ pub fn list(name: &str) -> anyhow::Result<String> {
         } else {
             format!(" <small>{ids}</small>")
         };
-        format!("<li>{names}. {reason}.{ids}</li>\n")
+        format!("<li>{names}. {reason}{ids}</li>\n")
     });
     Ok(format!("<ul class=\"open-claims\">\n{}</ul>", items.collect::<String>()))
 }

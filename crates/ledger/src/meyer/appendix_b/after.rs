@@ -6,6 +6,7 @@ use super::print_out::last_line;
 use super::program;
 use super::reset::reset;
 use super::*;
+use crate::agreement::joined;
 use crate::meyer::appendix_d::{
     OTHER_ANGLE, WITHOUT_THE_MINUS, along_the_slots, before_the_line, coming_in, of_the_pins,
 };
@@ -41,7 +42,7 @@ fn start() -> Vec<Claim> {
                 let own = stated.number() + stated.pick(0.0, 1.0);
                 Finding::new(
                     said.last().is_some_and(|said| f64::from(*said) == own),
-                    format!("Appendix D has {:?}", said.last()),
+                    format!("Appendix D gives the speed {}", joined(said.last())),
                 )
             })
             .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
@@ -69,7 +70,7 @@ fn lines() -> Vec<Claim> {
                 // The listing has LGT as the opposite of SMT; before the start and after it they are so either way.
                 let said = stated.pick([false, false, true], [false, true, true]);
                 let opposite = listed().any(|truths| truths.map(|small| !small) == said);
-                Finding::new(opposite, "before the start, at it and after it, compared with the opposite of SMT")
+                Finding::new(opposite, "we compared it with the opposite of SMT before the start, at it and after it")
             })
             .but_not("LGT leaves it on at the start"),
         AFTER
@@ -91,12 +92,15 @@ fn lines() -> Vec<Claim> {
                     let letters = letters.map(|(name, value)| (name.to_owned(), value)).collect();
                     agrees(reading::value(line, &letters), reading::value(&derived, &letters))
                 });
-                Finding::new(holds, "both formulas, read and evaluated for 20 sets of numbers")
+                Finding::new(holds, "we read both formulas and evaluated them for 20 sets of numbers")
             })
             .by(Vectors, |stated| {
                 let line = program::ACCELERATION.replace('S', stated.pick("S", "1"));
                 let holds = program::holds(&line);
-                Finding::new(holds == Some(true), "read and evaluated, and compared with the mechanism by coordinates")
+                Finding::new(
+                    holds == Some(true),
+                    "we read and evaluated the equation and compared it with the mechanism by coordinates",
+                )
             })
             .but_not("it is the derived equation without S"),
         first_derivative(("meyer.app-b.speed-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
@@ -142,7 +146,7 @@ fn angle() -> Vec<Claim> {
         reset(
             "meyer.app-b.fold",
             AFTER,
-            "the angle within an engagement is the driver's angle modulo 90°, minus 30°, 45° or 60°",
+            "the program takes the driver's angle modulo 90°, minus 30°, 45° or 60°, for the angle within an engagement",
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),
@@ -191,7 +195,7 @@ fn angle() -> Vec<Claim> {
                         agrees(last, first)
                     })
                 });
-                Finding::new(holds, "by the equation of motion as a pin leaves and as the next pin enters")
+                Finding::new(holds, "we used the equation of motion as a pin leaves and as the next pin enters")
             })
             .by(Vectors, |stated| {
                 for_each(
@@ -208,7 +212,7 @@ fn angle() -> Vec<Claim> {
                         });
                         agrees(leaving, entering)
                     },
-                    "with one speed and acceleration of the driver for both pins, by coordinates",
+                    "we used one speed and acceleration of the driver for both pins, by coordinates",
                 )
             })
             .but_not("it takes over the follower's acceleration too"),
@@ -267,7 +271,7 @@ fn in_series(friction: f64, stated: Stated, whole: impl Fn(&Parameters, u32) -> 
     });
     Finding::new(
         holds,
-        "the driver's speed at three hand-overs, compared with the speed in the whole run, for each mechanism",
+        "we compared the driver's speed at three hand-overs with the speed in the whole run, for each mechanism",
     )
 }
 

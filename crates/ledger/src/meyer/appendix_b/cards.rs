@@ -90,7 +90,7 @@ fn letter<const N: usize>(
             });
             Finding::new(
                 holds,
-                "the lines that contain it, read and evaluated, and compared with the mechanism by coordinates",
+                "we read and evaluated the lines that contain it and compared them with the mechanism by coordinates",
             )
         })
         .but_not(neighbour)
@@ -201,14 +201,14 @@ fn angle() -> Claim {
                 let right = [pose.numerator, pose.cross, pose.shape, pose.square];
                 lines.iter().zip(right).all(|(line, right)| vanishes(value(line, mechanism, angle) - right))
             });
-            Finding::new(holds, "the four lines, over a turn of the driver with the angle reset from pin to pin")
+            Finding::new(holds, "we evaluated the four lines over a turn of the driver, with the angle reset from pin to pin")
         })
         .by(Vectors, move |stated| {
             let holds = turns(stated).all(|(mechanism, turned, _, angle)| {
                 let distance = nearest_pin(&mechanism, turned);
                 vanishes(value(program::L, mechanism, angle) - distance * distance)
             });
-            Finding::new(holds, "L, compared with the pin nearest to the follower's axis, of all pins by coordinates")
+            Finding::new(holds, "we compared L with the distance of the pin nearest to the follower's axis, by the coordinates of all pins")
         })
         .but_not("it is THETA, the angle through which the driver has turned")
         .read_as(

@@ -59,7 +59,7 @@ fn solved() -> Vec<Claim> {
                     ),
                 )
             })
-            .corrected("can be solved in one formula, wherever A > |D|,", SOLVED_WITH_BARS)
+            .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
                 "To solve means to find a formula for the acceleration from the other letters. The text goes on to \
                  open the bars with a sign, and it takes that sign from an older acceleration. Other sentences say \
@@ -110,7 +110,7 @@ fn opens_the_bars(tex: &str) -> Finding {
     let opened = sizes.iter().map(|size| decide(&characters("meyer.app-b.with-sign").replace('S', size), factors));
     let opened: Vec<Finding> = opened.collect();
     let holds = opened.len() == 2 && sizes[0] != sizes[1] && opened.iter().all(|finding| finding.holds);
-    Finding::new(holds, "the next display with the value of each line for S, where the bars are opened by its sign")
+    Finding::new(holds, "we proved the next display with the value that each line gives S, the bars opened by its sign")
 }
 
 /// How the display of S is read: its two lines, with their conditions.
@@ -259,7 +259,7 @@ fn described() -> Vec<Claim> {
                     };
                     program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
                 });
-                Finding::new(holds, "each line, read and evaluated, and compared with the mechanism by coordinates")
+                Finding::new(holds, "we read and evaluated each line and compared it with the mechanism by coordinates")
             })
             .but_not("C and D are swapped"),
         PROGRAM
@@ -294,13 +294,13 @@ fn old_acceleration() -> Vec<Claim> {
                 let lines = in_force(rest, "NOT(REST)").unwrap_or_default();
                 // The lines of the start must be in force at the start, and at no other time.
                 let holds = !lines.is_empty() && lines.iter().all(|[time, rest, _]| (*rest == 1.0) == (*time == 0.0));
-                Finding::new(holds, "the truth value of the deck's own start, printed at each line of a run")
+                Finding::new(holds, "we had the truth value of the deck's own start printed at each line of a run")
             })
             .by(OtherPlaceInSource, |stated| {
                 let said = stated.pick([true, true, false], [true, false, false]);
                 Finding::new(
                     listed().any(|truths| truths == said),
-                    "the listing's values, in an order that fits S and SMT",
+                    "we compared the listing's values, in an order that fits S and SMT",
                 )
             })
             .but_not("it is true only before time zero"),

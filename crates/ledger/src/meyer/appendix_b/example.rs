@@ -62,14 +62,17 @@ fn lines() -> Vec<Claim> {
         )
         .by(Evidence::RungeKutta, |stated| {
             let [end, found] = [vibration(1.0)["x"], integrated(stated.pick(["x'", "x"], ["x", "x'"]))];
-            Finding::new((found - end).abs() < 1e-5, format!("integrated from these two: {found:.5}, not {end:.5}"))
+            Finding::new(
+                (found - end).abs() < 1e-5,
+                format!("integrated from these two, the place is {found:.5}, and it should be {end:.5}"),
+            )
         })
         .by(ClosedForm, |stated| {
             let [speed, place] = stated.pick(["x'", "x"], ["x", "x'"]);
             let holds = ["1DX = INT(2DX, A)", "X = INT(1DX, B)"].map(|line| vibrates_from([speed, place], line));
             Finding::new(
                 holds == [Some(true); 2],
-                "the lines that integrate, read and evaluated for a vibration in closed form",
+                "we read the lines that integrate and evaluated them for a vibration in closed form",
             )
         })
         .but_not("the two are swapped"),
@@ -212,7 +215,7 @@ fn line(
 fn read_line(id: &str, put_right: bool) -> Finding {
     let line = if put_right { named(id).right_characters() } else { characters(id) };
     let holds = vibrates_as_a_program(line) == Some(true);
-    Finding::new(holds, "the line, read and evaluated for a vibration in closed form")
+    Finding::new(holds, "we read the line and evaluated it for a vibration in closed form")
 }
 
 /// A place in the text where the copy has LDX.
@@ -226,7 +229,13 @@ pub fn first_derivative(
         .by(LimitCase, |stated| {
             let [name, above] = [stated.pick("1DX", "LDX"), "2DX"].map(order);
             let holds = name.is_some() && name == above.and_then(|above| above.checked_sub(1));
-            Finding::new(holds, format!("the name begins with an order, one less than the order of 2DX: {name:?}"))
+            Finding::new(
+                holds,
+                match name {
+                    Some(order) => format!("the name begins with the order {order}, and that of 2DX is one more"),
+                    None => "the name does not begin with an order".to_owned(),
+                },
+            )
         })
         .by(OtherPlaceInSource, |stated| named_in_the_listing(stated.pick("1DX", "LDX")))
         .corrected(corrected, ONE_AS_L)

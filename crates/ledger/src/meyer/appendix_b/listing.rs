@@ -9,6 +9,7 @@ use super::print_out::last_line;
 use super::program::{self, SPEED, as_on_the_card, by_coefficients};
 use super::reset::reset;
 use super::*;
+use crate::agreement::joined;
 use crate::meyer::runs;
 use crate::meyer::spring::no_rate;
 use geneva_kinematics::Mechanism;
@@ -261,7 +262,7 @@ fn motion() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| {
                 let from = stated.number() + stated.pick(0.0, 1.0);
                 let said: Vec<f64> = numbers("meyer.app-b.from-rest").into_iter().map(f64::from).collect();
-                Finding::new(said == [from], format!("the text has the driver start at {said:?}"))
+                Finding::new(said == [from], format!("in the text the driver starts at the speed {}", joined(&said)))
             })
             .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
             .but_not("it is integrated from one"),

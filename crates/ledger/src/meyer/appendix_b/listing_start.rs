@@ -66,7 +66,7 @@ pub fn claims() -> Vec<Claim> {
                 let holds = holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
                 Finding::new(
                     holds == Some(true),
-                    "read and evaluated, and compared with the torque that both members require from rest",
+                    "we read and evaluated the lines and compared them with the torque that both members require from rest",
                 )
             })
             .but_not("they are the equation without its friction"),
@@ -126,6 +126,6 @@ pub fn start_solves(speed: f64) -> Finding {
     });
     Finding::new(
         holds,
-        format!("the program's first acceleration and the equation of motion at entry, at the speed {speed}"),
+        format!("we put the program's first acceleration into the equation of motion at entry, at the speed {speed}"),
     )
 }

@@ -5,6 +5,7 @@ use super::stages::{
     thirty_second,
 };
 use super::*;
+use crate::agreement::joined_numbers;
 use crate::meyer::reading::value;
 use geneva_mimic::{Kept, Parameters, integrate, runge_kutta_step};
 use nalgebra::Vector1;
@@ -80,7 +81,7 @@ fn described() -> Vec<Claim> {
                         .sum();
                     agrees(sum, 1.0 / f64::from(power + 1))
                 });
-                Finding::new(holds, "the integrals of 1, x, x² and x³ with these weights")
+                Finding::new(holds, "we computed the integrals of 1, x, x² and x³ with these weights")
             })
             .by(OtherPlaceInSource, |stated| {
                 // The formula's weights: what one step makes of four given slopes.
@@ -92,7 +93,10 @@ fn described() -> Vec<Claim> {
                 let weights = [0, 1, 2, 3].map(weight);
                 let said = said_widths(stated);
                 let same = said.iter().zip(weights).all(|(said, weight)| agrees(*said, weight));
-                Finding::new(same && said.len() == 4, format!("the formula has the weights {weights:.3?}"))
+                Finding::new(
+                    same && said.len() == 4,
+                    format!("the formula has the weights {}", joined_numbers(&weights)),
+                )
             })
             .but_not("h/3, h/6, h/6 and h/3"),
         DIVISION
@@ -113,7 +117,7 @@ fn described() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "the area under four constants, compared with one step by the formula, for three functions of x",
+                    "we compared the area under four constants with one step by the formula, for three functions of x",
                 )
             })
             .by(LimitCase, |stated| {
@@ -126,7 +130,7 @@ fn described() -> Vec<Claim> {
                 let step = step.map_or(f64::NAN, |end| end[0] - 1.0);
                 Finding::new(
                     agrees(area, step),
-                    format!("{area:.6} under the constants, {step:.6} by the classical method"),
+                    format!("the area is {area:.6} under the constants and {step:.6} by the classical method"),
                 )
             })
             .but_not("the constants are the function's values in the middle of the parts")
@@ -226,7 +230,7 @@ fn advantages() -> Vec<Claim> {
                 let given = printed_step(|x, y| x * y, x, stated.pick(y, 1.0), STEP);
                 Finding::new(
                     given.is_some_and(|given| agrees(given, step_of_mimic(|x, y| x * y, x, y, STEP))),
-                    "one step from what is given, compared with a step of the classical method",
+                    "we compared one step from what is given with a step of the classical method",
                 )
             })
             .by(LimitCase, |stated| {
@@ -240,7 +244,7 @@ fn advantages() -> Vec<Claim> {
                 let (whole, again) = (run(1.0, 2.0, half), run(1.0, 2.0, stated.pick(half, 1.0)));
                 Finding::new(
                     agrees(whole, again),
-                    format!("{whole:.6} in one go, {again:.6} when started again half-way"),
+                    format!("the method gives {whole:.6} in one go and {again:.6} when started again half-way"),
                 )
             })
             .but_not("the method needs only the point's x"),

@@ -164,7 +164,7 @@ pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64
         pairs(letters, truth).iter().all(|(a, b)| vanishes((a - b) / a.abs().max(b.abs()).max(1.0)))
     });
     let how = if holds { "agrees" } else { "differs" };
-    Finding::new(holds, format!("{how} at 19 angles of each mechanism"))
+    Finding::new(holds, format!("it {how} at 19 angles of each mechanism"))
 }
 
 /// The program's letters at an instant of chapter I: what its lines must compute, by coordinates and Newton's laws.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::Decimal;
+use crate::agreement::joined;
 use crate::meyer::slips::RESET_ANGLE;
 
 /// The reset angle of the driver's angle. A quarter of a turn is right for four pins only.
@@ -29,7 +30,8 @@ pub fn reset(
             Finding::new(
                 pins.len() == all.len(),
                 format!(
-                    "of all pins by coordinates, the pin nearest to the follower's axis is there for {pins:?} pins"
+                    "by coordinates, the pin nearest to the follower's axis is at this angle for {} pins",
+                    joined(&pins)
                 ),
             )
         })
@@ -66,7 +68,11 @@ fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
             format!("from {from:.0}° to {to:.0}° for {} pins", at.pins())
         })
         .collect();
-    let how = if ends.is_empty() { "from entry to exit for each of the three".to_owned() } else { ends.join(", ") };
+    let how = if ends.is_empty() {
+        "the reset angle runs from entry to exit for each of the three mechanisms".to_owned()
+    } else {
+        format!("the reset angle runs {}", joined(&ends))
+    };
     Finding::new(ends.is_empty(), how)
 }
 

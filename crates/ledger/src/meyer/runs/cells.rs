@@ -49,7 +49,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             .by(Evidence::RungeKutta, move || as_run_by_steps(row)[result])
             // How finely a result could be read from a print-out: one unit of its last place.
             .read_to(move || column.unit())
-            .read_as("The value is read from a print-out to a unit of the last place.")
+            .read_as("We assume that the author read the value from a print-out, correct to within one unit of its last place.")
             .expecting(row.expected(column).unwrap_or(Verdict::Reproduced));
         let claim = claim.right(
             Evidence::Quadrature,
@@ -70,9 +70,9 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
 
 /// Why a rise time cannot be checked.
 const NO_DEFINITION: &str = "The rise lasts until the terminal velocity is reached to one per cent. But the thesis \
-                             does not say which velocity that is, or from when an engagement counts. For example, the \
-                             velocity at each angle and the average of peak and minimum give different times. No \
-                             definition that we tried gives more than a minority of this column";
+                             does not say which velocity that is, or from when an engagement counts. For example, \
+                             you get one rise time if it means the velocity at each angle, and another if it means \
+                             the average of peak and minimum. No definition that we tried gives more than a minority of this column";
 
 /// The results of all rows, each run made once.
 type Results<const N: usize> = OnceLock<Vec<[f64; N]>>;
