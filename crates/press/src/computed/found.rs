@@ -34,6 +34,9 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.first.commas", || commas()),
     ("found.after.flags", || Ok(after()?.len().to_string())),
     ("found.after.real", || Ok(right(&after()?).to_string())),
+    ("found.after.new", || {
+        Ok(right(&after()?.into_iter().filter(|flag| flag.round == "again").collect::<Vec<_>>()).to_string())
+    }),
     ("found.after.precision", || Ok(precision(right(&after()?), after()?.len()))),
 ];
 
