@@ -1,7 +1,7 @@
 // A text of the reader's own, proofread by the module beside this script. What is pasted goes to the module's memory and into
 // text nodes, and nowhere else. The page's HTML has all controls, hidden until the script runs.
 (() => {
-    const { load, ask } = genevaThread('data/proofread-module.js');
+    const { ask } = genevaThread('data/proofread-module.js');
     const place = document.querySelector('[data-proofread]');
     const form = place.querySelector('form'), area = form.querySelector('textarea');
     const { format, bindings, units, file } = form.elements;
@@ -217,8 +217,12 @@
         area.readOnly = false;
         form.querySelector('.controls').hidden = false;
         form.querySelector('.without').hidden = true;
-        // The module comes when somebody turns to the form.
-        ['focusin', 'pointerenter', 'dragenter'].forEach(kind => form.addEventListener(kind, () => load().catch(() => {}), { once: true }));
+        // The module comes when somebody turns to the form, and the example warms it up, so that the first text is answered as fast as
+        // any other.
+        let warm;
+        ['focusin', 'pointerenter', 'dragenter'].forEach(kind => form.addEventListener(kind, () => {
+            warm ??= ask(`hints=no\n${example}`).catch(() => {});
+        }, { once: true }));
         // A browser may bring back what was typed before the page was left.
         if (area.value !== area.defaultValue) {
             soon();

@@ -48,6 +48,8 @@ pub struct Flag {
     /// The single edit that would make the chain agree; empty without one.
     #[serde(default)]
     pub hint: String,
+    /// Whether the hint of a misprint names what should be printed.
+    pub hint_right: Option<Answer>,
     /// Whether the chain is in the newest state.
     pub printed_new: Answer,
     /// Whether the program flags it in the old state.
@@ -82,6 +84,8 @@ pub struct Contact {
     pub round: String,
     /// The text.
     pub text: String,
+    /// Whether the hint of a misprint names what should be printed.
+    pub hint_right: Option<Answer>,
     /// Whether the program flags it after the repairs.
     pub after: Answer,
     /// What the reader says.

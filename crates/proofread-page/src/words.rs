@@ -1,7 +1,8 @@
 //! What is said of a text and of a finding.
 
 use crate::answer::Fact;
-use proofread::{Finding, Format, List, Tally, Verdict};
+use proofread::summary::{count, findings, others, units_alone};
+use proofread::{Finding, Format, List, Tally};
 
 /// What a format is called in a sentence and in the list of choices.
 pub fn name_of_format(format: Format) -> &'static str {
@@ -18,18 +19,7 @@ pub fn name_of_format(format: Format) -> &'static str {
 /// What was checked and what was found, in sentences.
 pub(crate) fn summary(format: Format, tally: &Tally, found: &[&Finding], units_listed: bool) -> Vec<String> {
     let in_list = |list: List| found.iter().filter(|finding| finding.list == list).count();
-    let parts = [
-        (in_list(List::Numbers), "on a number"),
-        (in_list(List::Bindings), "with values from elsewhere in the text"),
-        (in_list(List::Units), "on units alone"),
-    ];
-    let parts: Vec<String> =
-        parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
-    let mut said = Vec::new();
-    said.push(match found.len() {
-        0 => "Nothing found.".to_owned(),
-        number => format!("{}: {}.", count(number, "finding"), parts.join(", ")),
-    });
+    let mut said = vec![findings(in_list).map_or("Nothing found.".to_owned(), |said| said + ".")];
     let checkable = tally.checkable.max(tally.checked);
     said.push(match (checkable, tally.checked) {
         (0, _) => {
@@ -49,19 +39,8 @@ pub(crate) fn summary(format: Format, tally: &Tally, found: &[&Finding], units_l
             format!("Read as {}, the text has {all} that arithmetic can check, and {left}.", name_of_format(format))
         }
     });
-    match tally.chains.saturating_sub(checkable) {
-        0 => {}
-        1 => said.push("1 other chain defines something or contains letters, and it was not checked.".to_owned()),
-        others => {
-            said.push(format!("{others} other chains define something or contain letters, and they were not checked."))
-        }
-    }
-    match tally.with(Verdict::Units) {
-        _ if units_listed => {}
-        0 => {}
-        1 => said.push("In 1 place the numbers agree, but the units do not.".to_owned()),
-        places => said.push(format!("In {places} places the numbers agree, but the units do not.")),
-    }
+    said.extend(others(tally));
+    said.extend(units_alone(tally).filter(|_| !units_listed).map(|said| said + "."));
     said
 }
 
@@ -83,11 +62,6 @@ pub(crate) fn facts(finding: &Finding) -> Vec<Fact> {
 fn in_quotes(words: &str) -> String {
     let pieces = words.split('`').enumerate();
     pieces.fold(String::new(), |text, (at, piece)| text + ["", "“", "”"][if at == 0 { 0 } else { 2 - at % 2 }] + piece)
-}
-
-/// A number of things.
-fn count(number: usize, thing: &str) -> String {
-    if number == 1 { format!("1 {thing}") } else { format!("{number} {thing}s") }
 }
 
 /// A sentence with a capital letter, and a point at its end.

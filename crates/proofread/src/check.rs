@@ -286,7 +286,7 @@ impl Check<'_> {
             return;
         }
         let wanted = list == List::Numbers && self.report.findings.len() < self.options.hints;
-        let hint = wanted.then(|| hint::hint(left, right, relation, &mut self.budget)).flatten();
+        let hint = wanted.then(|| hint::hint(left, right, relation, &judgement, &mut self.budget)).flatten();
         let hint = hint.filter(|hint| !hint.stands_in(self.text));
         self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
     }

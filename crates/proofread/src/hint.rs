@@ -3,7 +3,7 @@
 use crate::chain::{Relation, Side};
 use crate::token::{Kind, Span, Token, show};
 use crate::unit::unit;
-use crate::verdict::{Verdict, evaluated, judge};
+use crate::verdict::{Judgement, Verdict, judge};
 
 /// An edit of one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,15 +56,28 @@ fn size(tokens: &[Token]) -> usize {
 }
 
 /// The one near edit that makes the sides agree; what the search costs is taken from `budget`.
-pub(crate) fn hint(left: &Side, right: &Side, relation: Relation, budget: &mut usize) -> Option<Hint> {
+///
+/// If only the last digit differs, it must be one of the printed result: of a digit as far behind in an operand, this is no
+/// evidence.
+pub(crate) fn hint(
+    left: &Side,
+    right: &Side,
+    relation: Relation,
+    judgement: &Judgement,
+    budget: &mut usize,
+) -> Option<Hint> {
+    let printed =
+        judgement.values.as_ref().map_or(1, |(left, right)| usize::from(right.is_literal() || !left.is_literal()));
+    let only = matches!(judgement.verdict, Verdict::LastDigit | Verdict::Truncated).then_some(printed);
     let each = size(&left.tokens) + size(&right.tokens);
     let mut spent = 0;
     for near in [Near::Comma, Near::Step, Near::Digit] {
-        let mut found: Vec<Edit> = Vec::new();
+        let mut found: Vec<(usize, Edit)> = Vec::new();
         for (which, side) in [left, right].into_iter().enumerate() {
             let mut edits = Vec::new();
             variants(&side.tokens, near, &mut edits);
-            if near == Near::Step {
+            // On one side is as good as on the other.
+            if near == Near::Step && which == 0 && only.is_none() {
                 whole_side(side, &mut edits);
             }
             edits.truncate(MOST);
@@ -77,8 +90,8 @@ pub(crate) fn hint(left: &Side, right: &Side, relation: Relation, budget: &mut u
                 }
                 let sides = if which == 0 { [&edit.tokens, &right.tokens] } else { [&left.tokens, &edit.tokens] };
                 let fits = judge(sides[0], sides[1], relation, None).verdict == Verdict::Consistent;
-                if fits && !found.iter().any(|other| other.words == edit.words) {
-                    found.push(edit);
+                if fits && !found.iter().any(|(_, other)| other.words == edit.words) {
+                    found.push((which, edit));
                 }
             }
             // Of two, neither is the one.
@@ -88,7 +101,8 @@ pub(crate) fn hint(left: &Side, right: &Side, relation: Relation, budget: &mut u
         }
         match found.as_slice() {
             [] => {}
-            [edit] => return Some(Hint { words: edit.words.clone(), at: edit.at }),
+            [(which, _)] if only.is_some_and(|only| only != *which) => return None,
+            [(_, edit)] => return Some(Hint { words: edit.words.clone(), at: edit.at }),
             _ => return None,
         }
     }
@@ -99,13 +113,8 @@ fn number(text: String, span: Span) -> Token {
     Token::new(Kind::Number(text), span)
 }
 
-/// Edits of a side as a whole: its sign and a factor 2.
+/// Edits of a side as a whole: its sign and a factor 2. Which of the two sides is wrong, they leave open.
 fn whole_side(side: &Side, out: &mut Vec<Edit>) {
-    let Ok(value) = evaluated(&side.tokens, None) else { return };
-    if value.is_literal() {
-        return;
-    }
-    let shown = cut(&show(&side.tokens));
     let group = |before: &[Kind], after: &[Kind]| {
         let token = |kind: &Kind| Token::new(kind.clone(), side.span);
         let mut tokens: Vec<Token> = before.iter().map(token).collect();
@@ -116,10 +125,12 @@ fn whole_side(side: &Side, out: &mut Vec<Edit>) {
         tokens
     };
     let two = Kind::Number("2".to_owned());
-    let mut push = |tokens: Vec<Token>, words: String| out.push(Edit { tokens, words, at: side.span });
-    push(group(&[two.clone(), Kind::Operator('·')], &[]), format!("twice `{shown}`"));
-    push(group(&[], &[Kind::Operator('/'), two]), format!("half of `{shown}`"));
-    push(group(&[Kind::Operator('-')], &[]), format!("the opposite sign of `{shown}`"));
+    let mut push = |tokens: Vec<Token>, words: &str| {
+        out.push(Edit { tokens, words: format!("{words} on one of the two sides"), at: side.span });
+    };
+    push(group(&[two.clone(), Kind::Operator('·')], &[]), "a factor 2");
+    push(group(&[], &[Kind::Operator('/'), two]), "a factor 2");
+    push(group(&[Kind::Operator('-')], &[]), "the opposite sign");
 }
 
 fn cut(text: &str) -> String {
@@ -340,6 +351,10 @@ fn shifted(text: &str) -> Vec<String> {
 /// The number with another digit in one place, and with two neighbouring digits swapped.
 fn digits(text: &str) -> Vec<String> {
     let mut out = Vec::new();
+    // A one is hardly ever misprinted, but often there for show.
+    if text == "1" {
+        return out;
+    }
     let letters: Vec<char> = text.chars().collect();
     for (at, letter) in letters.iter().enumerate().filter(|(_, letter)| letter.is_ascii_digit()).take(12) {
         for other in ('0'..='9').filter(|other| other != letter) {
@@ -371,7 +386,9 @@ mod tests {
         let mut found = None;
         reader::read(&format!("${tex}$"), Format::Markdown, &mut |formula| {
             let chain = &chains(&formula.tokens)[0];
-            found = hint(&chain.sides[0], &chain.sides[1], Relation::Equal, &mut MOST_FOR_ALL.clone());
+            let [left, right] = [&chain.sides[0], &chain.sides[1]];
+            let judgement = judge(&left.tokens, &right.tokens, Relation::Equal, None);
+            found = hint(left, right, Relation::Equal, &judgement, &mut MOST_FOR_ALL.clone());
         })
         .expect("it is read");
         found.map(|hint| hint.words)
@@ -381,13 +398,14 @@ mod tests {
     fn the_one_edit_that_fits_is_named() {
         for (tex, words) in [
             (r"(46.6\ \mathrm{W})(86.400\ \mathrm{s}) = 4.03\times10^6\ \mathrm{J}", "`86,400` for `86.400`"),
-            (r"2.40\ \mathrm{m/s^2}\,(12.0\ \mathrm{s})^2 = 172.80\ \mathrm{m}", "half of `2.40 m/s^2 (12.0 s)^2`"),
+            (r"2.40\ \mathrm{m/s^2}\,(12.0\ \mathrm{s})^2 = 172.80\ \mathrm{m}", "a factor 2 on one of the two sides"),
             (
                 r"\frac{1000\ \mathrm{MeV}}{8.62\times10^{11}\ \mathrm{MeV/K}} = 1.16\times10^{13}\ \mathrm{K}",
                 "`10^−11` for `10^11`",
             ),
             (r"\tan 31.0^\circ = 0.609", "`0.601` for `0.609`"),
             (r"239.052157 - 239.046526 = 0.0005631", "`0.005631` for `0.0005631`"),
+            (r"3.0\cdot 20 = -60.0", "the opposite sign on one of the two sides"),
         ] {
             assert_eq!(hinted(tex).as_deref(), Some(words), "{tex}");
         }
@@ -407,5 +425,8 @@ mod tests {
     #[test]
     fn of_several_edits_none_is_named() {
         assert_eq!(hinted("43.4 - 29.8 = 13.8"), None);
+        // Another digit of an operand, or of a one, would do, but is not likely.
+        assert_eq!(hinted("14.00 - 1.120 = 12.90"), None);
+        assert_eq!(hinted("1/4.000 = 0.750").as_deref(), Some("`0.250` for `0.750`"));
     }
 }

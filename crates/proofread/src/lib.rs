@@ -21,6 +21,7 @@ mod place;
 mod printed;
 pub mod reader;
 mod reading;
+pub mod summary;
 mod surroundings;
 mod token;
 mod unit;

@@ -152,6 +152,10 @@ fn accepted_cases_are_left_out_wherever_they_move() {
     let kept = fs::read_to_string(cases).expect("readable");
     assert_eq!((kept.lines().count(), kept.contains("as in the original")), (3, true));
     assert_eq!(run(&["--baseline", cases, &file]).0, 0);
+    // The cases lie in the folder themselves, and are no document.
+    let (code, out, told) = run(&["--accept", cases, folder.path().to_str().expect("UTF-8")]);
+    assert_eq!((code, out.as_str()), (0, ""), "{told}");
+    assert_eq!(run(&["--baseline", cases, folder.path().to_str().expect("UTF-8")]).0, 0);
 }
 
 fn git(folder: &Path, arguments: &[&str]) -> bool {

@@ -52,6 +52,7 @@ fn points_beside_decimal_commas_part_thousands_or_decimals() {
         (r"$\sqrt{4.242^2 + 4^2} = 5.83$", 1),
         (r"$2 \times 3.125 = 6.25$", 1),
         (r"$\frac{1}{32} = 3.125\times10^{-2}$", 1),
+        (r"$\frac{1}{32} = 3.125 \times 10^{-2}$", 1),
         // Without such a point they are thousands, and a decimal comma behind one leaves no doubt.
         (r"$1.250 + 0,5 = 1.250,5$", 1),
         (r"$1.250 + 1.250 = 2500$", 1),

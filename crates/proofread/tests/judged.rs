@@ -3,7 +3,7 @@
 //! The records hold each chain as a short snippet of ours and what the library says of it now. If a change of the library
 //! changes that, this test names the chains, and whoever made the change says in the record whether it is for the better.
 
-use proofread::{Follow, Format, List, Options, proofread};
+use proofread::{Finding, Follow, Format, List, Options, proofread};
 
 const UNIVERSITY_PHYSICS: &str = include_str!("../judged/university-physics.csv");
 const CONTACT: &str = include_str!("../judged/contact.csv");
@@ -23,6 +23,12 @@ struct Chain {
     snippet: String,
     /// The list that the library puts it on, or `quiet`.
     now: String,
+    /// The hint that the library gave in the whole text.
+    #[serde(default)]
+    hint: String,
+    /// Whether a hint for a misprint names what should be printed.
+    #[serde(default)]
+    hint_right: String,
 }
 
 fn read(record: &str) -> Vec<Chain> {
@@ -34,12 +40,17 @@ fn all() -> Vec<Chain> {
     [UNIVERSITY_PHYSICS, UNITS, CONTACT, ERRATA].into_iter().flat_map(read).collect()
 }
 
-/// The list of the first finding that is on the most severe list.
-fn found(chain: &Chain) -> &'static str {
+/// What is found in a chain, with at most so many hints.
+fn findings(chain: &Chain, hints: usize) -> Vec<Finding> {
     let text = if chain.snippet.is_empty() { &chain.chain } else { &chain.snippet };
     let format = Format::named(&chain.format).expect("a format");
-    let options = Options { follow: Follow::Never, agreeing: false, hints: 0 };
-    let findings = proofread(text, format, options).expect("a text").findings;
+    let options = Options { follow: Follow::Never, agreeing: false, hints };
+    proofread(text, format, options).expect("a text").findings
+}
+
+/// The list of the first finding that is on the most severe list.
+fn found(chain: &Chain) -> &'static str {
+    let findings = findings(chain, 0);
     let on = |list| findings.iter().any(|finding| finding.list == list);
     [List::Numbers, List::Units].into_iter().find(|list| on(*list)).map_or("quiet", List::name)
 }
@@ -59,6 +70,17 @@ fn misprints_are_flagged() {
     let quiet: Vec<_> = all().into_iter().filter(|chain| chain.judgement == "real" && chain.now == "quiet").collect();
     let names: Vec<&str> = quiet.iter().map(|chain| chain.chain.as_str()).collect();
     assert!(names.is_empty(), "a misprint that a run found is not flagged any more: {names:#?}");
+}
+
+#[test]
+fn hints_for_misprints_are_judged_and_stay() {
+    for chain in all().iter().filter(|chain| chain.judgement == "real" && !chain.hint.is_empty()) {
+        assert!(["yes", "no"].contains(&chain.hint_right.as_str()), "{}", chain.chain);
+        let findings = findings(chain, 10);
+        let hints: Vec<&str> =
+            findings.iter().filter_map(|of| of.hint.as_ref()).map(|hint| hint.words.as_str()).collect();
+        assert!(hints.contains(&chain.hint.as_str()), "{}: {hints:?}, not {}", chain.chain, chain.hint);
+    }
 }
 
 #[test]

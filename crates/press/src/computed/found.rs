@@ -22,6 +22,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.new.rate", || rate()),
     ("found.new.units", || unit_misprints()),
     ("found.new.hints", || hints(&new()?)),
+    ("found.hints", || hints_judged(|_| true)),
+    ("found.hints-right", || hints_judged(|right| right == Answer::Yes)),
     ("found.errata", || Ok(errata()?.len().to_string())),
     ("found.errata-found", || Ok(errata_found()?.to_string())),
     ("found.recall", || Ok(precision(errata_found()?, errata()?.len()))),
@@ -101,6 +103,13 @@ fn rate() -> anyhow::Result<String> {
 
 fn errata_found() -> anyhow::Result<usize> {
     Ok(errata()?.iter().filter(|erratum| erratum.found != "no").count())
+}
+
+/// How many hints of misprints in all texts are such.
+fn hints_judged(such: fn(Answer) -> bool) -> anyhow::Result<String> {
+    let in_book = flags()?.into_iter().filter_map(|flag| flag.hint_right);
+    let elsewhere = contacts()?.into_iter().filter_map(|flag| flag.hint_right);
+    Ok(in_book.chain(elsewhere).filter(|right| such(*right)).count().to_string())
 }
 
 /// How many of the errata of a kind the program finds.

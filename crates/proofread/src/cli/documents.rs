@@ -23,6 +23,14 @@ pub(crate) struct Source {
     format: Option<Format>,
 }
 
+impl Source {
+    /// Whether it is this file.
+    pub fn is(&self, file: &Path) -> bool {
+        let real = |path: &Path| path.canonicalize().ok();
+        self.path.as_deref().and_then(real).is_some_and(|mine| real(file) == Some(mine))
+    }
+}
+
 /// Folders that hold no texts of the author.
 const SKIPPED: [&str; 3] = ["target", "node_modules", "__pycache__"];
 /// Deepest folder that is searched.

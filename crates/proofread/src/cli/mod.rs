@@ -106,6 +106,10 @@ impl<'a> Run<'a> {
                     continue;
                 }
             };
+            // The accepted cases are lines of JSON, too, but no documents.
+            if [&arguments.baseline, &arguments.accept].into_iter().flatten().any(|cases| source.is(cases)) {
+                continue;
+            }
             documents::each(&source, &mut |document| match document
                 .and_then(|document| self.one(&document, since.as_ref()))
             {
@@ -125,7 +129,11 @@ impl<'a> Run<'a> {
         };
         if let Some(path) = &arguments.accept {
             self.baseline.write(path)?;
-            self.streams.tell(&format!("{} accepted in {}\n", output::count(sum.accepted, "case"), path.display()));
+            self.streams.tell(&format!(
+                "{} accepted in {}\n",
+                crate::summary::count(sum.accepted, "case"),
+                path.display()
+            ));
         } else {
             let end = self.writer.end(&sum);
             self.streams.print(&end)?;

@@ -62,16 +62,3 @@ pub(crate) fn printable(text: &str) -> String {
         })
         .collect()
 }
-
-/// "1 chain", "2 chains", "12,345 chains".
-pub(crate) fn count(number: usize, thing: &str) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (at, digit) in digits.char_indices() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    format!("{text} {thing}{}", if number == 1 { "" } else { "s" })
-}

@@ -1,10 +1,11 @@
 //! Findings for people.
 
-use super::output::{bold, count, printable};
+use super::output::{bold, printable};
 use super::{Checked, Sum, Writer};
 use crate::finding::{Finding, List};
 use crate::place::Lines;
 use crate::reader::Format;
+use crate::summary::{self, count};
 use clap::builder::styling::AnsiColor;
 
 /// Longest line of the text that is shown around a place, in characters.
@@ -30,40 +31,15 @@ impl Writer for Text {
             count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
             count(sum.documents, "document"),
         );
-        let others = tally.chains.saturating_sub(tally.checkable.max(tally.checked));
-        if others > 0 {
-            text += &format!(
-                "{} only {}.\n",
-                count(others, "other chain"),
-                if others == 1 {
-                    "defines something or contains letters"
-                } else {
-                    "define something or contain letters"
-                }
-            );
-        }
-        let [numbers, units, bindings, _] = sum.found;
+        text.extend(summary::others(tally).map(|said| said + "\n"));
         let green = AnsiColor::Green.on_default().bold();
         let red = AnsiColor::Red.on_default().bold();
-        if numbers + units + bindings == 0 {
-            text += &format!("{green}Nothing found.{green:#}\n");
-        } else {
-            let mut parts = Vec::new();
-            for (number, of) in
-                [(numbers, "on a number"), (bindings, "with values from elsewhere"), (units, "on units alone")]
-            {
-                if number > 0 {
-                    parts.push(format!("{} {of}", count(number, "").trim_end_matches([' ', 's'])));
-                }
-            }
-            text += &format!("{red}{}{red:#}: {}.\n", count(numbers + units + bindings, "finding"), parts.join(", "));
+        match summary::findings(|list| sum.found[list as usize]).as_deref().map(|said| said.split_once(':')) {
+            Some(Some((number, lists))) => text += &format!("{red}{number}{red:#}:{lists}.\n"),
+            _ => text += &format!("{green}Nothing found.{green:#}\n"),
         }
-        let hidden = tally.with(crate::verdict::Verdict::Units);
-        if hidden > 0 && !sum.units_listed {
-            let text_of = if hidden == 1 { "1 place agrees in its numbers but not in its units" } else { "" };
-            let many = format!("{hidden} places agree in their numbers but not in their units");
-            text += &format!("{}; --units lists them.\n", if text_of.is_empty() { &many } else { text_of });
-        }
+        let hidden = summary::units_alone(tally).filter(|_| !sum.units_listed);
+        text.extend(hidden.map(|said| format!("{said}; --units lists them.\n")));
         if sum.accepted > 0 {
             text += &format!("{} left out as accepted.\n", count(sum.accepted, "case"));
         }

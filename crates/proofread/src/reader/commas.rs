@@ -111,8 +111,9 @@ fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
                     seen.points += 1
                 }
                 let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is(','));
-                let is_mantissa = tokens.get(at + 1).is_some_and(|token| token.is_one_of("×·"))
-                    && tokens.get(at + 2).is_some_and(|token| digits(token) == Some("10"));
+                let mut behind = tokens[at + 1..].iter().filter(|token| !token.is_space());
+                let is_mantissa = behind.next().is_some_and(|token| token.is_one_of("×·"))
+                    && behind.next().is_some_and(|token| digits(token) == Some("10"));
                 let is_decimal = thousands(number).is_none() || is_mantissa;
                 seen.decimal_points += usize::from(!braced && !next_is_comma && is_decimal);
             }
