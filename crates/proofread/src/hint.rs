@@ -413,7 +413,8 @@ mod tests {
 
     #[test]
     fn a_lacking_caret_is_named() {
-        assert_eq!(hinted(r"2 	imes 3.1 	imes 10^{-5} = 6.2 \times 10{-5}").as_deref(), Some("`10^−5` for `10−5`"));
+        assert_eq!(hinted(r"2 \times 3.1 \times 10^{-5} = 6.2 \times 10{-5}").as_deref(), Some("`10^−5` for `10−5`"));
+        assert_eq!(hinted(r"2 \times 3.1 = 6.3 \times 10 - 5"), None);
     }
 
     #[test]

@@ -42,6 +42,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.after.flags", || Ok(after("first")?.len().to_string())),
     ("found.after.real", || Ok(right(&after("first")?).to_string())),
     ("found.after.precision", || Ok(precision(right(&after("first")?), after("first")?.len()))),
+    ("found.after-second.flags", || Ok(after("second")?.len().to_string())),
+    ("found.after-second.real", || Ok(right(&after("second")?).to_string())),
     ("found.second.texts", || texts("second")),
     ("found.second.flags", || Ok(round("second")?.len().to_string())),
     ("found.second.real", || Ok(right(&round("second")?).to_string())),
