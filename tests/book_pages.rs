@@ -204,6 +204,33 @@ fn ids_are_unique_on_a_page() {
 }
 
 #[test]
+fn no_line_of_a_paragraph_has_become_a_list() {
+    // A line that begins with a number and a full stop is the first item of a list to Markdown.
+    for (name, page) in pages().iter().filter(|(name, _)| *name != "toc.html") {
+        let mut items: Vec<usize> = Vec::new();
+        for piece in page {
+            match piece {
+                Piece::Start { element, attributes } if element == "ol" && !attributes.contains_key("class") => {
+                    assert!(!attributes.contains_key("start"), "{name}: a list begins with {attributes:?}");
+                    items.push(0);
+                }
+                Piece::Start { element, .. } if ["ol", "ul"].contains(&element.as_str()) => items.push(2),
+                Piece::Start { element, .. } if element == "li" => {
+                    if let Some(count) = items.last_mut() {
+                        *count += 1;
+                    }
+                }
+                Piece::End(element) if ["ol", "ul"].contains(&element.as_str()) => {
+                    let count = items.pop();
+                    assert!(count.is_none_or(|count| count > 1), "{name}: a numbered list has one item");
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+#[test]
 fn no_placeholder_is_left_and_no_number_is_none() {
     for (name, page) in pages() {
         let text: String = within(page, "main").into_iter().map(text).collect();

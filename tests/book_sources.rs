@@ -165,3 +165,25 @@ fn every_slip_is_told_in_some_chapter() {
         assert!(places.claims.iter().any(is_told), "{} is not told", places.slip.id);
     }
 }
+
+#[test]
+fn every_conclusion_of_the_thesis_is_in_the_table_of_its_conclusions() {
+    let (_, chapter) = chapters().into_iter().find(|(file, _)| file == "never-printed.md").expect("the chapter");
+    let lines = || chapter.lines().filter(|line| line.starts_with("| "));
+    let of_thesis = |judged: &&geneva_ledger::Judged| judged.claim.work == geneva_ledger::Work::Meyer1973;
+    let concluded = geneva_ledger::Work::Meyer1973.conclusions();
+    let is_conclusion = |judged: &&geneva_ledger::Judged| {
+        judged.claim.locator.starts_with("Conclusion") || concluded.iter().any(|(id, _)| *id == judged.claim.id)
+    };
+    let mut count = 0;
+    for judged in verdicts().iter().filter(of_thesis).filter(is_conclusion) {
+        let mark = format!("{{{{verdict:{}}}}}", judged.claim.id);
+        assert_eq!(lines().filter(|line| line.contains(&mark)).count(), 1, "{}", judged.claim.id);
+        count += 1;
+    }
+    assert!(count >= 6, "{count} conclusions");
+    // The recommendations are counted in words, each in a row of its own.
+    for number in ["First", "Second", "Third", "Fourth", "Fifth", "Sixth", "Seventh"] {
+        assert_eq!(lines().filter(|line| line.starts_with(&format!("| {number}: "))).count(), 1, "{number}");
+    }
+}

@@ -197,10 +197,11 @@ impl Look<'_> {
         self.browser.evaluate(&format!("geneva.load({})", json!(address(&crate::path(AXE)))));
         let read = self.browser.evaluate("geneva.content()");
         self.check("geneva.keyboard()");
-        // The page follows the system from light to dark; that it also begins in the dark is a test of its own. At each width
-        // first the one and then the other: a new width takes the browser much longer than new colours.
-        for width in WIDTHS {
-            for medium in [Medium::Light, Medium::Dark] {
+        // The page follows the system from light to dark; that it also begins in the dark is a test of its own. From one way to
+        // the next only one thing changes, the width or the colours: each has the browser look up all styles anew.
+        for (k, width) in WIDTHS.into_iter().enumerate() {
+            let media = [Medium::Light, Medium::Dark];
+            for medium in [media[k % 2], media[1 - k % 2]] {
                 self.turn(width, medium);
                 if width < WIDE {
                     self.browser.evaluate("geneva.closeList()");
@@ -365,4 +366,30 @@ fn an_arrow_key_turns_the_page_except_where_something_scrolls_by_it() {
         let turned = browser.events().iter().any(|event| event["method"] == "Page.frameRequestedNavigation");
         assert_eq!(turned, turns, "within {within}");
     }
+}
+
+#[test]
+fn one_test_leaves_nothing_for_the_next_in_the_same_browser() {
+    let Some(mut browser) = Browser::start() else { return };
+    let page = format!("{}/pin.html", address(crate::book_pages::book()));
+    let served = format!("{}/pin.html", crate::live::module::served(crate::book_pages::book()));
+    let kept = "[localStorage.length, sessionStorage.length, (await indexedDB.databases()).length, document.cookie, \
+                matchMedia('(prefers-color-scheme: dark)').matches, innerWidth === 390, history.length]";
+    let look = |browser: &mut Browser, page: &str| {
+        browser.open(page);
+        browser.evaluate(&format!("(async () => {kept})()"))
+    };
+    let first = [&page, &served].map(|page| look(&mut browser, page));
+    browser.show(PHONE, Medium::Dark);
+    for page in [&page, &served] {
+        browser.open(page);
+        browser.evaluate(
+            "localStorage.setItem('one', 1); sessionStorage.setItem('one', 1); document.cookie = 'one=1'; \
+             new Promise(done => { indexedDB.open('one').onsuccess = () => done(null) })",
+        );
+        let left = browser.evaluate(&format!("(async () => {kept})()"));
+        assert!((0..3).all(|k| left[k].as_u64() > Some(0)), "{left}");
+    }
+    let Some(mut next) = browser.again() else { panic!("the browser has ended") };
+    assert_eq!([&page, &served].map(|page| look(&mut next, page)), first);
 }

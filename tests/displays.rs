@@ -7,7 +7,6 @@ mod book;
 mod claims;
 mod escapement;
 mod joints;
-mod letters;
 mod mechanisms;
 mod notation;
 mod proofs;

@@ -42,7 +42,7 @@ fn object(design: Design, more: &[&str]) -> Map<String, Value> {
     crate::object(&command(design, more))
 }
 
-/// The same by the library alone.
+/// Parameters of a design by the library alone, without the command.
 fn parameters([slots, friction, torque, driver, follower]: Design) -> Parameters {
     let [friction, torque, driver, follower] =
         [friction, torque, driver, follower].map(|text| text.parse().expect("a number"));

@@ -2,6 +2,7 @@
 //! controls by keyboard, pointer and address.
 
 mod addresses;
+mod covered;
 pub(crate) mod module;
 
 use crate::browser::devtools::{Browser, Medium};
@@ -201,19 +202,38 @@ fn typed(name: &str, value: &str) -> String {
 }
 
 #[test]
+fn a_figure_in_which_nothing_turns_has_nothing_to_play() {
+    for (name, page) in PAGES {
+        let plays = geneva_live::by_name(name)
+            .expect("a figure")
+            .controls
+            .iter()
+            .any(|control| matches!(control.kind, geneva_live::Kind::Player(_)));
+        assert_eq!(page_text(page).contains("data-do=\"play\""), plays && moves(), "{name}");
+    }
+    let design = geneva_live::by_name("design").expect("a figure");
+    assert!(design.controls.iter().all(|control| !matches!(control.kind, geneva_live::Kind::Player(_))));
+}
+
+#[test]
 fn a_refused_setting_leaves_no_number_of_another_one() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);
     open(&mut browser, "making", "");
     let shown = "[[...f.querySelectorAll('output')].map(o => o.value).join(), f.querySelector('svg').outerHTML, \
-                 f.querySelector('.stale').checkVisibility(), f.querySelector('.message').textContent]";
+                 f.querySelector('.stale').checkVisibility(), f.querySelector('.message').textContent, \
+                 [...g.querySelectorAll('[data-file]')].map(file => file.disabled).join()]";
     let first = of(&mut browser, "design", shown);
-    assert_eq!([&first[2], &first[3]], [&json!(false), &json!("")]);
+    assert_eq!([&first[2], &first[3], &first[4]], [&json!(false), &json!(""), &json!("false,false,false")]);
     of(&mut browser, "design", &typed("pin", "60"));
     let refused = of(&mut browser, "design", shown);
     assert!(refused[0].as_str().is_some_and(|told| told.split(',').all(|number| number == "–")), "{refused}");
     assert!(refused[1] == first[1] && refused[2] == json!(true), "it is not said whose drawing it is");
     assert!(refused[3].as_str().is_some_and(|why| why.contains("thinner pin")), "{}", refused[3]);
+    // There is nothing to draw a file of, and the page says so.
+    assert_eq!(refused[4], json!("true,true,true"));
+    let stale = of(&mut browser, "design", "f.querySelector('.stale').textContent");
+    assert!(stale.as_str().is_some_and(|told| told.contains("no files for this setting")), "{stale}");
     of(&mut browser, "design", "g.querySelector('[data-do=reset]').click()");
     assert!(of(&mut browser, "design", shown) == first, "not as at first again");
 }

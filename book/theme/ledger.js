@@ -108,6 +108,32 @@
         row.append(details);
     }
 
+    /**
+     * Brings a row to the top. Rows off the screen have estimated heights, and as those near it are laid out, it moves: so it is
+     * brought there again until it keeps still, or until the reader scrolls.
+     */
+    const bring = row => {
+        const reader = new AbortController();
+        for (const type of ['wheel', 'touchmove', 'keydown', 'pointerdown']) {
+            addEventListener(type, () => reader.abort(), { once: true, passive: true, signal: reader.signal });
+        }
+        let still = 0;
+        const look = () => {
+            if (reader.signal.aborted) {
+                return;
+            }
+            const before = scrollY;
+            row.scrollIntoView({ behavior: 'instant' });
+            still = scrollY === before ? still + 1 : 0;
+            if (still < 12) {
+                requestAnimationFrame(look);
+            } else {
+                reader.abort();
+            }
+        };
+        look();
+    };
+
     /** Shows what the address asks for. */
     const follow = () => {
         if (isFilter()) {
@@ -122,7 +148,7 @@
         }
         if (row) {
             row.querySelector('.asked').open = true;
-            row.scrollIntoView();
+            bring(row);
         }
     };
 

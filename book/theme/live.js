@@ -28,7 +28,7 @@
         const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
         const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => figure.querySelector(`.${name}`));
-        const outputs = figure.querySelectorAll('output');
+        const outputs = figure.querySelectorAll('output'), files = form.querySelectorAll('[data-file]');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
         const follows = input => input.dataset.follows !== undefined;
         const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : input.value]));
@@ -57,6 +57,7 @@
             stop();
             figure.classList.add('refused');
             stale.hidden = false;
+            files.forEach(button => button.disabled = true);
             // No number stays that would seem to be of this setting.
             outputs.forEach(output => output.value = '–');
             say(why, true);
@@ -68,6 +69,7 @@
             const drawing = drawn(svg);
             figure.classList.remove('refused');
             stale.hidden = true;
+            files.forEach(button => button.disabled = false);
             followers.forEach(input => write(input, told.find(({ name }) => name === input.name).value));
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
             outputs.forEach(output => output.value = texts[output.name] ?? '–');
@@ -227,7 +229,7 @@
             } else {
                 put(target, target.value);
             }
-            if (target.name === player.name || target.dataset.box === player.name) {
+            if (player && [target.name, target.dataset.box].includes(player.name)) {
                 stop();
             }
             moved();

@@ -290,6 +290,8 @@ const geneva = (() => {
      * of no use afterwards.
      */
     const accessibility = async () => {
+        // Where the page begins, its bar covers nothing that can be pressed.
+        window.scrollTo({ top: 0, behavior: 'instant' });
         main().querySelectorAll('math, pre > code').forEach(of => { of.textContent = of.textContent; });
         main().querySelectorAll('svg > :not(title, desc)').forEach(of => of.remove());
         const rows = known('good rows');

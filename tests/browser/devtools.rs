@@ -1,7 +1,7 @@
 //! A browser without a window, spoken to by the DevTools protocol over a pipe.
 
 use serde_json::{Value, json};
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
@@ -12,6 +12,9 @@ use tempfile::TempDir;
 
 /// How long one answer may take, however busy the machine is.
 const PATIENCE: Duration = Duration::from_secs(120);
+
+/// The height of a window, in pixels, where a test does not choose one.
+const HEIGHT: u32 = 900;
 
 /// By what names the program goes, where `$CHROMIUM` does not say.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
@@ -41,8 +44,12 @@ pub struct Browser {
     /// None once another test may have it.
     process: Option<Process>,
     events: VecDeque<Value>,
-    context: String,
+    tab: Value,
     session: Option<String>,
+    /// The places of the pages that have been opened: what pages keep, they keep by place.
+    origins: BTreeSet<String>,
+    /// The window and the medium of [`Self::show_in`]: what does not change is not told again.
+    shown: Option<([u32; 2], Medium)>,
 }
 
 /// The program, if there is one. `$CHROMIUM` may be empty, and then there is none.
@@ -79,16 +86,20 @@ impl Browser {
         idle.and_then(|process| Self::of(process).ok()).map_or_else(|| Self::of(Process::start(program)?), Ok)
     }
 
-    /// A new page, apart from all that the process has shown.
+    /// A new tab, apart from all that the process has shown.
+    ///
+    /// It is one more tab of the first one's window: a window of its own, or a profile, takes several times as long.
     fn of(process: Process) -> Result<Self, String> {
-        let (context, events) = (String::new(), VecDeque::new());
-        let mut browser = Self { process: Some(process), events, context, session: None };
-        let context = browser.ask("Target.createBrowserContext", json!({}))?;
-        browser.context = context["browserContextId"].as_str().unwrap_or_default().to_owned();
-        let page = json!({ "url": "about:blank", "browserContextId": browser.context });
-        let target = browser.ask("Target.createTarget", page)?;
-        let attached =
-            browser.ask("Target.attachToTarget", json!({ "targetId": target["targetId"], "flatten": true }))?;
+        let is_first = process.calls == 0;
+        let (events, origins) = (VecDeque::new(), BTreeSet::new());
+        let mut browser =
+            Self { process: Some(process), events, tab: Value::Null, session: None, origins, shown: None };
+        if is_first {
+            browser.ask("Target.createTarget", json!({ "url": "about:blank" }))?;
+        }
+        let mut target = browser.ask("Target.createTarget", json!({ "url": "about:blank" }))?;
+        browser.tab = target["targetId"].take();
+        let attached = browser.ask("Target.attachToTarget", json!({ "targetId": browser.tab, "flatten": true }))?;
         browser.session = attached["sessionId"].as_str().map(str::to_owned);
         for domain in ["Page", "Runtime", "Log", "Network"] {
             browser.ask(&format!("{domain}.enable"), json!({}))?;
@@ -145,13 +156,22 @@ impl Browser {
 
     /// Shows pages from now on at this width, on this medium. The page that is open changes with it.
     pub fn show(&mut self, width: u32, medium: Medium) {
-        self.show_in([width, 900], medium);
+        self.show_in([width, HEIGHT], medium);
     }
 
     /// Shows pages from now on in a window of this width and height, on this medium.
-    pub fn show_in(&mut self, [width, height]: [u32; 2], medium: Medium) {
+    pub fn show_in(&mut self, window: [u32; 2], medium: Medium) {
+        self.size(window);
+        self.medium(medium);
+        self.shown = Some((window, medium));
+    }
+
+    fn size(&mut self, [width, height]: [u32; 2]) {
         let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
         self.command("Emulation.setDeviceMetricsOverride", size);
+    }
+
+    fn medium(&mut self, medium: Medium) {
         let (media, scheme) = match medium {
             Medium::Light => ("screen", "light"),
             Medium::Dark => ("screen", "dark"),
@@ -165,14 +185,27 @@ impl Browser {
         self.command("Emulation.setEmulatedMedia", json!({ "media": media, "features": features }));
     }
 
-    /// Shows the page that is open at this width, on this medium, and waits until its scripts know.
+    /// Shows the page that is open at this width, on this medium, and waits until its scripts know. Whatever changes has the
+    /// browser look up all styles anew, so what stays is not told again.
     pub fn turn(&mut self, width: u32, medium: Medium) {
+        let window = [width, HEIGHT];
+        let (is_new_size, is_new_medium) = self.shown.map_or((true, true), |(size, of)| (size != window, of != medium));
+        if is_new_size {
+            self.size(window);
+        }
+        if is_new_medium {
+            self.turn_to(medium);
+        }
+        self.shown = Some((window, medium));
+    }
+
+    fn turn_to(&mut self, medium: Medium) {
         let is_dark = medium == Medium::Dark;
         self.evaluate(&format!(
             "globalThis.scheme = matchMedia('(prefers-color-scheme: dark)'); globalThis.turned = scheme.matches === {is_dark} || \
              new Promise(done => scheme.addEventListener('change', () => done(true), {{ once: true }})); null"
         ));
-        self.show(width, medium);
+        self.medium(medium);
         self.evaluate("turned");
     }
 
@@ -184,6 +217,9 @@ impl Browser {
     /// Opens a page, and waits until it is loaded with its fonts.
     #[track_caller]
     pub fn open(&mut self, address: &str) {
+        let path = address.find("://").map_or(0, |at| at + 3);
+        let end = address[path..].find('/').map_or(address.len(), |at| path + at);
+        self.origins.insert(address[..end].to_owned());
         let opened = self.command("Page.navigate", json!({ "url": address }));
         assert!(opened["errorText"].is_null(), "the browser: {address}: {}", opened["errorText"]);
         let end = Instant::now() + PATIENCE;
@@ -254,14 +290,31 @@ fn bytes(text: &str) -> Vec<u8> {
     out
 }
 
+impl Browser {
+    /// Closes the tab, and has the process forget what its pages kept.
+    fn leave(&mut self) -> Option<Process> {
+        // No page is left that could keep something again.
+        self.ask("Page.navigate", json!({ "url": "about:blank" })).ok()?;
+        for origin in std::mem::take(&mut self.origins) {
+            let all = json!({ "origin": origin, "storageTypes": "all" });
+            self.ask("Storage.clearDataForOrigin", all).ok()?;
+        }
+        self.session = None;
+        self.ask("Target.closeTarget", json!({ "targetId": self.tab })).ok()?;
+        self.process.take()
+    }
+
+    /// What the next test gets that has this process.
+    pub fn again(mut self) -> Option<Self> {
+        self.leave().and_then(|process| Self::of(process).ok())
+    }
+}
+
 impl Drop for Browser {
     fn drop(&mut self) {
         // After a failed test nobody knows what the process is about.
-        let is_well = !std::thread::panicking();
-        self.session = None;
-        let left =
-            is_well.then(|| self.ask("Target.disposeBrowserContext", json!({ "browserContextId": self.context })));
-        if let (Some(Ok(_)), Some(process), Ok(mut idle)) = (left, self.process.take(), IDLE.lock()) {
+        let left = if self.process.is_none() || std::thread::panicking() { None } else { self.leave() };
+        if let (Some(process), Ok(mut idle)) = (left, IDLE.lock()) {
             idle.push(process);
         }
     }
@@ -286,6 +339,8 @@ impl Process {
                 "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
             ])
             .args(["--allow-file-access-from-files", "--font-render-hinting=none"])
+            // Nobody waits for a page: helpers that collect garbage beside its scripts only take processors from others.
+            .arg("--js-flags=--single-threaded")
             .arg(format!("--user-data-dir={}", profile.display()))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())

@@ -11,10 +11,10 @@ use geneva_ledger::tex::{By, Moment};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
 pub fn states() -> Vec<Moment> {
-    (0..45).map(|number| state(number, &Wanted::default())).collect()
+    (0..45).map(|number| state(number)).collect()
 }
 
-/// The same with the square of the speed as a function of the angle: u' is twice the acceleration.
+/// The escapement at many instants, with the square of the speed as a function of the angle: u' is twice the acceleration.
 pub fn over_the_angle() -> Vec<Moment> {
     let squared = |state: Moment| {
         let [speed, angular_acceleration, follower] =
@@ -36,26 +36,17 @@ pub fn taking_over(number: usize) -> Moment {
         .with([(r"\dot\theta", speed), (r"\dot\varphi", follower)])
 }
 
-/// What is asked of a state; what is not asked is at random.
-#[derive(Default)]
-pub struct Wanted {
-    pub mechanism: Option<Mechanism>,
-    pub crank_radius: Option<f64>,
-    /// Where one pin takes over from the next.
-    pub handing_over: bool,
-}
-
 /// One state of the mechanism, of many.
-pub fn state(number: usize, wanted: &Wanted) -> Moment {
-    let mechanism = wanted.mechanism.unwrap_or(Mechanism::ALL[number % 3]);
+fn state(number: usize) -> Moment {
+    let mechanism = Mechanism::ALL[number % 3];
     let between = |which, least: f64, most: f64| least + (most - least) * spread(number, which);
     let inertias = Inertias::new(between(0, 0.1, 2.0), between(1, 0.5, 3.0)).expect("two inertias");
     let limit = critical_friction(mechanism, inertias.ratio()).expect("a limit").friction;
     let (torque, friction) = (between(2, 0.5, 4.0), limit * between(3, 0.1, 0.9));
     let escapement = Parameters::new(mechanism, inertias, torque, friction).expect("an escapement");
     let half = mechanism.engagement_half_angle();
-    let angle = if wanted.handing_over { half } else { half * between(4, -0.98, 0.98) };
-    let (speed, radius) = (between(5, 0.2, 4.0), wanted.crank_radius.unwrap_or(between(6, 0.5, 2.0)));
+    let angle = half * between(4, -0.98, 0.98);
+    let (speed, radius) = (between(5, 0.2, 4.0), between(6, 0.5, 2.0));
 
     let found = escapement.acceleration(angle, speed).expect("one acceleration");
     let forces = escapement.contact_forces(angle, speed).expect("one acceleration");

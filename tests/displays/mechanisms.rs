@@ -10,10 +10,10 @@ use geneva_kinematics::wheel::{Choices, Scale, Sizes};
 use geneva_kinematics::wheel::{
     Wheel, acceleration_peak, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration,
 };
-use geneva_kinematics::{Jet, Turn, pin_slot, pin_triangle, pin_vectors};
+use geneva_kinematics::{Turn, pin_slot, pin_triangle, pin_vectors};
 use geneva_ledger::tex::{By, Moment, Value};
 use geneva_mimic::runge_kutta_step;
-use nalgebra::{Vector1, Vector2};
+use nalgebra::Vector1;
 use std::convert::Infallible;
 use std::f64::consts::PI;
 
@@ -181,30 +181,6 @@ pub fn making(number: usize) -> Moment {
         .with([("E_1", pin.modulus), (r"\nu_1", pin.poisson), ("E_2", wall.modulus), (r"\nu_2", wall.poisson)])
         .with([(r"p_{\max}", contact.pressure(force).expect("presses"))])
         .with([(r"\tau", entry.crank_angle + half), ("g", sizes.slot_gap()), ("R", radius)])
-}
-
-/// A point in a frame that turns, by power series in time of where it is.
-///
-/// Its place in the frame is `scale` times one at random, and so not at the frame's origin unless that is zero.
-pub fn frame(number: usize, scale: f64) -> Moment {
-    let pair = |which| Vector2::new(between(number, which, -2.0, 2.0), between(number, which + 1, -2.0, 2.0));
-    let series = |[place, velocity, acceleration]: [Vector2<f64>; 3]| {
-        let of = |at: usize| Jet::<f64, 3>::from_coefficients([place[at], velocity[at], acceleration[at] / 2.0]);
-        Vector2::new(of(0), of(1))
-    };
-    let (origin, inside) = ([pair(0), pair(2), pair(4)], [pair(6) * scale, pair(8), pair(10)]);
-    let (speed, angular_acceleration) = (between(number, 12, -2.0, 2.0), between(number, 13, -2.0, 2.0));
-    // The frame's axes are those of the ground at the instant.
-    let turn = Turn { cos: 1.0, sin: 0.0 }.moving_by(&Jet::from_coefficients([0.0, speed, angular_acceleration / 2.0]));
-    let [p, q] = [series(inside).x, series(inside).y];
-    let turned = Vector2::new(turn.cos * p - turn.sin * q, turn.sin * p + turn.cos * q);
-    let place = series(origin) + turned;
-    let order = |order: usize| Vector2::new(place.x.derivative(order), place.y.derivative(order)).map(Option::unwrap);
-    Moment::default()
-        .with([("r", order(0)), (r"\dot{r}", order(1)), (r"\ddot{r}", order(2))])
-        .with([("R", origin[0]), (r"\dot{R}", origin[1]), (r"\ddot{R}", origin[2])])
-        .with([("p", inside[0]), (r"\dot{p}", inside[1]), (r"\ddot{p}", inside[2])])
-        .with([(r"\omega", Value::turning(speed)), (r"\dot{\omega}", Value::turning(angular_acceleration))])
 }
 
 /// One step of the integration, its four slopes as the program asks for them.

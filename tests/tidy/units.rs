@@ -1,7 +1,7 @@
 //! Does every public number of the formulas and of the solver say its unit?
 
 /// What tells a unit, as whole words.
-const UNITS: [&str; 20] = [
+const UNITS: [&str; 22] = [
     "dimensionless",
     "rad",
     "radians",
@@ -15,7 +15,9 @@ const UNITS: [&str; 20] = [
     "in N",
     "in N m",
     "kg m²",
+    "kg/m³",
     "in Pa",
+    "in W",
     // Where any consistent units will do.
     "unit of",
     "units of",

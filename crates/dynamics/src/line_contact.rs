@@ -20,6 +20,8 @@ pub struct Material {
     pub modulus: f64,
     /// Poisson's ratio, dimensionless.
     pub poisson: f64,
+    /// Density, in kg/m³.
+    pub density: f64,
 }
 
 /// Some materials of pins and wheels, with values as textbooks print them.
@@ -27,13 +29,14 @@ pub struct Material {
 /// Metals: R. G. Budynas and J. K. Nisbett, *Shigley's Mechanical Engineering Design*, table A-5, physical constants of
 /// materials. Acetal: J. M. Margolis (ed.), *Engineering Plastics Handbook*, table 5.5, tensile modulus of the homopolymer
 /// at room temperature; it creeps, and with time and heat its modulus falls. That table has no Poisson's ratio: 0.35 is
-/// assumed, and from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side.
+/// assumed, and from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side. Densities: of metals from the unit
+/// weights of the same table, to three digits; of acetal the usual 1.42 g/cm³.
 pub const MATERIALS: [Material; 5] = [
-    Material { name: "steel", modulus: 207e9, poisson: 0.292 },
-    Material { name: "stainless-steel", modulus: 190e9, poisson: 0.305 },
-    Material { name: "cast-iron", modulus: 100e9, poisson: 0.211 },
-    Material { name: "phosphor-bronze", modulus: 111e9, poisson: 0.349 },
-    Material { name: "acetal", modulus: 3.0e9, poisson: 0.35 },
+    Material { name: "steel", modulus: 207e9, poisson: 0.292, density: 7800.0 },
+    Material { name: "stainless-steel", modulus: 190e9, poisson: 0.305, density: 7750.0 },
+    Material { name: "cast-iron", modulus: 100e9, poisson: 0.211, density: 7200.0 },
+    Material { name: "phosphor-bronze", modulus: 111e9, poisson: 0.349, density: 8170.0 },
+    Material { name: "acetal", modulus: 3.0e9, poisson: 0.35, density: 1420.0 },
 ];
 
 /// A pin on a flat wall.

@@ -123,6 +123,11 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         self.peaks(|load| load.crank_torque, |crank| self.crank_torque_rate(crank))
     }
 
+    /// Greatest power that the driver gives, in the SI's unit of power, N m/s: its torque's peak times its speed.
+    pub fn peak_power(&self) -> f64 {
+        self.crank_torque().driving.value * self.driver_speed
+    }
+
     /// Crank angles between which the pin holds the wheel back, in radians: at the first it changes from one side of the
     /// slot to the other, at the second it changes back or leaves. `None` where friction brakes the wheel enough.
     pub fn reversal(&self) -> Option<(f64, f64)> {

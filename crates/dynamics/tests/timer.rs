@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::runaway::{Drag, Runaway, foliot_power};
-use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
+use geneva_dynamics::timer::{Accelerations, Crossing, EntryBlow, Sensitivities, Settling};
 use geneva_dynamics::{Error, Inertias, Parameters, existence};
 use geneva_kinematics::Mechanism;
 
@@ -218,4 +218,114 @@ fn a_verge_with_oil_goes_between_the_cube_root_and_the_first_power_of_the_torque
         assert_relative_eq!(torque * (time - 2.0 * libm::tanh(time / 2.0)), 2.0, max_relative = 2e-3);
         assert_relative_eq!(by_steps, power(time), max_relative = 5e-3);
     }
+}
+
+/// The flight and the blow by steps of time, with the pin and the slot by coordinates and no formula of the mechanism: time,
+/// closing speed and lost energy. The blow keeps the moments of momentum that an impulse across the slot leaves.
+fn crossed_in_steps(of: &Parameters, crossing: &Crossing, play: f64, step: f64) -> [f64; 3] {
+    let ratio = of.mechanism().centre_distance_ratio();
+    let (inertia, other) = (of.inertias().driver(), of.inertias().follower());
+    // The follower's axis is the origin, the driver's is at (ratio, 0); the pin's circle has the radius one.
+    let pin = |theta: f64| [ratio - libm::cos(theta), libm::sin(theta)];
+    let mut slot = {
+        let [x, y] = pin(crossing.from);
+        libm::atan2(y, x)
+    };
+    let (mut theta, mut speed, mut time) = (crossing.from, crossing.driver_speed, 0.0);
+    let gap = |theta: f64, slot: f64| {
+        let [x, y] = pin(theta);
+        x * libm::sin(slot) - y * libm::cos(slot)
+    };
+    while gap(theta, slot) < play {
+        speed += of.torque() / inertia * step / 2.0;
+        theta += speed * step;
+        speed += of.torque() / inertia * step / 2.0;
+        slot += crossing.follower_speed * step;
+        time += step;
+    }
+    // Velocities across the slot of a flank's point where the pin is, and of the pin, each per unit of its speed.
+    let ([x, y], across) = (pin(theta), [-libm::sin(slot), libm::cos(slot)]);
+    let flank = -y * across[0] + x * across[1];
+    let own = libm::sin(theta) * across[0] + libm::cos(theta) * across[1];
+    let closing = crossing.follower_speed * flank - speed * own;
+    let impulse = closing / (flank * flank / other + own * own / inertia);
+    let energy = |driver: f64, follower: f64| 0.5 * (inertia * driver * driver + other * follower * follower);
+    let after = energy(speed + impulse * own / inertia, crossing.follower_speed - impulse * flank / other);
+    [time, closing, energy(speed, crossing.follower_speed) - after]
+}
+
+#[test]
+fn the_pin_crosses_its_play_as_steps_of_time_say() {
+    for of in samples() {
+        for play in [0.002, 0.01] {
+            let found = Crossing::new(&of, play).expect("a steady state").expect("it crosses");
+            let [time, closing, energy] = crossed_in_steps(&of, &found, play, found.duration / 50_000.0);
+            assert_relative_eq!(found.duration, time, max_relative = 1e-4);
+            assert_relative_eq!(found.closing_speed, closing, max_relative = 2e-4);
+            assert_relative_eq!(found.energy, energy, max_relative = 4e-4);
+            assert!(found.from < found.to && found.share > 0.0 && found.share < 0.5, "{found:?}");
+            assert_relative_eq!(
+                found.share,
+                found.energy / (of.torque() * 2.0 * of.mechanism().engagement_half_angle()),
+                max_relative = 1e-12
+            );
+        }
+    }
+}
+
+#[test]
+fn a_pin_enters_with_the_blow_that_steps_of_time_say() {
+    for of in samples() {
+        for play in [0.002, 0.01] {
+            let found = EntryBlow::new(&of, play).expect("a steady state");
+            let entry = Engagement::new(&of).and_then(|of| of.steady_state()).expect("steady").entry_speed;
+            let (half, ratio) = (of.mechanism().engagement_half_angle(), of.mechanism().centre_distance_ratio());
+            let (driver, follower) = (of.inertias().driver(), of.inertias().follower());
+            // The follower's axis is the origin; the slot keeps the direction in which the pin comes in.
+            let pin = |theta: f64| [ratio - libm::cos(theta), libm::sin(theta)];
+            let [x, y] = pin(-half);
+            let along = [x / libm::hypot(x, y), y / libm::hypot(x, y)];
+            let (mut theta, mut speed) = (-half, entry);
+            let step = found.late / entry / 50_000.0;
+            let off = |theta: f64| (along[0] * pin(theta)[1] - along[1] * pin(theta)[0]).abs();
+            while off(theta) < play / 2.0 {
+                speed += of.torque() / driver * step / 2.0;
+                theta += speed * step;
+                speed += of.torque() / driver * step / 2.0;
+            }
+            let own = (along[0] * libm::cos(theta) - along[1] * libm::sin(theta)).abs();
+            let arm = along[0] * pin(theta)[0] + along[1] * pin(theta)[1];
+            let impulse = own * speed / (arm * arm / follower + own * own / driver);
+            let [after, carried] = [speed - impulse * own / driver, impulse * arm / follower];
+            let lost = 0.5 * (driver * (speed * speed - after * after) - follower * carried * carried);
+            assert_relative_eq!(theta + half, found.late, max_relative = 1e-4);
+            assert_relative_eq!(found.closing_speed, own * speed, max_relative = 2e-4);
+            assert_relative_eq!(found.energy, lost, max_relative = 4e-4);
+            // After the blow they go on together.
+            assert_relative_eq!(after * own, carried * arm, max_relative = 1e-9);
+        }
+        assert!([0.0, 1.0, -0.1, f64::NAN].iter().all(|play| EntryBlow::new(&of, *play).is_err()));
+    }
+}
+
+#[test]
+fn the_flight_begins_where_the_force_is_zero_and_the_share_of_the_blow_is_the_same_for_every_torque() {
+    for of in samples() {
+        let found = Crossing::new(&of, 0.01).expect("steady").expect("it crosses");
+        let forces = of.contact_forces(found.from, found.driver_speed).expect("forces");
+        let strongest = Accelerations::new(&of).expect("steady").normal_moment.value;
+        assert!(forces.normal_moment.abs() < 1e-6 * strongest.abs(), "{forces:?}");
+        let inertias = of.inertias();
+        let stronger =
+            escapement(of.mechanism(), inertias.driver(), inertias.follower(), 4.0 * of.torque(), of.friction());
+        let other = Crossing::new(&stronger, 0.01).expect("steady").expect("it crosses");
+        assert_relative_eq!(other.share, found.share, max_relative = 1e-9);
+        assert_relative_eq!(other.closing_speed, 2.0 * found.closing_speed, max_relative = 1e-9);
+        // From no force the gap grows as the cube of the time, so an eighth of a small play takes half the time.
+        let [small, eighth] = [8e-6, 1e-6].map(|play| Crossing::new(&of, play).expect("steady").expect("it crosses"));
+        assert_relative_eq!(small.duration, 2.0 * eighth.duration, max_relative = 0.02);
+        assert!(Crossing::new(&of, 0.0).is_err() && Crossing::new(&of, 5.0).expect("steady").is_none());
+    }
+    let free = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, 0.0);
+    assert!(matches!(Crossing::new(&free, 0.01), Err(Error::NoTerminalSpeed { .. })));
 }

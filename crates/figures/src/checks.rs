@@ -93,6 +93,9 @@ pub fn number(node: &Node<'_, '_>, attribute: &str) -> f64 {
 /// and that it is light.
 #[track_caller]
 pub fn sound(figure: &Figure) {
+    for line in figure.svg.lines().filter(|line| line.contains("linecap=\"square\"")) {
+        assert!(!line.contains("h0"), "{}: a mark without a length has no square ends on paper", figure.id);
+    }
     drawn(figure);
     labels_inside(figure);
     assert_eq!(overlapping_labels(figure), [], "{}", figure.id);

@@ -1,7 +1,8 @@
 //! A figure: the drawing, its words and its numbers.
 
 use crate::series::Series;
-use crate::svg::{Canvas, Kind};
+use crate::svg::{Canvas, HALO, Kind};
+use crate::theme::PAPER;
 use std::panic::Location;
 
 /// A drawing with its text alternative, its caption and the numbers it was drawn from.
@@ -28,6 +29,13 @@ impl Figure {
     /// browser understands, gives way to what stands behind it.
     pub fn standalone(&self) -> String {
         with_fixed_colours(&self.svg) + "\n"
+    }
+
+    /// The drawing as it stands on a page whose style sheet has the look of a label's halo (class `halo`, and the outline of
+    /// every outlined `text`), so that a page of many drawings doesn't repeat it at each label.
+    pub fn on_a_page(&self) -> String {
+        let of_paper = format!(" stroke=\"{}\"{HALO}", PAPER.0);
+        self.svg.trim_end().replace(&of_paper, " class=\"halo\"").replace(HALO, "")
     }
 }
 

@@ -50,12 +50,12 @@ pub fn without_noise(value: f64, scale: f64) -> f64 {
     if value.abs() <= 1e-12 * scale.abs() { 0.0 } else { value }
 }
 
-/// The same text with a minus sign in place of each hyphen, for display.
+/// Puts a minus sign in place of each hyphen of a text, for display.
 pub fn with_minus_sign(text: &str) -> String {
     text.replace('-', "−")
 }
 
-/// The same text with hyphens that a label does not take for minus signs.
+/// Puts the typographic hyphen, which a label does not take for a minus sign, in place of each hyphen of a text.
 pub fn with_hyphens(text: &str) -> String {
     text.replace('-', "\u{2010}")
 }

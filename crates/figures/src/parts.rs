@@ -93,14 +93,23 @@ pub fn right_angle(canvas: &mut Canvas, corner: &Pixels, one: &Pixels, other: &P
 ///
 /// Gives the middle of the dimension line, for its label.
 pub fn dimension(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: &Pixels) -> Pixels {
+    extension_lines(canvas, from, to, offset);
+    dimension_line(canvas, &(from + offset), &(to + offset))
+}
+
+/// The lines from two points to a dimension line `offset` away from both, and a little beyond.
+pub fn extension_lines(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: &Pixels) {
     let beyond = offset * (1.0 + 7.0 / offset.norm().max(1.0));
     for end in [from, to] {
         canvas.draw(Shape::line(end, &(end + beyond)).stroke(GRID, 1.0));
     }
-    let (a, b) = (from + offset, to + offset);
-    canvas.draw(Shape::line(&a, &b).stroke(INK, 1.2));
-    canvas.draw(head(&b, angle_of(&(b - a)), 1.0, INK));
-    canvas.draw(head(&a, angle_of(&(a - b)), 1.0, INK));
+}
+
+/// A line with a head at each end. Gives its middle.
+pub fn dimension_line(canvas: &mut Canvas, a: &Pixels, b: &Pixels) -> Pixels {
+    canvas.draw(Shape::line(a, b).stroke(INK, 1.2));
+    canvas.draw(head(b, angle_of(&(b - a)), 1.0, INK));
+    canvas.draw(head(a, angle_of(&(a - b)), 1.0, INK));
     (a + b) / 2.0
 }
 

@@ -49,7 +49,7 @@ impl Series {
         self.rows.first()?.get(at).copied()
     }
 
-    /// The same, written to so many decimals.
+    /// Sets to how many decimals the numbers are written.
     pub fn to_decimals(self, decimals: usize) -> Self {
         Self { decimals, ..self }
     }

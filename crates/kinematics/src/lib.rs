@@ -34,7 +34,7 @@ pub use dashu_ratio::RBig as Rational;
 pub use error::KinematicsError;
 pub use escapement::{EscapementError, Mechanism};
 pub use proofs::expression::Expression;
-pub use proofs::identity::{Form, Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
+pub use proofs::identity::{Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
 pub use scalars::field::{Field, rational};
 pub use scalars::jet::Jet;
 pub use scalars::surd::Surd;

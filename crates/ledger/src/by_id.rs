@@ -1,6 +1,6 @@
 //! What a claim prints, looked up by the claim's id, so that the checks of one claim can refer to others.
 
-use crate::{Claim, Decimal, Finding, claim, numeric_tokens};
+use crate::{Claim, Decimal, claim, numeric_tokens};
 
 /// The claim with this id. The ids are written in the ledger's own text, so an id that no claim has is a mistake there,
 /// which must not pass for a number or a verdict. The panic ends only the claim that asks: see [`judge`](crate::judge).
@@ -50,21 +50,4 @@ pub(crate) fn numbers(id: &str) -> Vec<u32> {
 /// not numbers if the characters make none.
 pub(crate) fn interval(id: &str) -> [f64; 2] {
     decimal(id).map_or([f64::NAN; 2], |decimal| decimal.interval())
-}
-
-/// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
-/// corrected.
-pub(crate) fn reads(id: &str) -> Finding {
-    let claim = named(id);
-    let Some(reader) = claim.check.reader() else {
-        return Finding::not_evaluated(format!("the ledger has no reader for the characters of {id}"));
-    };
-    let right = (reader.holds)(claim.right_characters()) == Some(true);
-    match &claim.erratum {
-        None => Finding::new(right, "we read the printed characters and evaluated them wherever they must hold"),
-        Some(_) => Finding::new(
-            right && (reader.holds)(claim.printed) != Some(true),
-            "read and evaluated, the corrected characters hold and the printed ones do not",
-        ),
-    }
 }

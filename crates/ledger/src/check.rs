@@ -1,7 +1,7 @@
 //! How a claim is checked: two routes that share no code, and what each of them must refuse.
 
-use crate::Stated;
 use crate::slugs::slugs;
+use crate::{Claim, Stated};
 use geneva_kinematics::{Proof, Refutation};
 use std::fmt;
 use std::sync::Arc;
@@ -11,6 +11,9 @@ pub type Number = dyn Fn() -> f64 + Send + Sync;
 
 /// A way to find whether an equation holds.
 pub type Test = dyn Fn() -> Finding + Send + Sync;
+
+/// A second way to find whether the right equation holds, which is told the claim with its characters.
+pub type Witness = dyn Fn(&Claim) -> Finding + Send + Sync;
 
 /// Whether characters hold in the place of those of an equation.
 pub type Decision = dyn Fn(&str) -> Finding + Send + Sync;
@@ -46,7 +49,7 @@ pub enum Check {
         /// What decides on the characters of both equations, if the characters themselves are proven.
         decide: Option<Arc<Decision>>,
         /// Another route to the right equation, which is the corrected one if there is one and the printed one if not.
-        witness: Route<Test>,
+        witness: Route<Witness>,
         /// How its characters are read, if the ledger itself reads them.
         reader: Option<Reader>,
     },
@@ -158,6 +161,18 @@ impl Finding {
     /// It holds if `holds`, found so.
     pub fn new(holds: bool, how: impl Into<String>) -> Self {
         Self { holds, how: how.into(), evaluated: true }
+    }
+
+    /// Whether characters hold that were read and evaluated; none if they cannot be read.
+    pub fn of_reading(holds: Option<bool>) -> Self {
+        let how = "we read the printed characters and evaluated them wherever they must hold";
+        holds.map_or_else(|| Self::not_evaluated("the characters cannot be read"), |holds| Self::new(holds, how))
+    }
+
+    /// Whether this holds and another finding too.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let how = format!("{}; {}", self.how, other.how);
+        Self { holds: self.holds && other.holds, how, evaluated: self.evaluated && other.evaluated }
     }
 
     /// It could not be evaluated, and why.

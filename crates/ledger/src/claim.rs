@@ -1,10 +1,11 @@
 //! One row of the ledger.
 
-use crate::by_id::{in_display, reads};
+use crate::by_id::in_display;
 use crate::slugs::slugs;
-use crate::tex::{Exact, decide};
+use crate::tex::{Exact, decide, holds};
 use crate::{
-    Check, Choice, Decision, Erratum, Evidence, Finding, Number, Reader, Route, Slip, Stated, Test, Verdict, Work,
+    Check, Choice, Decision, Erratum, Evidence, Finding, Number, Reader, Route, Slip, Stated, Test, Verdict,
+    Vocabulary, Witness, Work,
 };
 use geneva_kinematics::{Identity, prove};
 use std::marker::PhantomData;
@@ -195,6 +196,25 @@ impl Unchecked<Test> {
         self.by(Evidence::ExactIdentity, move || prove(&identity).into())
     }
 
+    /// Both routes read the printed characters: the proof with the exact meaning of the letters, the witness with their
+    /// numbers.
+    pub fn in_letters(self, vocabulary: Vocabulary) -> Claim {
+        let Vocabulary { exact, evidence, numbers } = vocabulary;
+        self.proven_by(exact).read(evidence, move |tex| holds(tex, numbers()))
+    }
+
+    /// Reads an equation whose characters leave something out, as [`Unchecked::in_letters`] does. `whole` says the characters
+    /// in full.
+    pub fn said_in_letters(
+        self,
+        vocabulary: Vocabulary,
+        whole: impl Fn(&str) -> String + Clone + Send + Sync + 'static,
+    ) -> Claim {
+        let Vocabulary { exact, evidence, numbers } = vocabulary;
+        let again = whole.clone();
+        self.decided(move |tex| decide(&whole(tex), exact)).read(evidence, move |tex| holds(&again(tex), numbers()))
+    }
+
     /// The printed characters are proven with these letters. If they are corrected, they are refuted, and the corrected
     /// ones are proven.
     pub fn proven_by(self, letters: Exact) -> Unwitnessed<Test> {
@@ -234,15 +254,19 @@ impl Unwitnessed<Test> {
 
     /// Whether the right equation holds, by a route that shares no code with the first.
     pub fn by(self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Claim {
-        let witness = Route { evidence, run: Arc::new(run) as Arc<Test> };
+        self.witnessed(evidence, move |_| run())
+    }
+
+    /// Adds a witness that is told the claim.
+    fn witnessed(self, evidence: Evidence, run: impl Fn(&Claim) -> Finding + Send + Sync + 'static) -> Claim {
+        let witness = Route { evidence, run: Arc::new(run) as Arc<Witness> };
         let Self { claim, first: printed, corrected, decide } = self;
         Claim { check: Check::Equation { printed, corrected, decide, witness, reader: None }, ..claim }
     }
 
     /// The right characters hold wherever they are read and evaluated, and the printed ones do not if they are corrected.
     pub fn read(self, evidence: Evidence, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Claim {
-        let id = self.claim.id;
-        self.by(evidence, move || reads(id)).read_by(holds)
+        self.witnessed(evidence, Claim::reads).with_reader(holds)
     }
 
     /// Reads the characters in a display that is cut into lines, each a claim of its own. The other lines have their
@@ -315,12 +339,59 @@ impl Claim {
         self
     }
 
-    /// An equation whose characters the ledger reads: whether given ones hold in their place, if they can be read.
+    /// The characters of the equation are read and evaluated, beside what the witness finds without them.
     #[must_use]
     pub fn read_by(mut self, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Self {
+        let Check::Equation { witness, .. } = &mut self.check else { self.has_no("a reader") };
+        let own = Arc::clone(&witness.run);
+        witness.run = Arc::new(move |claim| own(claim).and(claim.reads()));
+        self.with_reader(holds)
+    }
+
+    /// Whether given characters hold in the place of those of the equation, if they can be read.
+    fn with_reader(mut self, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Self {
         let Check::Equation { reader, .. } = &mut self.check else { self.has_no("a reader") };
         *reader = Some(Reader { said: None, holds: Arc::new(holds) });
         self
+    }
+
+    /// Adds a witness beside the one that reads the characters: something else that shows which equation is right.
+    #[must_use]
+    pub fn also_by(mut self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Self {
+        let Check::Equation { witness, .. } = &mut self.check else { self.has_no("another witness") };
+        let read = Arc::clone(&witness.run);
+        *witness = Route { evidence, run: Arc::new(move |claim| read(claim).and(run())) };
+        self
+    }
+
+    /// Whether the claim of an equation would stand with other characters in the place of the right ones, by both routes.
+    /// None if a route cannot read them and none refuses them, and if no route reads the claim's characters.
+    pub fn stands_with(&self, tex: &str) -> Option<bool> {
+        let Check::Equation { decide, reader, .. } = &self.check else { return None };
+        let first = decide.as_ref().map(|decide| decide(tex)).map(|found| found.evaluated.then_some(found.holds));
+        if first == Some(Some(false)) {
+            return Some(false);
+        }
+        match (first, reader.as_ref().map(|reader| (reader.holds)(tex))) {
+            (_, Some(Some(false))) => Some(false),
+            (Some(first), Some(second)) => first.and(second),
+            (one, other) => one.or(other).flatten(),
+        }
+    }
+
+    /// Whether the right characters of the claim hold, read and evaluated, and the printed ones do not, if they are
+    /// corrected.
+    pub(crate) fn reads(&self) -> Finding {
+        let Some(reader) = self.check.reader() else {
+            return Finding::not_evaluated("the ledger has no reader for the characters");
+        };
+        match ((reader.holds)(self.right_characters()), &self.erratum) {
+            (found @ None, _) | (found, None) => Finding::of_reading(found),
+            (Some(right), Some(_)) => Finding::new(
+                right && (reader.holds)(self.printed) != Some(true),
+                "read and evaluated, the corrected characters hold and the printed ones do not",
+            ),
+        }
     }
 
     /// What characters that are not ours to print say, in the letters of mathematics; these are read.

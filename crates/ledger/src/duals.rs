@@ -5,6 +5,7 @@
 
 use nalgebra::Vector2;
 use num_dual::{Dual2_64, DualNum, second_derivative};
+use std::f64::consts::PI;
 
 /// A function of time with its first two rates.
 pub(crate) type Time = Dual2_64;
@@ -63,6 +64,28 @@ impl Crank {
     /// Place, velocity and acceleration at time zero of the follower's point under the pin.
     pub fn point_motion(&self) -> [Vector2<f64>; 3] {
         path(|t| self.point_under_the_pin(t))
+    }
+}
+
+/// The centre distance in crank radii at which a follower stands still with its slot at this angle from the line of centres:
+/// found by halving, from where the pin is alone.
+pub(crate) fn ratio_with_standstill_at(slot: f64) -> f64 {
+    halved([1.0, 1e3], |ratio| {
+        // The crank angle at which the slot turns back, and how far it has turned by then.
+        let rates = |angle: f64| Crank { ground: ratio, radius: 1.0, angle, speed: 1.0, acceleration: 0.0 }.polar()[1];
+        let [angle, _] = halved([PI / 2.0, PI], |angle| rates(angle)[1] > 0.0);
+        rates(angle)[0] > slot
+    })[0]
+}
+
+/// The interval in which a condition that holds at its lower end ceases to hold, halved until nothing is left of it.
+pub(crate) fn halved([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> [f64; 2] {
+    loop {
+        let middle = low.midpoint(high);
+        if middle <= low || middle >= high {
+            return [low, high];
+        }
+        if holds(middle) { low = middle } else { high = middle }
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
 use crate::{
     Check, Choice, Claim, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Test, Truth, Verdict,
+    Witness,
 };
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -205,7 +206,7 @@ fn correction_passes(erratum: &Erratum, value: f64) -> bool {
 }
 
 /// An equation as printed and as corrected. Where its characters decide, they are those of the claim at hand.
-fn equation(judged: &mut Judged, forms: [Option<&Test>; 2], decide: Option<&Decision>, witness: &Route<Test>) {
+fn equation(judged: &mut Judged, forms: [Option<&Test>; 2], decide: Option<&Decision>, witness: &Route<Witness>) {
     let claim = judged.claim;
     let characters = [Some(claim.printed), claim.erratum.as_ref().map(|erratum| erratum.corrected)];
     let [as_printed, correction] = [0, 1].map(|form| match (forms[form], decide, characters[form]) {
@@ -213,7 +214,7 @@ fn equation(judged: &mut Judged, forms: [Option<&Test>; 2], decide: Option<&Deci
         (run, ..) => run.map(|run| run()),
     });
     let as_printed = as_printed.unwrap_or_else(|| Finding::not_evaluated("there is no check of it"));
-    let witnessed = (witness.run)();
+    let witnessed = (witness.run)(claim);
     judged.verdict = verdict(as_printed.holds, correction.as_ref().map(|finding| finding.holds));
     if as_printed.holds && correction.is_some() {
         judged.faults.push("a correction is on record, but the printed form holds".to_owned());

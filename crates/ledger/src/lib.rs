@@ -22,7 +22,9 @@ mod slip;
 mod slugs;
 mod stated;
 mod tolerance;
+mod triangle;
 mod verdict;
+mod vocabulary;
 mod work;
 
 pub mod jazar;
@@ -32,7 +34,7 @@ pub mod quick_return;
 pub mod tex;
 pub mod wild;
 
-pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reader, Reading, Route, Test};
+pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reader, Reading, Route, Test, Witness};
 pub use claim::{Claim, Kind, Place};
 pub use dimension::Dimension;
 pub use inventory::{Entry, Line, Symbol, in_full, listed, numeric_tokens};
@@ -43,6 +45,7 @@ pub use slip::{Consequence, Erratum, FELT, Origin, Places, Slip, slip, slips, sl
 pub use stated::{Stated, another, numbers_in};
 pub use tolerance::{TOLERANCES, Tolerance};
 pub use verdict::{Truth, Verdict};
+pub use vocabulary::Vocabulary;
 pub use work::Work;
 
 use std::collections::HashMap;

@@ -29,7 +29,7 @@ pub struct Unreadable(String);
 /// How a printed digit compares with the computed value rounded to as many places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// The same digit in the same place.
+    /// Both numbers have this digit in this place.
     Agree,
     /// All digits before this one agree and this is the last.
     Last,

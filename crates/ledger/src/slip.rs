@@ -1,7 +1,7 @@
 //! What is wrong in a source: one slip, in one place or in many.
 
 use crate::slugs::slugs;
-use crate::{Judged, Kind, Verdict, Work, claims, verdicts_where};
+use crate::{Decimal, Judged, Kind, Verdict, Work, claims, verdicts_where};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -258,8 +258,13 @@ impl Places {
 }
 
 /// The deviation of a printed number from the right one, relative to that.
+///
+/// What is right in the place of a misprint is the number that should have been printed, with no more digits than that.
 fn change(judged: &Judged) -> Option<f64> {
+    let misprint = judged.claim.erratum.as_ref().filter(|erratum| erratum.slip.origin == Origin::Misprint);
+    let corrected = misprint.and_then(|erratum| erratum.corrected.parse::<Decimal>().ok());
     let (printed, right) = (judged.printed_number()?, judged.right_value?);
+    let right = corrected.map_or(right, |corrected| corrected.to_f64());
     Some(((printed - right) / right).abs())
 }
 

@@ -2,7 +2,7 @@
 
 use geneva_ledger::{
     Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Judged, Kind, Number, Place, Route, Stated, Test,
-    Verdict, Work, another, claim, claims, judge, numbers_in, slips, verdicts,
+    Verdict, Witness, Work, another, claim, claims, judge, numbers_in, slips, verdicts,
 };
 use std::collections::HashSet;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -193,11 +193,13 @@ fn a_wrong_route_is_noticed() {
                 }
             }
             Check::Equation { printed, corrected, witness, reader, .. } => {
-                let with = |printed: &Route<Test>, corrected, witness: &Route<Test>| {
-                    let [printed, witness] = [printed, witness].map(Route::clone);
+                let with = |printed: &Route<Test>, corrected, witness: &Route<Witness>| {
+                    let (printed, witness) = (printed.clone(), witness.clone());
                     Check::Equation { printed, corrected, decide: None, witness, reader: reader.clone() }
                 };
-                let (first, second) = (fails(printed.evidence), fails(witness.evidence));
+                let first = fails(printed.evidence);
+                let failing: Arc<Witness> = Arc::new(|_| Finding::new(false, "made to fail"));
+                let second = Route { evidence: witness.evidence, run: failing };
                 broken.push(with(&printed, corrected.clone(), &second));
                 broken.push(match corrected {
                     None => with(&first, None, &witness),
@@ -328,13 +330,9 @@ fn remembered(check: Check) -> Check {
             resolution: resolution.map(number),
             right: right.map(|both| both.map(|one| route(one, number))),
         },
-        Check::Equation { printed, corrected, decide, witness, reader } => Check::Equation {
-            printed: route(printed, test),
-            corrected: corrected.map(test),
-            decide,
-            witness: route(witness, test),
-            reader,
-        },
+        Check::Equation { printed, corrected, decide, witness, reader } => {
+            Check::Equation { printed: route(printed, test), corrected: corrected.map(test), decide, witness, reader }
+        }
         Check::Statement { first, witness, neighbour } => {
             Check::Statement { first: route(first, choice), witness: route(witness, choice), neighbour }
         }

@@ -1,44 +1,57 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{Answer, Number};
-use crate::control::{Control, File, Live, Preset, Quantity, Settings};
+use crate::answer::{Answer, Number, shown};
+use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
+use geneva_dynamics::line_contact::{LineContact, MATERIALS};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::stations;
 use geneva_kinematics::KinematicsError;
-use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{Choices, Contact, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{Layout, dxf};
 use std::f64::consts::TAU;
 
 pub const LIVE: Live = Live {
     name: "design",
     figure: "wheel-dimensions",
-    hint: "Choose your stations and your size: pin and play follow, until you move them. Make the pin thicker until it no \
-           longer fits. Double the speed: without friction the force of the pin grows fourfold. Move the axes a little apart \
-           and see how hard the pin knocks.",
+    hint: "Choose your stations and your size: pin, play and shafts follow, until you move them. Make the pin thicker until it \
+           no longer fits. Double the speed: without friction the force of the pin grows fourfold. Move the axes apart by 0.02 \
+           mm, and the pin knocks less. At 0.06 mm it meets a corner of its slot.",
     controls: &[
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
         Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
         Control::slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0).typed([0.1, 10_000.0]),
         Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).typed([0.001, 10_000.0]),
-        Control::following("play", "play", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
-        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0)
-            .typed([0.001, 100_000.0])
-            .playing(60.0),
+        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
+        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).typed([0.001, 100_000.0]),
         Control::slider("inertia", "inertia of wheel and table", "kg m²", [0.0, 0.05], 0.0005, 0.002).typed([0.0, 1e6]),
         Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1).typed([0.0, 1e6]),
         Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0]),
+        Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
+            .typed([0.001, 10_000.0]),
+        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).typed([0.0, 1000.0]),
+        Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0).typed([0.001, 10_000.0]),
+        Control::choice("material", "the wheel is of", &OF, 3),
     ],
     presets: &[
-        Preset { name: "six stations", arguments: "stations=6&pins=1&radius=25&pin=&play=&error=0" },
-        Preset { name: "eight stations, two pins", arguments: "stations=8&pins=2&radius=20&pin=&play=&error=0" },
-        Preset { name: "a pin too thick", arguments: "stations=6&radius=25&pin=20" },
+        Preset {
+            name: "six stations",
+            arguments: "stations=6&pins=1&radius=25&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
+                        bore-play=&thickness=10&material=3",
+        },
+        Preset {
+            name: "eight stations, two pins",
+            arguments: "stations=8&pins=2&radius=20&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
+                        bore-play=&thickness=10&material=3",
+        },
+        Preset {
+            name: "a pin too thick",
+            arguments: "stations=6&pins=1&radius=25&pin=20&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
+                        bore-play=&thickness=10&material=3",
+        },
     ],
     given: &[],
     quantities: &[
         Quantity { name: "centres", label: "centre distance" },
-        Quantity { name: "wheel", label: "wheel radius, to the pin at entry" },
-        Quantity { name: "slot", label: "slot, width × depth" },
-        Quantity { name: "disc", label: "radius of the locking disc" },
         Quantity { name: "clearance", label: "least clearance" },
         Quantity { name: "nearer", label: "axes may be too near by" },
         Quantity { name: "farther", label: "axes may be too far apart by" },
@@ -47,12 +60,23 @@ pub const LIVE: Live = Live {
         Quantity { name: "torque", label: "greatest torque on the wheel" },
         Quantity { name: "force", label: "greatest force of the pin" },
         Quantity { name: "crank", label: "greatest torque at the crank" },
+        Quantity { name: "rms", label: "RMS torque at the crank" },
+        Quantity { name: "power", label: "greatest power" },
         Quantity { name: "backlash", label: "backlash in mid-dwell" },
-        Quantity { name: "greatest", label: "greatest backlash" },
-        Quantity { name: "blow", label: "the pin knocks with" },
-        Quantity { name: "hardest", label: "with a drifted wheel up to" },
+        Quantity { name: "greatest", label: "greatest backlash, to one side" },
+        Quantity { name: "blow", label: "knock of the pin at entry" },
+        Quantity { name: "hardest", label: "knock after the greatest backlash" },
     ],
     others: &[
+        Quantity { name: "mean", label: "mean torque at the crank" },
+        Quantity { name: "own", label: "of the inertia, the wheel's own" },
+        Quantity { name: "pressure", label: "contact pressure of a steel pin" },
+        Quantity { name: "where", label: "the least clearance is" },
+        Quantity { name: "held", label: "in mid-dwell for" },
+        Quantity { name: "before", label: "greatest backlash, before entry" },
+        Quantity { name: "wheel", label: "wheel radius, to the pin at entry" },
+        Quantity { name: "slot", label: "slot, width × depth" },
+        Quantity { name: "disc", label: "radius of the locking disc" },
         Quantity { name: "locking-play", label: "locking play" },
         Quantity { name: "bore-play", label: "bore play" },
         Quantity { name: "slot-bottom-clearance", label: "slot bottom clearance" },
@@ -76,24 +100,39 @@ pub const LIVE: Live = Live {
             label: "Drawing with sizes (SVG)",
             make: |settings| Ok(stations::dimensions(&sizes(settings)?).standalone()),
         },
+        File { name: "csv", label: "These numbers (CSV)", make: numbers_file },
     ],
     draw,
 };
 
+/// Materials of the wheel, as they are called and in the order of [`MATERIALS`].
+const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze", "acetal"];
+
 fn sizes(settings: &Settings) -> Result<Sizes, String> {
     let wheel =
         Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
+    let scale = Scale::CrankRadius(settings.value("radius")?);
     let choices = Choices {
         pin_diameter: settings.moved("pin")?,
         play: settings.moved("play")?.map(Play::of),
+        wheel_shaft: settings.moved("wheel-shaft")?,
         ..Choices::default()
     };
-    Sizes::new(wheel, Scale::CrankRadius(settings.value("radius")?), &choices).map_err(|error| error.to_string())
+    let sized = |choices: &Choices| Sizes::new(wheel, scale, choices).map_err(|error| error.to_string());
+    match settings.moved("bore-play")? {
+        None => sized(&choices),
+        // The other play is the one that it has without.
+        Some(bore) => {
+            let others = Choices { wheel_shaft: None, ..choices };
+            sized(&Choices { play: Some(Play { bore, ..sized(&others)?.play }), ..choices })
+        }
+    }
 }
 
-/// Crank angles at which the least clearance is looked for, and clearances with the axes apart, each: a tenth of a second.
+/// Crank angles at which the least clearance is looked for, and clearances with the axes apart, for each of a few turns: a tenth
+/// of a second.
 const ANGLES: u32 = 40_000;
-const ANGLES_EACH: u32 = 2_500;
+const ANGLES_EACH: u32 = 12_000;
 
 /// What was found, if it was found in time.
 fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, String> {
@@ -103,23 +142,73 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, String> {
     }
 }
 
-/// Decimals of a number that is known to a tolerance, three at most.
+/// Decimals of a number that is known to a tolerance, four at most.
 fn decimals(tolerance: f64) -> usize {
-    [0.0005, 0.005, 0.05].iter().position(|half| tolerance <= *half).map_or(0, |wider| 3 - wider)
+    [0.000_05, 0.0005, 0.005, 0.05].iter().position(|half| tolerance <= *half).map_or(0, |wider| 4 - wider)
+}
+
+fn millimetres(name: &'static str, value: f64) -> Number {
+    Number::new(name, value, 3, "mm")
+}
+
+/// Names, values and texts of all numbers, a line for each.
+fn numbers_file(settings: &Settings) -> Result<String, String> {
+    let Answer { numbers, followers, .. } = draw(settings)?;
+    let label = |name: &str| {
+        let all = LIVE.quantities.iter().chain(LIVE.others);
+        all.into_iter().find(|of| of.name == name).map_or("", |of| of.label)
+    };
+    let mut lines = vec!["quantity,value,text".to_owned()];
+    for control in LIVE.controls {
+        let value = match followers.iter().find(|(name, _)| *name == control.name) {
+            Some((_, value)) => shown(*value),
+            None => settings.value(control.name)?,
+        };
+        let text = match control.kind {
+            Kind::Choice(choices) => choices.get(value as usize).copied().unwrap_or_default().to_owned(),
+            _ => format!("{value} {}", control.unit),
+        };
+        lines.push(format!("\"{}\",{value:?},\"{}\"", control.label, text.trim_end()));
+    }
+    lines.extend(numbers.iter().map(|of| format!("\"{}\",{:?},\"{}\"", label(of.name), of.value, of.text)));
+    Ok(lines.join("\n") + "\n")
 }
 
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let sizes = sizes(settings)?;
-    let speed = settings.value("speed")? * TAU / 60.0;
-    let loads = WheelLoads::new(&sizes.wheel, settings.value("inertia")?, settings.value("friction")?, speed)
-        .map_err(|error| error.to_string())?;
     let error = settings.value("error")?;
-    let clearance = in_time(sizes.clearance_within(sizes.centre_distance + error, ANGLES))?;
-    let nearest = clearance.map(|all| all.least());
+    let mut numbers = parts(&sizes);
+    let clearance = in_time(sizes.least_clearance_within(sizes.centre_distance + error, ANGLES))?;
     let tolerance = in_time(sizes.centre_tolerance_within(ANGLES_EACH))?;
-    let time = |time: Result<f64, KinematicsError>| time.map_err(|error| error.to_string());
-    let (index, dwell) = (time(sizes.wheel.indexing_time(speed))?, time(sizes.wheel.dwell_time(speed))?);
-    let millimetres = |name, value| Number::new(name, value, 3, "mm");
+    if let Some((nearest, tolerance)) = clearance {
+        numbers.push(Number::new("clearance", nearest.distance, decimals(tolerance), "mm"));
+        let angle = nearest.crank_angle.to_degrees().abs();
+        let at = Number::new("where", angle, 1, "°");
+        let is_at_rest = nearest.contact == Contact::LockingDisc;
+        let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
+        numbers.push(Number { text, ..at });
+    }
+    if let Some(tolerance) = tolerance {
+        numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
+        numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
+    }
+    let speed = settings.value("speed")? * TAU / 60.0;
+    loads(settings, &sizes, speed, &mut numbers)?;
+    let is_met = play(&sizes, error, speed * sizes.crank_radius, &mut numbers);
+    let figure = stations::dimensions_on_a_page(&sizes);
+    numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
+    let followers = vec![
+        ("pin", sizes.pin_diameter),
+        ("play", sizes.play.slot),
+        ("wheel-shaft", sizes.wheel_shaft),
+        ("bore-play", sizes.play.bore),
+    ];
+    let depth = clearance.map(|(nearest, _)| nearest.distance);
+    let message = message(&sizes, error, is_met, depth, clearance.is_none() || tolerance.is_none());
+    Ok(Answer { followers, message, ..Answer::new(figure, numbers) })
+}
+
+fn parts(sizes: &Sizes) -> Vec<Number> {
     let mut numbers = vec![
         millimetres("centres", sizes.centre_distance),
         millimetres("wheel", sizes.wheel_radius),
@@ -128,64 +217,81 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
             ..millimetres("slot", sizes.slot_width)
         },
     ];
-    if let Some(disc) = sizes.locking_disc {
-        numbers.push(millimetres("disc", disc.radius));
-    }
-    if let Some((clearance, nearest)) = clearance.zip(nearest) {
-        let least = Number::new("clearance", nearest.distance, decimals(clearance.tolerance), "mm");
-        let at = nearest.crank_angle.to_degrees().abs();
-        numbers.push(Number { text: format!("{} at {at:.1}°", least.text), ..least });
-    }
-    if let Some(tolerance) = tolerance {
-        numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
-        numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
-    }
-    numbers.push(Number::significant("index", index, 4, "s"));
-    numbers.push(Number::significant("dwell", dwell, 4, "s"));
+    numbers.extend(sizes.locking_disc.map(|disc| millimetres("disc", disc.radius)));
+    numbers
+}
+
+/// Times, torques and forces, with the axes at the right distance.
+fn loads(settings: &Settings, sizes: &Sizes, speed: f64, numbers: &mut Vec<Number>) -> Result<(), String> {
+    let told = |error: &dyn std::fmt::Display| error.to_string();
+    let loads = WheelLoads::new(&sizes.wheel, settings.value("inertia")?, settings.value("friction")?, speed)
+        .map_err(|error| told(&error))?;
+    let index = sizes.wheel.indexing_time(speed).map_err(|error| told(&error))?;
+    let dwell = sizes.wheel.dwell_time(speed).map_err(|error| told(&error))?;
     // A moment at the crank radius, which is in millimetres.
     let force = 1000.0 * loads.pin_moment().driving.value / sizes.crank_radius;
-    for (name, value, unit) in [
-        ("torque", loads.wheel_torque().driving.value, "N m"),
-        ("force", force, "N"),
-        ("crank", loads.crank_torque().driving.value, "N m"),
+    let wall = MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
+    let thickness = settings.value("thickness")?;
+    let contact = LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, &MATERIALS[0], wall);
+    let pressure = contact.and_then(|contact| contact.pressure(force)).map_err(|error| told(&error))?;
+    let own = sizes.outline().wheel.moment_of_inertia(thickness, wall.density).map_err(|error| told(&error))?;
+    for (name, value, digits, unit) in [
+        ("index", index, 4, "s"),
+        ("dwell", dwell, 4, "s"),
+        ("torque", loads.wheel_torque().driving.value, 4, "N m"),
+        ("force", force, 4, "N"),
+        ("crank", loads.crank_torque().driving.value, 4, "N m"),
+        ("rms", loads.rms_crank_torque(), 4, "N m"),
+        ("power", loads.peak_power(), 3, "W"),
+        ("mean", loads.mean_crank_torque(), 3, "N m"),
+        ("own", own, 3, "kg m²"),
+        ("pressure", pressure / 1e6, 3, "MPa"),
     ] {
-        numbers.push(Number::significant(name, value, 4, unit));
+        numbers.push(Number::significant(name, value, digits, unit));
     }
+    Ok(())
+}
+
+/// Backlash and blows of a pin of this speed in mm/s; whether the pin meets the slot at all.
+fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) -> bool {
     // With the axes apart the play is another.
     if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
-        let held = match play.held {
-            0.0 => "(only there)".to_owned(),
-            held => format!("({:.0} % of it)", 100.0 * held),
-        };
         let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
-        numbers.push(Number { text: format!("{} {held}", middle.text), ..middle });
-        let greatest = Number::new("greatest", play.greatest.to_degrees(), 3, "°");
-        let until = play.until_entry.to_degrees();
-        numbers.push(Number { text: format!("{} ({until:.1}° to entry)", greatest.text), ..greatest });
+        numbers.push(Number { text: format!("±{}", middle.text), ..middle });
+        numbers.push(Number::new("greatest", play.greatest.to_degrees(), 3, "°"));
+        let held = Number::new("held", 100.0 * play.held, 0, "%");
+        numbers.push(Number { text: format!("{} of the dwell", held.text), ..held });
+        let before = Number::new("before", play.until_entry.to_degrees(), 1, "°");
+        numbers.push(Number { text: format!("{} of the crank", before.text), ..before });
     }
-    let message = match sizes.entry(error) {
-        Some(entry) => {
-            let knock = entry.closing_speed * speed * sizes.crank_radius;
-            numbers.push(Number::significant("blow", knock, 3, "mm/s"));
-            if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
-                let hardest = knock.drifted * speed * sizes.crank_radius;
-                numbers.push(Number::significant("hardest", hardest, 3, "mm/s"));
-            }
-            let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
-            Some(warnings.collect::<Vec<_>>().join(" ")).filter(|text| !text.is_empty())
-        }
-        None => Some("With this distance of the axes the pin does not meet the slot.".to_owned()),
-    };
-    let bites = "With these axes driver and wheel are in each other: a clearance below zero is how deep.";
-    let takes_long = "With so little play, some of the clearances take too long to find in a page. The command `geneva wheel` \
-                      finds them.";
-    let message = match nearest {
-        Some(nearest) if nearest.distance < 0.0 => Some(bites.to_owned()),
-        _ if clearance.is_none() || tolerance.is_none() => Some(message.unwrap_or_else(|| takes_long.to_owned())),
-        _ => message,
-    };
-    let followers = vec![("pin", sizes.pin_diameter), ("play", sizes.play.slot)];
-    let figure = stations::dimensions_on_a_page(&sizes);
-    numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
-    Ok(Answer { followers, message, ..Answer::new(figure, numbers) })
+    let Some(entry) = sizes.entry(error) else { return false };
+    numbers.push(Number::significant("blow", entry.closing_speed * pin_speed, 3, "mm/s"));
+    if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
+        numbers.push(Number::significant("hardest", knock.drifted * pin_speed, 3, "mm/s"));
+    }
+    true
+}
+
+/// What is to be said of the setting; `depth` is the least clearance in millimetres, if it was found.
+fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
+    if depth.is_some_and(|depth| depth < 0.0) {
+        return Some(
+            "With these axes driver and wheel are in each other: a clearance below zero is how deep.".to_owned(),
+        );
+    }
+    if !is_met {
+        return Some("With this distance of the axes the pin does not meet the slot.".to_owned());
+    }
+    let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
+    let moved = (error != 0.0).then(|| {
+        "Clearance and knock are for the axes as moved. Sizes, times and loads are for the right distance, and the \
+         backlash is known only there."
+            .to_owned()
+    });
+    let late = is_late.then(|| {
+        "With so little play, some of the clearances take too long to find in a page. The command geneva wheel finds them."
+            .to_owned()
+    });
+    let all: Vec<String> = warnings.chain(moved).chain(late).collect();
+    Some(all.join(" ")).filter(|text| !text.is_empty())
 }

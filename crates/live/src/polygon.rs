@@ -11,11 +11,11 @@ const UNITS: &[&str] = &["m", "mm", "in"];
 pub const LIVE: Live = Live {
     name: "polygon",
     figure: "live-polygon",
-    hint: "Count the Coriolis acceleration once, or three times: the polygon stays open, but where there is no such \
-           acceleration. With two it closes at every angle.",
+    hint: "Count the Coriolis acceleration once, or three times: the polygon stays open, except where this acceleration \
+           is zero. With two it closes at every angle.",
     controls: &[
-        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -120.0).typed(TURNS).playing(30.0),
-        Control::slider("factor", "times φ′ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
+        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0).typed(TURNS).playing(30.0),
+        Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },
@@ -26,10 +26,10 @@ pub const LIVE: Live = Live {
     given: &["ground", "radius", "speed", "unit"],
     quantities: &[
         Quantity { name: "gap", label: "gap of the acceleration polygon" },
-        Quantity { name: "lever-speed", label: "lever's angular velocity φ′" },
-        Quantity { name: "lever-acceleration", label: "lever's angular acceleration φ″" },
-        Quantity { name: "sliding", label: "sliding velocity vᵣₑₗ" },
-        Quantity { name: "coriolis", label: "Coriolis acceleration 2 φ′ vᵣₑₗ" },
+        Quantity { name: "lever-speed", label: "lever's angular velocity φ̇" },
+        Quantity { name: "lever-acceleration", label: "lever's angular acceleration φ̈" },
+        Quantity { name: "sliding", label: "sliding velocity vᵣₑₗ, outwards" },
+        Quantity { name: "coriolis", label: "Coriolis acceleration |2 φ̇ vᵣₑₗ|" },
     ],
     others: &[],
     drag: Some(Drag { control: "crank", at_right: -180.0, sense: 1.0 }),
@@ -70,6 +70,6 @@ mod tests {
     fn indices_are_set_as_indices() {
         let labels = LIVE.controls.iter().map(|control| control.label).chain(LIVE.quantities.iter().map(|of| of.label));
         let with_index: Vec<&str> = labels.filter(|label| label.contains("rel") || label.contains("ᵣₑₗ")).collect();
-        assert_eq!(with_index, ["times φ′ vᵣₑₗ", "sliding velocity vᵣₑₗ", "Coriolis acceleration 2 φ′ vᵣₑₗ"]);
+        assert_eq!(with_index, ["times φ̇ vᵣₑₗ", "sliding velocity vᵣₑₗ, outwards", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"]);
     }
 }

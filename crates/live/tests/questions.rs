@@ -207,3 +207,72 @@ fn what_a_preset_makes_a_figure_say_is_short_numbers_and_of_its_own_drawing() {
         }
     }
 }
+
+/// A number of the design with these settings, in the unit of its text, and its text.
+fn designed(settings: &str, name: &str) -> Option<(f64, String)> {
+    let live = geneva_live::by_name("design").expect("a figure");
+    let answer = live.answer(&Arguments::parse(settings).expect("arguments")).expect("an answer");
+    answer.numbers.into_iter().find(|number| number.name == name).map(|number| (number.value, number.text))
+}
+
+#[test]
+fn a_close_fit_on_a_large_wheel_has_its_limits_and_its_clearance_its_digits() {
+    for setting in ["stations=8&radius=80&play=0.04", "stations=8&radius=80&play=0.06", "radius=100&play=0.15"] {
+        for name in ["nearer", "farther", "clearance"] {
+            assert!(designed(setting, name).is_some(), "{setting}: no {name}");
+        }
+    }
+    assert_eq!(designed("radius=100&play=0.15", "clearance").expect("found").1, "0.075 mm");
+}
+
+#[test]
+fn axes_a_little_apart_soften_the_knock_and_farther_apart_it_is_a_corner() {
+    let knock = |error: f64| designed(&format!("error={error}"), "blow").expect("met").0;
+    assert!(knock(0.02) < knock(0.0) && knock(0.04) < knock(0.02), "{} {}", knock(0.0), knock(0.02));
+    assert!(knock(0.06) > knock(0.0));
+    let live = geneva_live::by_name("design").expect("a figure");
+    let told = live.answer(&Arguments::parse("error=0.02").expect("one")).expect("an answer").message;
+    assert!(told.is_some_and(|told| told.contains("right distance")), "it is not said what is for moved axes");
+}
+
+#[test]
+fn the_numbers_of_a_setting_can_be_taken_away() {
+    let live = geneva_live::by_name("design").expect("a figure");
+    let file =
+        live.file("csv", &Arguments::parse("stations=8&radius=80&wheel-shaft=30").expect("one")).expect("a file");
+    assert_eq!(file.lines().next(), Some("quantity,value,text"));
+    let value = |label: &str| {
+        let line = file.lines().find(|line| line.starts_with(&format!("\"{label}\","))).expect(label);
+        line.split(',').nth(1).and_then(|value| value.parse::<f64>().ok()).expect("a number")
+    };
+    assert_eq!([value("stations N"), value("crank radius"), value("diameter of the wheel's shaft")], [8.0, 80.0, 30.0]);
+    let (rms, _) = designed("stations=8&radius=80&wheel-shaft=30", "rms").expect("loaded");
+    assert_eq!(value("RMS torque at the crank"), rms);
+    // Every control and every number has a line of three fields.
+    assert!(file.lines().count() > live.controls.len() + live.quantities.len());
+    assert!(
+        file.lines()
+            .all(|line| line.matches(",\"").count() >= 1 && line.ends_with('"') || line.starts_with("quantity"))
+    );
+}
+
+#[test]
+fn a_preset_of_the_design_leaves_nothing_of_an_earlier_setting() {
+    let live = geneva_live::by_name("design").expect("a figure");
+    for preset in live.presets {
+        for control in live.controls {
+            let name = format!("{}=", control.name);
+            assert!(preset.arguments.split('&').any(|pair| pair.starts_with(&name)), "{}: {name}", preset.name);
+        }
+    }
+}
+
+#[test]
+fn no_hint_and_no_message_shows_marks_that_only_a_chapter_understands() {
+    for live in LIVE {
+        assert!(!live.hint.contains('`'), "{}", live.hint);
+    }
+    let live = geneva_live::by_name("design").expect("a figure");
+    let told = live.answer(&Arguments::parse("radius=100&play=0.0001").expect("one")).expect("an answer").message;
+    assert!(told.is_some_and(|told| told.contains("geneva wheel") && !told.contains('`')));
+}

@@ -45,13 +45,19 @@ impl File {
     }
 }
 
+/// Whether this is a folder of chapters, where files of data are written. There is none where a book is handed over without
+/// its folder.
+pub fn has_place(chapters: &Path) -> bool {
+    chapters.join("SUMMARY.md").is_file()
+}
+
 /// Writes the files of all pages into the folder of the chapters, and removes what is there besides.
 ///
 /// A file that stands as it should is left alone, so that a builder that watches the chapters is not woken.
 ///
 /// Where there are no chapters, as when a book is handed over without its folder, nothing is written.
 pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
-    if !chapters.join("SUMMARY.md").is_file() {
+    if !has_place(chapters) {
         return Ok(());
     }
     let mut names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();

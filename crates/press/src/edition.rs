@@ -16,7 +16,7 @@ pub struct Edition {
 }
 
 impl Edition {
-    /// That of a book that is not made from a repository.
+    /// The edition of a book that is not made from a repository.
     pub const NONE: Self = Self { commit: None, date: None };
 
     /// The edition of the book in this folder. The reader's own settings of git do not change what it says.

@@ -75,15 +75,25 @@ pub fn broken(markup: &str) -> String {
     }
     let starts = std::iter::once(0).chain(places.iter().copied());
     let ends = places.iter().copied().chain([inner.len()]);
+    let has_parts = places.iter().any(|place| inner[..*place].ends_with(WIDE_SPACE));
     let pieces = starts.zip(ends).map(|(from, to)| {
         let piece = &inner[from..to];
         // At the beginning of a row a sign would be taken for that of a number.
         let begins_with_sign = from > 0 && (piece.starts_with("<mo>") || piece.starts_with("<mo "));
         let piece = if begins_with_sign { piece.replacen("<mo", "<mo form=\"infix\"", 1) } else { piece.to_owned() };
-        format!("<math>{piece}</math>")
+        // A part of a formula that a wide space ends stays on one line if there is room.
+        let begin =
+            if has_parts && (from == 0 || inner[..from].ends_with(WIDE_SPACE)) { "<span class=\"part\">" } else { "" };
+        let end = if has_parts && (to == inner.len() || piece.ends_with(WIDE_SPACE)) { "</span>" } else { "" };
+        // The style sheet has the space, on both sides, so that a part alone on its line is in the middle.
+        let piece = if has_parts { piece.trim_end_matches(WIDE_SPACE) } else { &piece };
+        format!("{begin}<math>{piece}</math>{end}")
     });
     pieces.collect::<String>() + behind
 }
+
+/// The markup of the space between two formulas in a row.
+const WIDE_SPACE: &str = "<mspace width=\"2em\"/>";
 
 /// Where the row of a formula may break.
 fn places(inner: &str) -> Vec<usize> {
@@ -286,6 +296,8 @@ mod tests {
             formula(r"\dot r = R\dot\theta\sin\beta, \qquad r\dot\varphi = R\dot\theta\cos\beta", true).unwrap();
         assert_eq!(dotted.matches("<mover accent=\"true\">").count(), 4, "{dotted}");
         assert_eq!(dotted.matches("form=\"infix\"").count(), 2, "{dotted}");
+        let parts: Vec<&str> = dotted.split("<span class=\"part\">").collect();
+        assert!(parts.len() == 3 && parts[1..].iter().all(|part| part.matches("<math>").count() == 2), "{dotted}");
         // An upright letter is a letter and nothing besides.
         let upright = formula(r"a^\mathrm{n}_\mathrm{rel}", false).unwrap();
         assert_eq!(upright, "<math><msubsup><mi>a</mi><mi>rel</mi><mi mathvariant=\"normal\">n</mi></msubsup></math>");

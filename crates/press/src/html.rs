@@ -42,10 +42,12 @@ pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
 pub enum Cells {
     /// Numbers: to the right, on one line.
     Numbers,
-    /// The same, with words at the head of each row.
+    /// Numbers, with words at the head of each row.
     NamedNumbers,
     /// Words: to the left, broken where need be.
     Words,
+    /// Words among formulas and addresses that do not break: they need the most room.
+    Wide,
 }
 
 /// A table before it is set: cells of HTML, the first of each row its head.
@@ -75,7 +77,7 @@ pub fn table(
 }
 
 impl Table {
-    /// The same with some HTML below it.
+    /// Adds some HTML below the table.
     pub fn with_legend(self, legend: &'static str) -> Self {
         Self { legend, ..self }
     }
@@ -103,6 +105,7 @@ impl Table {
             Cells::Numbers => "compare",
             Cells::NamedNumbers => "compare named",
             Cells::Words => "listing",
+            Cells::Wide => "listing wide",
         };
         let name = escape(&self.caption);
         let mut out =
@@ -120,7 +123,11 @@ impl Table {
                 } else {
                     let label = self.head.get(at).map_or_else(String::new, |head| escape(&plain(head)));
                     // Beside its label a cell is one piece.
-                    let cell = if matches!(self.cells, Cells::Words) { cell } else { &format!("<span>{cell}</span>") };
+                    let cell = if matches!(self.cells, Cells::Words | Cells::Wide) {
+                        cell
+                    } else {
+                        &format!("<span>{cell}</span>")
+                    };
                     out.push_str(&format!("<td data-label=\"{label}\">{cell}</td>"));
                 }
             }
@@ -139,11 +146,16 @@ impl Table {
         label.map_or_else(String::new, |head| format!(" data-label=\"{} \"", escape(&plain(head))))
     }
 
-    /// The table as CSV: the text of its cells.
+    /// The table as CSV: the text of its cells, with `^` before a superscript and a hyphen as the sign of a number, so that
+    /// a program can read it.
     pub fn csv(&self) -> anyhow::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in std::iter::once(&self.head).chain(&self.rows) {
-            writer.write_record(row.iter().map(|cell| plain(cell)))?;
+            writer.write_record(row.iter().map(|cell| {
+                let text = plain(&cell.replace("<sup>", "^"));
+                let number = text.replace('−', "-");
+                if number.parse::<f64>().is_ok() { number } else { text }
+            }))?;
         }
         Ok(String::from_utf8(writer.into_inner()?)?)
     }
@@ -195,5 +207,8 @@ mod tests {
         let rows = [Ok(vec![escape("a_1 & b"), "<a href=\"x\">2.5</a>&nbsp;mm".to_owned()])];
         let table = table("Two", Cells::NamedNumbers, &["What", "Size, mm"], rows).expect("a table");
         assert_eq!(table.csv().expect("data"), "What,\"Size, mm\"\na_1 & b,2.5 mm\n");
+        let rows = [Ok(vec!["−31.5".to_owned(), "3 × 10<sup>−25</sup> m".to_owned()])];
+        let table = super::table("Three", Cells::Numbers, &["Less", "Small"], rows).expect("a table");
+        assert_eq!(table.csv().expect("data"), "Less,Small\n-31.5,3 × 10^−25 m\n");
     }
 }

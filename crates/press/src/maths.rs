@@ -10,6 +10,7 @@ use anyhow::bail;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 pub use crate::formula::formula;
+use crate::ledger_pages::inline::GLUED;
 
 /// Replaces every `$…$` and `$$…$$` of a chapter by its markup.
 ///
@@ -32,9 +33,13 @@ pub fn render(chapter: &str) -> anyhow::Result<String> {
                     heading.holds_formula = true;
                 }
                 // A sign behind a formula does not begin a line.
-                let joined = !display && chapter[range.end..].starts_with(JOINED);
+                let behind = chapter[range.end..].chars().take_while(|c| !display && JOINED.contains(c));
+                let signs: String = behind.collect();
                 match formula(&tex, display) {
-                    Ok(markup) => edits.push((range, if joined { markup + WORD_JOINER } else { markup })),
+                    Ok(markup) if signs.is_empty() => edits.push((range, markup)),
+                    Ok(markup) => {
+                        edits.push((range.start..range.end + signs.len(), format!("{GLUED}{markup}{signs}</span>")));
+                    }
                     Err(error) => errors.push(format!("line {}: {error:#}", line(chapter, range.start))),
                 }
             }
@@ -70,9 +75,8 @@ pub fn render(chapter: &str) -> anyhow::Result<String> {
     Ok(apply(chapter, &edits))
 }
 
-/// Signs that stand close behind a formula, and what keeps a line from breaking before them.
-const JOINED: [char; 7] = [',', '.', ';', ':', ')', '?', '’'];
-const WORD_JOINER: &str = "&#8288;";
+/// Signs that stand close behind a formula or a mark: a line does not break before them.
+pub const JOINED: [char; 7] = [',', '.', ';', ':', ')', '?', '’'];
 
 /// Markdown as mdBook reads it, and formulas besides.
 fn dialect() -> Options {

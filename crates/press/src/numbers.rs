@@ -12,7 +12,7 @@ pub fn signed(number: f64, decimals: usize) -> String {
     if is_zero { text[1..].to_owned() } else { with_minus_sign(&text) }
 }
 
-/// The same text with a minus sign for each hyphen.
+/// Puts a minus sign in place of each hyphen of a text.
 pub fn with_minus_sign(text: &str) -> String {
     text.replace('-', "−")
 }

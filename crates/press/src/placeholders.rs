@@ -23,11 +23,11 @@ enum Put {
     Marked(fn(&str) -> anyhow::Result<String>),
     /// What says which edition of the book this is.
     Dated(fn(&Edition) -> anyhow::Result<String>),
-    /// The same, about something that the argument names.
+    /// What says something that the argument names about the edition.
     DatedOf(fn(&str, &Edition) -> anyhow::Result<String>),
     /// A figure with its number in the chapter.
     Figure,
-    /// The same, with what a reader may move.
+    /// A figure with its number in the chapter and with what a reader may move.
     Live,
     /// A table with its number in the chapter.
     Numbered(fn(&str) -> anyhow::Result<Table>),
@@ -191,7 +191,7 @@ pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(S
         }
     }
     ensure!(errors.is_empty(), "{}", errors.join("\n"));
-    let mut page = maths::apply(chapter, &edits);
+    let mut page = inline::glued(&maths::apply(chapter, &edits));
     for id in marked {
         page.push_str(&format!("\n{}\n", inline::note(id)?));
     }
@@ -233,7 +233,7 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         (DatedOf(put), Some(argument)) => put(argument, page.edition),
         (Put::Figure, Some(name)) => {
             let figure = figures::by_name(name)?;
-            let svg = figures::on_a_page(&figure);
+            let svg = figure.on_a_page();
             let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
             let (html, file) = here()?.framed("class=\"fig\"", &caption, &svg, figure.source, csv);
             files.push(file);

@@ -63,14 +63,17 @@ impl Preprocessor for Geneva {
         if !errors.is_empty() {
             bail!("{}", errors.join("\n"));
         }
-        files.extend(data::File::records()?);
+        let chapters = context.root.join(&context.config.book.src);
+        if data::has_place(&chapters) {
+            files.extend(data::File::records()?);
+        }
         let root = context.root.parent().unwrap_or(&context.root);
         let mut contents = Vec::new();
         book.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
         files.extend(live::on_pages(&mut contents.iter_mut(), root));
         let mut contents = contents.into_iter();
         book.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
-        data::write(&context.root.join(&context.config.book.src), &files)?;
+        data::write(&chapters, &files)?;
         Ok(book)
     }
 

@@ -65,7 +65,7 @@ fn in_markdown(part: &str) -> String {
 
 const IMAGE: &str = "<img ";
 
-/// The same with each picture as an image.
+/// Puts an image in place of each picture of a text.
 fn with_images(markdown: &str) -> anyhow::Result<String> {
     let mut out = markdown.to_owned();
     for name in PICTURES {
@@ -75,7 +75,7 @@ fn with_images(markdown: &str) -> anyhow::Result<String> {
     Ok(out)
 }
 
-/// The same with links that lead from the folder of the project.
+/// Makes the links of a text lead from the folder of the project.
 fn in_the_project(markdown: &str) -> String {
     markdown.replace("](", "](book/src/")
 }

@@ -45,7 +45,10 @@ pub const OF_A_CLAIM: &[Field] = &[
     ),
     ("findings.holds", "Whether this form holds."),
     ("findings.how", "How we know, in words."),
-    ("truth", "Whether what is printed is right: `right`, `wrong` or `open`."),
+    (
+        "truth",
+        "Whether what is printed is right: `right`, `wrong` or `open`. Claims that are wrong only in the copy, whose `consequence` is `copy`, are counted apart in the book.",
+    ),
     (
         "right_value",
         "The right number, where the printed one is not right to all its digits or where a mistake has its place.",
@@ -69,7 +72,10 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("erratum.corrected", "What should stand in their place."),
     ("erratum.reason", "Why the printed characters are wrong."),
     ("erratum.witness", "The second, independent reason."),
-    ("erratum.origin", "How the mistake came about, as far as we can tell."),
+    (
+        "erratum.origin",
+        "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic` or `concept`.",
+    ),
     (
         "erratum.inherited_by",
         "The other claims that the mistake reaches. Only the claim in which it is made lists them.",
@@ -83,7 +89,7 @@ pub const OF_A_SLIP: &[Field] = &[
     ("locator", "Where the mistake is made."),
     ("meaning", "What the source says there, in our words."),
     ("consequence", "What the mistake changes, as in claims.json."),
-    ("origin", "How it came about, as far as we can tell."),
+    ("origin", "How it came about, as far as we can tell: `copy`, `misprint`, `arithmetic` or `concept`."),
     ("places", "The claims that it reaches, the one in which it is made among them."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("corrected", "What should stand in their place."),
@@ -125,6 +131,7 @@ pub fn files() -> anyhow::Result<Vec<(&'static str, String)>> {
         ("coverage.json", versioned("entries", entries.iter().cloned())?),
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
+        ("CITATION.cff", include_str!("../../../CITATION.cff").to_owned()),
     ])
 }
 

@@ -72,7 +72,7 @@ impl Answer {
             summary.push(format!("The first {MOST_SHOWN} are shown. The command lists them all."));
         }
         if question.hints && found.len() > MOST_HINTS {
-            summary.push(format!("Hints were searched for the first {MOST_HINTS}."));
+            summary.push(format!("Hints were searched for at most the first {MOST_HINTS}."));
         }
         Ok(Self { format, summary, findings })
     }

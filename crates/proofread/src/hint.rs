@@ -427,7 +427,7 @@ mod tests {
     fn of_several_edits_none_is_named() {
         assert_eq!(hinted("43.4 - 29.8 = 13.8"), None);
         // Another digit of an operand, or of a one, would do, but is not likely.
-        assert_eq!(hinted("14.00 - 1.120 = 12.90"), None);
+        assert_eq!(hinted("9.00 - (1.188)(0.100) = 8.90"), None);
         assert_eq!(hinted("1/4.000 = 0.750").as_deref(), Some("`0.250` for `0.750`"));
     }
 }

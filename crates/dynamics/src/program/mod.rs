@@ -99,8 +99,8 @@ impl Program {
         }
         // Checks the ranges of torque and friction; the friction's limit is that of the mechanism as it is.
         Parameters::new(self.mechanism, self.inertias, self.torque, self.friction)?;
-        let decay_constant = Memory::new(&self.contact).map_err(|error| Error::Stopped(error.to_string()))?;
-        let mut motion = Motion { program: *self, decay_constant, acceleration: 0.0 };
+        let sign_source = SignSource::new(&self.contact).map_err(|error| Error::Stopped(error.to_string()))?;
+        let mut motion = Motion { program: *self, sign_source, acceleration: 0.0 };
         let mut lines = Vec::new();
         let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
             let (angle, pose) = self.pose(point.state[0]);
@@ -163,21 +163,21 @@ impl Printout {
 /// sign makes the acceleration jump to and fro.
 const KEPT: usize = 16_384;
 
-/// What a run remembers for its choice.
-enum Memory {
-    /// Nothing: the sign is exact.
-    None,
-    /// The accelerations.
-    Line(Box<DelayLine<KEPT>>),
+/// Where a run takes the sign of C θ'² + D θ'' from.
+enum SignSource {
+    /// The state of the motion at this instant.
+    Exact,
+    /// Accelerations of the past, which the line keeps.
+    Delayed(Box<DelayLine<KEPT>>),
 }
 
-impl Memory {
-    /// An empty memory for a way to choose.
+impl SignSource {
+    /// A source for this rule, with no accelerations kept yet.
     fn new(contact: &Contact) -> Result<Self, DelayError> {
         Ok(match contact {
-            Contact::Exact => Self::None,
+            Contact::Exact => Self::Exact,
             Contact::Delayed(delay) => {
-                Self::Line(Box::new(DelayLine::new(*delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?))
+                Self::Delayed(Box::new(DelayLine::new(*delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?))
             }
         })
     }
@@ -190,7 +190,7 @@ fn words(error: &IntegrationError<2, Fault>) -> String {
 /// The motion as the integrator sees it: θ and θ'.
 struct Motion {
     program: Program,
-    decay_constant: Memory,
+    sign_source: SignSource,
     /// θ'' at the point that was asked for last.
     acceleration: f64,
 }
@@ -207,11 +207,11 @@ impl System<2> for Motion {
             return Err(Fault::NoSolution { angle, error: Error::NotUnique { a, d } });
         }
         let speed = state[1];
-        let sign = match &self.decay_constant {
-            Memory::None => Sign::from_number(coefficients.sign_switching_function(&speed)),
+        let sign = match &self.sign_source {
+            SignSource::Exact => Sign::from_number(coefficients.sign_switching_function(&speed)),
             // At rest the friction opposes the driver, whatever was before.
-            Memory::Line(_) if time <= 0.0 => Sign::from_number(coefficients.d),
-            Memory::Line(line) => {
+            SignSource::Delayed(_) if time <= 0.0 => Sign::from_number(coefficients.d),
+            SignSource::Delayed(line) => {
                 let before = line.value(time).map_err(Fault::Delay)?;
                 Sign::from_number(coefficients.between_the_bars(&speed, &before))
             }
@@ -221,9 +221,9 @@ impl System<2> for Motion {
     }
 
     fn accepted(&mut self, time: f64, _: &Vector2<f64>, derivative: &Vector2<f64>) -> Result<(), Fault> {
-        match &mut self.decay_constant {
-            Memory::None => Ok(()),
-            Memory::Line(line) => line.record(time, derivative[1]).map_err(Fault::Delay),
+        match &mut self.sign_source {
+            SignSource::Exact => Ok(()),
+            SignSource::Delayed(line) => line.record(time, derivative[1]).map_err(Fault::Delay),
         }
     }
 }

@@ -138,6 +138,13 @@ impl<'a> Passage<'a> {
         self.switch.map(|switch| self.engagement.circle.angle(switch.at))
     }
 
+    /// Driver's speed where the follower starts to run ahead of the pin, in radians per unit of time; none if the end comes
+    /// before.
+    pub fn switch_speed(&self) -> Option<f64> {
+        let trailing = self.traversals.iter().find(|part| part.mode == ContactMode::Trailing)?;
+        Some(self.speed(trailing.ends[0]))
+    }
+
     /// Duration, in units of time.
     pub fn duration(&self) -> f64 {
         self.time / self.engagement.unit

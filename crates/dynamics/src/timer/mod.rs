@@ -1,10 +1,13 @@
 //! What a clockmaker asks of an escapement.
 //!
 //! How exact the timer is, in [`Sensitivities`]; how hard its members are accelerated, in [`Accelerations`]; and how
-//! fast it settles, in [`Settling`]. All of it is drawn from the steady motion, [`steady`](crate::steady). The escapements
+//! fast it settles, in [`Settling`]; how hard the pin strikes where it has play, in [`Crossing`]. All of it is drawn from the steady motion, [`steady`](crate::steady). The escapements
 //! with which it is compared are in [`runaway`].
 
+mod crossing;
 pub mod runaway;
+
+pub use crossing::{Crossing, EntryBlow};
 
 use crate::steady::Engagement;
 use crate::{Error, Inertias, Parameters};

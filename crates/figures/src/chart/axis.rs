@@ -23,7 +23,7 @@ pub enum Scale {
     Linear,
     /// Equal ratios, equal lengths; only for values above zero.
     Logarithmic,
-    /// The same, with marks at powers of ten that are written as such.
+    /// Logarithmic, with marks at powers of ten that are written as such.
     Decades,
     /// Linear from −1 to 1, logarithmic beyond on either side; a decade is as long as a unit.
     SymmetricLog,
@@ -138,22 +138,22 @@ impl Axis {
         Self::logarithmic(low..high)
     }
 
-    /// The same axis with a title.
+    /// Gives the axis a title.
     pub fn titled(self, title: Label) -> Self {
         Self { title: Some(title), ..self }
     }
 
-    /// The same axis without numbers.
+    /// Leaves out the axis's numbers.
     pub fn unnumbered(self) -> Self {
         Self { numbered: false, ..self }
     }
 
-    /// The same axis without lines across the frame.
+    /// Leaves out the axis's lines across the frame.
     pub fn without_grid(self) -> Self {
         Self { grid: false, ..self }
     }
 
-    /// The same values without marks and title: for a side of the frame that is not read.
+    /// An axis of these values without marks and title: for a side of the frame that is not read.
     pub fn blank(&self) -> Self {
         Self { marks: Vec::new(), title: None, ..self.clone() }
     }

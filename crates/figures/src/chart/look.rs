@@ -33,22 +33,22 @@ impl Stroke {
         Self { shade: GRID, width: 1.2, dashes: None, class: "edge" }
     }
 
-    /// The same, so many pixels wide.
+    /// Sets the line's width in pixels.
     pub const fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }
 
-    /// The same in dashes: their lengths and those of the gaps, in pixels.
+    /// Dashes the line: lengths of dashes and gaps in turn, in pixels.
     pub const fn dashed(self, dashes: &'static str) -> Self {
         Self { dashes: Some(dashes), ..self }
     }
 
-    /// The same in one piece.
+    /// Draws the line in one piece, without dashes.
     pub const fn undashed(self) -> Self {
         Self { dashes: None, ..self }
     }
 
-    /// The same of another class.
+    /// Sets the class of the line's element, for a style sheet.
     pub const fn class(self, class: &'static str) -> Self {
         Self { class, ..self }
     }
@@ -99,12 +99,12 @@ impl Marker {
         Self { shade, mark, size: 9.0, class: "marks" }
     }
 
-    /// The same, so many pixels large.
+    /// Sets the marker's size in pixels.
     pub const fn sized(self, size: f64) -> Self {
         Self { size, ..self }
     }
 
-    /// The same of another class.
+    /// Sets the class of the markers' elements, for a style sheet.
     pub const fn class(self, class: &'static str) -> Self {
         Self { class, ..self }
     }
@@ -163,6 +163,8 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
         path = match mark {
             // Square ends stand across the line, however short it is.
             Mark::Diamond => path.line_by(&Vector2::new(0.1, 0.1)),
+            // A line of no length has no direction, so programs that show PDF leave its square ends out.
+            Mark::Square => path.line_by(&Vector2::new(0.1, 0.0)),
             _ if !corners.is_empty() => {
                 let steps = corners.iter().skip(1).map(|(x, y)| Vector2::new(*x, *y) * size);
                 steps.fold(path, |path, step| path.line_by(&step)).close()

@@ -98,7 +98,7 @@ impl Chart {
         Self { panels: panels.into_iter().collect(), ..Self::default() }
     }
 
-    /// The same panels row by row in so many columns.
+    /// Sets the panels row by row in so many columns.
     pub fn in_columns(self, columns: usize) -> Self {
         Self { columns, ..self }
     }

@@ -162,7 +162,7 @@ fn forces_point_as_the_equation_of_motion_says() {
                 assert!(moment(free, [tail, tip]) * row[8] < 0.0 && normal * row[8] > 0.0);
                 assert_eq!(figure.title.contains("leading"), normal > 0.0);
                 assert_eq!(drawing.count("bearing-flank"), 1);
-                // N R = I_f φ'' and the torque of friction is μ |N| c |sin φ|.
+                // F r = I_f φ'' and the torque of friction is −μ |F| l |sin φ|.
                 assert!((normal * row[7] - row[8]).abs() < 1e-12 * (1.0 + normal.abs()));
                 assert!((row[5] - row[4] * normal.abs() * row[6]).abs() < 1e-12 * (1.0 + normal.abs()));
             }
@@ -188,7 +188,11 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
             assert!((gained + lost - work).abs() < 1e-3 * work, "{one:?}: {gained} and {lost} for {work}");
             assert!((friction > 0.0) == (lost > 0.0));
             for row in rows {
-                assert!((row[3] - row[4].abs()).abs() < 1e-12 * (1.0 + row[3]), "the torque of friction is |F|");
+                assert!(
+                    (row[3] - row[4].abs()).abs() < 1e-12 * (1.0 + row[3]),
+                    "the friction's torque is what stands between the bars"
+                );
+                assert!(row[3] >= 0.0);
                 assert!(
                     friction == 0.0 || row[2] * row[0] * row[4] >= 0.0,
                     "the expression between the bars has the sign of F sin θ"
@@ -196,6 +200,8 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
             }
             let drawing = Drawing::of(&figure);
             let strips = ["switch", "positive", "negative"].map(|class| drawing.count(class));
+            // The curve is above zero, so its name has the minus of a torque that is below.
+            assert!(drawing.texts().iter().any(|text| text.contains("−τ2")), "{:?}", drawing.texts());
             assert_eq!(strips, if friction > 0.0 { [1, 2, 3] } else { [1, 1, 1] }, "{}", figure.id);
         }
     }

@@ -16,9 +16,9 @@ pub struct Instant {
     pub theta: f64,
     /// θ', in radians per unit of time.
     pub speed: f64,
-    /// N r / K; positive where the pin drives the follower.
+    /// F R / K; positive where the pin drives the follower.
     pub normal: f64,
-    /// Torque of the friction over K, never negative.
+    /// Size of the friction's torque over K, −τ₂ / K, never negative.
     pub friction: f64,
     /// What stands between the bars of the equation of motion, C θ'² + D θ'', over E = K / I_f.
     pub bars: f64,

@@ -160,7 +160,7 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
         );
         right_angle(canvas, &pin, &-senses.out, &(senses.ahead * senses.normal), 11.0);
         let radius = RIM + 14.0;
-        sense(canvas, &pivot, radius, 0.0, -senses.normal, &Label::symbol("φ").and("″").shade(FOLLOWER));
+        sense(canvas, &pivot, radius, 0.0, -senses.normal, &Label::rate("φ", 2).shade(FOLLOWER));
     }
     axis(canvas, &pivot, FOLLOWER);
     placing.put(canvas, &Label::part("r"), beside_line(&pivot, &pin, &NEAR));

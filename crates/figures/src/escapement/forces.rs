@@ -21,11 +21,11 @@ const LINE: f64 = 28.0;
 
 /// The forces at a driver angle (θ in radians, within ±π/m) and a driver speed (θ' ≥ 0), in three panels.
 ///
-/// 1, the pin on the driver: the reaction to N across the slot, the friction μ N along it, and its arm c sin φ about the
-/// driver's axis. 2, the contact, enlarged: the flank that the pin bears on. 3, the follower by itself with N, R and
+/// 1, the pin on the driver: the reaction to F across the slot, the friction μ |F| along it, and its arm l sin φ about the
+/// driver's axis. 2, the contact, enlarged: the flank that the pin bears on. 3, the follower by itself with F, r and
 /// its angular acceleration. Which way the forces point and which flank it is are those of the equation of motion at
 /// this state; the lengths of the arrows are not to scale.
-/// Series: θ, φ, θ', N r/K, μ, friction's torque over K, its arm over r, R/r, φ'' over K / I_f.
+/// Series: θ, φ, θ', F R/K, μ, −τ₂/K, its arm over R, r/R, φ'' over K / I_f.
 ///
 /// # Errors
 ///
@@ -57,7 +57,7 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
         ("theta'", "1/time", speed),
         ("F R/K", "1", normal),
         ("mu", "1", parameters.friction()),
-        ("tau_2/K", "1", friction),
+        ("-tau_2/K", "1", friction),
         ("arm/R", "1", arm),
         ("r/R", "1", distance),
         ("phi'' I_f/K", "1", acceleration),
@@ -73,7 +73,7 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
         format!(
             "Three panels. 1: the driver with the pin in its slot at θ = {}, φ = {}. {} \
              2: the contact enlarged: {}. 3: the follower by itself, with F at the distance r = {} R from its axis O; \
-             F r = I_f φ″. F R / K is {}, the friction's torque over K is {}.",
+             F r = I_f φ̈. F R / K is {}, the size of the friction's torque over K is {}.",
             degrees(crank),
             degrees(without_noise(bodies.phi, 1.0)),
             senses.said(),
@@ -121,7 +121,7 @@ fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f
         }
     }
     let label =
-        Label::symbol("φ").and("″ ").and_symbol("I").sub("f").and(" / ").and_symbol("K").and(&number(acceleration));
+        Label::rate("φ", 2).and(" ").and_symbol("I").sub("f").and(" / ").and_symbol("K").and(&number(acceleration));
     canvas.label(&Vector2::new(430.0, top + LINE * 0.8), &Vector2::new(1.0, 0.0), 0.0, &label.bare());
 }
 
@@ -178,8 +178,8 @@ impl Senses {
         };
         match (self.normal == 0.0, self.rubs) {
             (true, _) => "No force acts on the pin.".to_owned(),
-            (_, true) => format!("The reaction to N acts on the pin across the slot. The pin slides {towards}."),
-            (_, false) => "The reaction to N acts on the pin across the slot; there is no friction.".to_owned(),
+            (_, true) => format!("The reaction to F acts on the pin across the slot. The pin slides {towards}."),
+            (_, false) => "The reaction to F acts on the pin across the slot; there is no friction.".to_owned(),
         }
     }
 }

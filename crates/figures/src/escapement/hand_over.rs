@@ -47,8 +47,8 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
     let (n, m) = (escapement.slots(), escapement.pins());
     let (rim, ratio) = (escapement.rim_radius(), escapement.centre_distance_ratio());
     let series = Series::of_one([
-        ("n", "1", f64::from(n)),
-        ("m", "1", f64::from(m)),
+        ("slots", "1", f64::from(n)),
+        ("pins", "1", f64::from(m)),
         ("theta_0", "deg", theta),
         ("phi_0", "deg", phi),
         ("sum", "deg", theta + phi),

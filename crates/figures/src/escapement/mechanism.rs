@@ -40,8 +40,8 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
     let distance = (bodies.layout.pins[0] - bodies.layout.follower_axis).norm();
     let (ratio, rim) = (escapement.centre_distance_ratio(), escapement.rim_radius());
     let series = Series::of_one([
-        ("n", "1", f64::from(n)),
-        ("m", "1", f64::from(m)),
+        ("slots", "1", f64::from(n)),
+        ("pins", "1", f64::from(m)),
         ("c/r", "1", ratio),
         ("rim/r", "1", rim),
         ("theta_0", "deg", escapement.engagement_half_angle().to_degrees()),

@@ -17,11 +17,12 @@ const MARKS: i32 = 3;
 /// What is shown of an instant.
 type Value = fn(&Instant) -> f64;
 
-/// The normal force N, as N r / K, and the torque of the friction over K, for a pin that enters at this speed (θ' ≥ 0).
+/// The normal force F, as F R / K, and the size of the friction's torque, −τ₂ / K, for a pin that enters at this speed
+/// (θ' ≥ 0).
 ///
 /// The motion between is that of the equation of motion. Strips under the plot tell the flank that the pin bears on
-/// and the sign of F = C θ'² + D θ'', what stands between the bars. Series, from entry to exit: θ, θ', N r/K, the
-/// friction's torque over K, F over E = K / I_f.
+/// and the sign of C θ'² + D θ'', what stands between the bars. Series, from entry to exit: θ, θ', F R/K, −τ₂/K,
+/// what stands between the bars over E = K / I_f.
 ///
 /// # Errors
 ///
@@ -37,8 +38,8 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
     let x = Axis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let flank = Label::words("pin bears on");
-    let bars = Label::words("sign of ").and_symbol("C\u{2009}").and_symbol("θ");
-    let bars = bars.and("\u{200a}′² + ").and_symbol("D\u{2009}").and_symbol("θ").and("\u{200a}″");
+    let bars = Label::words("sign of ").and_symbol("C\u{2009}").and_rate("θ", 1);
+    let bars = bars.and("² + ").and_symbol("D\u{2009}").and_rate("θ", 2);
     let panels = [
         forces(&x.clone().titled(angle), &instants, change),
         strip(&x, flank, &ends(-half, &[change], half), 1.0, ["leading flank", "trailing flank"]),
@@ -50,7 +51,7 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
         },
     ];
 
-    let columns = [("theta", "deg"), ("theta'", "1/time"), ("F R/K", "1"), ("tau_2/K", "1"), ("bars/E", "1")];
+    let columns = [("theta", "deg"), ("theta'", "1/time"), ("F R/K", "1"), ("-tau_2/K", "1"), ("bars/E", "1")];
     let rows = instants.iter().map(|at| {
         let [normal, friction, bars] = [at.normal, at.friction, at.bars].map(|value| without_noise(value, 1.0));
         [at.theta.to_degrees(), at.speed, normal, friction, bars]
@@ -60,9 +61,9 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
         "escapement-normal-force",
         format!("Force between pin and slot over one engagement, {} slots", parameters.mechanism().slots()),
         format!(
-            "Over the driver angle from entry, {}, to exit, {}: the normal force N, as N r / K, at most {} and at \
-             least {}, and the friction's torque over K, at most {}. {} Under the plot, strips tell the flank and \
-             the sign of F.",
+            "Over the driver angle from entry, {}, to exit, {}: the normal force F, as F R / K, at most {} and at \
+             least {}, and the size of the friction's torque over K, at most {}. {} Under the plot, strips tell the flank \
+             and the sign of the quantity between the bars of the equation of motion.",
             degrees(-half),
             degrees(half),
             short(greatest(|at| at.normal), 3),
@@ -74,10 +75,11 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
             ))
         ),
         format!(
-            "One engagement of the steady state. At first the pin drives the follower (N positive); then the follower, \
-             running ahead, drives the pin, and N changes sign with the flank. The friction acts against the motion on \
-             either flank, so its torque is |F| in the equation of motion; F also changes sign on the line of centres, \
-             where the sliding turns round. {}",
+            "One engagement of the steady state. At first the pin drives the follower (F positive). Then the follower runs \
+             ahead and drives the pin, and F changes its sign with the flank. The friction opposes the motion on either \
+             flank, so its torque τ₂ is never positive, and the dashed curve shows its size, −τ₂. The quantity between \
+             the bars of (1-19) changes its sign with the flank too, and also on the line of centres, where the sliding \
+             reverses. {}",
             shown(parameters)
         ),
     );
@@ -98,7 +100,7 @@ fn forces(x: &Axis, instants: &[Instant], change: Option<f64>) -> Panel {
     let aloft = 0.75 * y.range.end;
     let mut panel = Panel::new(336.0, x, &y).horizontal(0.0, Stroke::thin("zero"));
     let normal = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
-    let friction = Label::words("friction ").and_symbol("τ").sub("2").and(" / ").and_symbol("K");
+    let friction = Label::words("friction −").and_symbol("τ").sub("2").and(" / ").and_symbol("K");
     let curves: [(Value, Stroke, Label); 2] = [
         (|at| at.normal, Stroke::new(FOLLOWER), normal.shade(FOLLOWER)),
         (|at| at.friction, Stroke::new(DRIVER).dashed("10 6"), friction.shade(DRIVER)),

@@ -22,8 +22,7 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
     let greatest = escapements.iter().map(peak).fold(1e-3, f64::max);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" / (π/").and_symbol("m").and("): entry −1, exit 1");
     let x = Axis { decimals: 1, ..Axis::whole(-1.0..1.0, [-1.0, -0.5, 0.0, 0.5, 1.0]) };
-    let ratio = Label::words("speed of the follower over the driver's, ").and_symbol("φ").and("′ / ").and_symbol("θ");
-    let ratio = ratio.and("\u{200a}′");
+    let ratio = Label::words("speed of the follower over the driver's, ").and_rate("φ", 1).and(" / ").and_rate("θ", 1);
     let y = Axis::from_zero(0.0, greatest, 4.0).titled(ratio);
     let mut panel = Panel::new(366.0, &x.titled(angle), &y);
     let mut key = Vec::new();

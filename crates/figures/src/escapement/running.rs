@@ -25,16 +25,16 @@ const SPEED: Stroke = Stroke::new(DRIVER).class("speed");
 const LEADING: Stroke = Stroke::new(FOLLOWER).class("leading");
 const TRAILING: Stroke = Stroke::new(CORIOLIS).class("trailing");
 
-/// One instant: the line of the run, and N r / K.
+/// One instant: the line of the run, and F R / K.
 struct Instant {
     line: Printed,
     normal: f64,
 }
 
 /// The escapement after a share (0 to 1) of the time of its first six engagements from rest, a mark where the pin bears on
-/// the slot; the driver's speed over time, and the normal force N as N r / K: positive on the leading flank of the slot.
+/// the slot; the driver's speed over time, and the normal force F as F R / K: positive on the leading flank of the slot.
 ///
-/// Series, at equal times: time, crank angle, θ', N r/K.
+/// Series, at equal times: time, crank angle, θ', F R/K.
 ///
 /// # Errors
 ///
@@ -71,12 +71,12 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
         ),
         format!(
             "The first six engagements from rest. In the middle is the driver's speed; dashed, the least and the greatest of the \
-             steady motion. At the foot is the force between pin and slot, N r / K: positive on the leading flank, negative on the trailing \
+             steady motion. At the foot is the force between pin and slot, F R / K: positive on the leading flank, negative on the trailing \
              one. The mark in the drawing is where the pin bears. {}",
             shown(parameters)
         ),
     );
-    let columns = [("t", "s"), ("theta", "deg"), ("theta'", "rad/s"), ("N r/K", "1")];
+    let columns = [("t", "s"), ("theta", "deg"), ("theta'", "rad/s"), ("F R/K", "1")];
     let rows =
         instants.iter().step_by(4).map(|at| [at.line.time, at.line.angle.to_degrees(), at.line.speed, at.normal]);
     let series = Series::new(columns, rows.collect::<Vec<_>>());

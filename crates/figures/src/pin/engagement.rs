@@ -75,7 +75,7 @@ fn rows(mechanism: &PinSlot, driver_speed: f64) -> Vec<[f64; 5]> {
     (0..=steps).map(at).collect()
 }
 
-/// The same at one crank angle. The wheel's rates are positive clockwise.
+/// θ in degrees, φ′, φ″, speed along the slot, r/R at one crank angle. The wheel's rates are positive clockwise.
 fn row(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> [f64; 5] {
     let instant = Instant::new(mechanism, crank, driver_speed);
     let positive = |value: f64| if value == 0.0 { 0.0 } else { value };
@@ -93,8 +93,8 @@ fn row(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> [f64; 5] {
 /// One curve with the instant, if that is within the engagement.
 fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &str) -> Panel {
     let (symbol, unit, way, shade) = match column {
-        1 => (Label::symbol("φ").and("\u{200a}′"), "rad/s", "clockwise", FOLLOWER),
-        2 => (Label::symbol("φ").and("\u{200a}″"), "rad/s²", "clockwise", FOLLOWER),
+        1 => (Label::rate("φ", 1), "rad/s", "clockwise", FOLLOWER),
+        2 => (Label::rate("φ", 2), "rad/s²", "clockwise", FOLLOWER),
         _ => (Label::symbol("v").sub("P/S"), speed_unit, "towards O", RELATIVE),
     };
     let values = || rows.iter().map(|row| row[column]);

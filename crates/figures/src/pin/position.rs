@@ -170,10 +170,7 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
 /// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.
 fn senses(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let [driver, follower] = [("D", "θ", DRIVER), ("S", "φ", FOLLOWER)].map(|(name, letter, shade)| {
-        (
-            Label::words(name).shade(shade),
-            Label::symbol(letter).and("\u{200a}′").of_part(&format!("{letter}'")).shade(shade),
-        )
+        (Label::words(name).shade(shade), Label::rate(letter, 1).of_part(&format!("{letter}'")).shade(shade))
     });
     let face = at.axis + at.towards(72.0) * 0.78 * at.crank;
     canvas.label(&face, &Pixels::zeros(), 0.0, &driver.0);

@@ -97,7 +97,7 @@ pub fn turning(rate: f64) -> &'static str {
     }
 }
 
-/// The same for a label, with a hyphen that it does not take for a minus sign.
+/// The sense of a rate as a label writes it: with a hyphen that the label does not take for a minus sign.
 pub fn turning_label(rate: f64) -> String {
     turning(rate).replace('-', "\u{2010}")
 }
@@ -119,12 +119,12 @@ pub fn coriolis() -> Label {
 
 /// Rate of the angle of the crank, θ, or of the lever, φ.
 pub fn rate_of(angle: &str) -> Label {
-    Label::symbol(angle).and("\u{200a}′").of_part(&format!("{angle}'"))
+    Label::rate(angle, 1).of_part(&format!("{angle}'"))
 }
 
 /// Angular acceleration of the lever.
 pub fn lever_acceleration() -> Label {
-    Label::symbol("φ").and("\u{200a}″")
+    Label::rate("φ", 2)
 }
 
 /// The number of a vector in its series, its components, its magnitude and its direction in degrees.

@@ -57,7 +57,7 @@ impl Layout {
         Self::fitted(linkage, instant, top, false)
     }
 
-    /// The same with room for the lever at all angles, in the middle of the head of a page of this width.
+    /// The mechanism with room for the lever at all angles, in the middle of the head of a page of this width.
     pub fn of_the_turn(linkage: &QuickReturn, instant: &Instant, width: f64) -> Self {
         let own = Self::fitted(linkage, instant, 0.0, true);
         let by = Pixels::new((width - WIDTH) / 2.0, 0.0);

@@ -75,7 +75,7 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
         ),
         format!(
             "The mechanism at θ = {theta}, with its velocities and accelerations. The Coriolis acceleration is counted {times} \
-             times φ′ vᵣₑₗ. The polygon {closes}."
+             times φ̇ vᵣₑₗ. The polygon {closes}."
         ),
     );
     let columns = [

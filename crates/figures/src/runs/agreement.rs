@@ -95,7 +95,7 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
         .collect::<Vec<_>>()
         .join(" "),
     );
-    let columns = [("n", "1"), ("printed", "unit"), ("own reset", "unit"), ("one reset", "unit")];
+    let columns = [("slots", "1"), ("printed", "unit"), ("own reset", "unit"), ("one reset", "unit")];
     let rows = before.cells.iter().zip(&after.cells);
     let rows = rows.map(|(a, b)| [f64::from(a.mechanism.slots()), a.printed, a.computed, b.computed]);
     let x = Axis::symmetric_log(LIMIT);
@@ -125,7 +125,7 @@ pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
         ),
     );
     let rows = hypothesis.cells.iter().map(|cell| [f64::from(cell.mechanism.slots()), cell.printed, cell.computed]);
-    let series = Series::new([("n", "1"), ("printed", "unit"), ("computed", "unit")], rows);
+    let series = Series::new([("slots", "1"), ("printed", "unit"), ("computed", "unit")], rows);
     Chart::new([panel(hypothesis, &titled(Axis::symmetric_log(LIMIT)))]).key(key()).figure(words, series)
 }
 

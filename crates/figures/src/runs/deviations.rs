@@ -48,7 +48,7 @@ pub fn deviations(hypotheses: &[Compared]) -> Figure {
         let marker = of_mechanism(mechanism.slots()).1;
         Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).shade(marker.shade))
     });
-    let columns = [("hypothesis", "1"), ("n", "1"), ("printed", "unit"), ("computed", "unit")];
+    let columns = [("hypothesis", "1"), ("slots", "1"), ("printed", "unit"), ("computed", "unit")];
     let rows = numbers().zip(hypotheses).flat_map(|(number, one)| {
         one.cells.iter().map(move |cell| [number, f64::from(cell.mechanism.slots()), cell.printed, cell.computed])
     });

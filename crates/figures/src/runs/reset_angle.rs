@@ -64,10 +64,12 @@ fn stroke(mechanism: Mechanism) -> Stroke {
     of_mechanism(mechanism.slots()).0
 }
 
-/// Where most of a mechanism's numbers come out, and how many.
+/// Where most of a mechanism's numbers come out, at one angle or at several, and how many.
 fn told(scan: &Scan) -> String {
-    let most = scan.counts.iter().max_by_key(|(_, count)| *count).copied().unwrap_or_default();
-    format!("with {} pins the most agree at {}°, {} of {}", scan.mechanism.pins(), most.0, most.1, scan.cells)
+    let most = scan.counts.iter().map(|(_, count)| *count).max().unwrap_or_default();
+    let angles = scan.counts.iter().filter(|(_, count)| *count == most).map(|(at, _)| format!("{at}°"));
+    let angles = angles.collect::<Vec<_>>().join(" and ");
+    format!("with {} pins the most agree at {angles}, {most} of {}", scan.mechanism.pins(), scan.cells)
 }
 
 /// The tens from one number to another.
@@ -90,6 +92,9 @@ mod tests {
         let figure = reset_angle(&[scan(Mechanism::SIX_PIN, 70), scan(Mechanism::THREE_PIN, 90)]);
         sound(&figure);
         assert!(figure.caption.contains("with 6 pins the most agree at 70°, 40 of 48"), "{}", figure.caption);
+        // Two angles that do equally well are both told.
+        let tie = Scan { mechanism: Mechanism::SIX_PIN, cells: 48, counts: vec![(89.5, 47), (90.0, 47), (90.5, 44)] };
+        assert_eq!(told(&tie), "with 6 pins the most agree at 89.5° and 90°, 47 of 48");
         assert_eq!(figure.series.rows[30], [90.0, 20.0, 40.0]);
     }
 }

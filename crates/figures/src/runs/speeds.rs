@@ -67,9 +67,7 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
             .curve(column(2), follower)
             .curve(column(1), driver)
             .marks([(ms(first), first_speed)], minimum);
-    let symbol = |name: &str, letter: &str, stroke: &Stroke| {
-        Label::words(name).and_symbol(letter).and("\u{200a}′").shade(stroke.shade)
-    };
+    let symbol = |name: &str, letter: &str, stroke: &Stroke| Label::words(name).and_rate(letter, 1).shade(stroke.shade);
     let key = [
         Entry::curve(driver, symbol("driver ", "θ", &driver)),
         Entry::curve(follower, symbol("follower ", "φ", &follower).and(", in its own sense")),

@@ -19,6 +19,10 @@ const TO_FIRST: f64 = 32.0;
 /// From one line of dimensions, or of words, to the next.
 const ROW: f64 = 36.0;
 const LINE: f64 = 30.0;
+/// From a dimension line to its name, and from where to where nothing else is above the line, in pixels: a name's letters with
+/// their descenders.
+const OFF_LINE: f64 = 10.0;
+const GROUND: [f64; 2] = [3.0, 28.0];
 /// Coordinates are written to so many decimals of a pixel.
 const DECIMALS: usize = 3;
 /// Digits after the point of a dimension in millimetres.
@@ -176,16 +180,35 @@ impl Rows {
         TO_FIRST + ROW * self.count as f64
     }
 
-    /// Draws them on one side (−1 above, 1 below) of the bodies, whose edge is so far from the line of centres.
+    /// Draws them on one side (−1 above, 1 below) of the bodies, whose edge is so far from the line of centres. Where an
+    /// extension line goes by a name, it is broken there.
     fn draw(&self, canvas: &mut Canvas, view: &View, edge: f64, side: f64) {
+        let at = |x: f64| view.place(&Vector2::new(x, 0.0));
+        let offset = |row: usize| Pixels::new(0.0, edge + side * (TO_FIRST + ROW * row as f64));
         for (row, dimension) in &self.dimensions {
-            let at = |x: f64| view.place(&Vector2::new(x, 0.0));
-            let offset = Pixels::new(0.0, edge + side * (TO_FIRST + ROW * *row as f64));
+            parts::of_label(canvas, &dimension.label(), |canvas| {
+                parts::extension_lines(canvas, &at(dimension.from), &at(dimension.to), &offset(*row));
+            });
+        }
+        for (row, dimension) in &self.dimensions {
+            let (from, to, label) =
+                (at(dimension.from) + offset(*row), at(dimension.to) + offset(*row), dimension.label());
+            let (middle, half) = ((from + to) / 2.0, label.width() / 2.0 + AIR);
+            let corner = |x: f64, y: f64| middle + Pixels::new(x * half, -y);
+            let ground = Path::start(&corner(-1.0, GROUND[0]))
+                .line_to(&corner(1.0, GROUND[0]))
+                .line_to(&corner(1.0, GROUND[1]))
+                .line_to(&corner(-1.0, GROUND[1]))
+                .close();
+            canvas.draw(Shape::path(ground).fill(PAPER).class("ground"));
+        }
+        for (row, dimension) in &self.dimensions {
             let (label, mut middle) = (dimension.label(), Pixels::zeros());
             parts::of_label(canvas, &label, |canvas| {
-                middle = parts::dimension(canvas, &at(dimension.from), &at(dimension.to), &offset);
+                let (from, to) = (at(dimension.from) + offset(*row), at(dimension.to) + offset(*row));
+                middle = parts::dimension_line(canvas, &from, &to);
             });
-            canvas.label(&middle, &Pixels::new(0.0, -1.0), 7.0, &label);
+            canvas.label(&middle, &Pixels::new(0.0, -1.0), OFF_LINE, &label);
         }
     }
 }

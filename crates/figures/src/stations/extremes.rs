@@ -39,8 +39,8 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
         panel = panel.marks(points(column), Marker::new(shade, mark).class("point"));
     }
     for (column, shade, _, name) in CURVES {
-        let symbol = Label::words(name).and_symbol("φ").and(if column == 5 { "′ / " } else { "″ / " }).and_symbol("θ");
-        let label = symbol.and(if column == 5 { "\u{200a}′" } else { "\u{200a}′²" }).shade(shade);
+        let (order, power) = if column == 5 { (1, "") } else { (2, "²") };
+        let label = Label::words(name).and_rate("φ", order).and(" / ").and_rate("θ", 1).and(power).shade(shade);
         panel = panel.near(points(column).take(1), PI, label);
     }
     let columns = [

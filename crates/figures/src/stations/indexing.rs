@@ -3,7 +3,7 @@
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, significant, with_minus_sign, without_noise};
 use crate::svg::Label;
-use crate::theme::{DRIVER, FOLLOWER, RELATIVE, Shade};
+use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -47,8 +47,7 @@ pub fn indexing(wheel: &Wheel) -> Figure {
         ),
         format!(
             "One indexing of a wheel with {} stations, its driver at constant speed. Above: the wheel's angle φ and its \
-             speed over the driver's, φ′/θ′. Below: its acceleration over the square of the driver's speed, φ″/θ′². The acceleration jumps at entry and at exit, where the jerk is infinite. A prime means a rate of \
-             change with time.",
+             speed over the driver's, φ̇/θ̇. Below: its acceleration over the square of the driver's speed, φ̈/θ̇². The acceleration jumps at entry and at exit, where the jerk is infinite.",
             wheel.stations()
         ),
     );
@@ -141,10 +140,9 @@ fn acceleration(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel
 
 /// The symbols of the three curves: φ, φ'/θ' and φ''/θ'².
 fn symbols() -> [Label; 3] {
-    let shaded = |shade: Shade| Label::symbol("φ").shade(shade);
     [
-        shaded(RELATIVE).and(" in rad"),
-        shaded(FOLLOWER).and("′ / ").and_symbol("θ").and("\u{200a}′"),
-        shaded(DRIVER).and("″ / ").and_symbol("θ").and("\u{200a}′²"),
+        Label::symbol("φ").shade(RELATIVE).and(" in rad"),
+        Label::rate("φ", 1).shade(FOLLOWER).and(" / ").and_rate("θ", 1),
+        Label::rate("φ", 2).shade(DRIVER).and(" / ").and_rate("θ", 1).and("²"),
     ]
 }

@@ -35,14 +35,13 @@ type Compared = [f64; 4];
 pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
     let (first, last) = (*stations.start(), *stations.end());
     let rows = stations.map(row).collect::<Result<Vec<_>, FigureError>>()?;
-    let symbol = |words: &str, primes: &str, power: &str| {
-        Label::words(words).and_symbol("φ").and(primes).and_symbol("θ").and(power)
-    };
+    let symbol =
+        |order: usize, power: &str| Label::words("peak ").and_rate("φ", order).and(" / ").and_rate("θ", 1).and(power);
     let panels = [
         Label::words("dwell, of a turn"),
-        symbol("peak ", "″ / ", "\u{200a}′²"),
-        symbol("peak ", "‴ / ", "\u{200a}′³"),
-        Label::words("pin force × radius / ").and_symbol("J").and("\u{200a}").and_symbol("θ").and("\u{200a}′²"),
+        symbol(2, "²"),
+        symbol(3, "³"),
+        Label::words("pin force × radius / ").and_symbol("J").and("\u{200a}").and_rate("θ", 1).and("²"),
     ];
     let panels = panels.into_iter().enumerate().map(|(quantity, title)| {
         let marks = (first..=last).filter(|n| n.is_multiple_of(EACH)).map(f64::from);

@@ -61,7 +61,7 @@ impl Bodies {
         bodies.moved(&(Vector2::new(room.x - breadth, room.y - bodies.height) / 2.0))
     }
 
-    /// The same bodies elsewhere on the page.
+    /// Moves the bodies to another place of the page.
     pub fn moved(&self, by: &Pixels) -> Self {
         let view = View { origin: self.view.origin + by, ..self.view };
         Self { view, pivot: self.pivot + by, axis: self.axis + by, ..*self }

@@ -17,14 +17,14 @@ const MARKS: i32 = 3;
 /// Accelerations are drawn in thousands.
 const THOUSAND: f64 = 1000.0;
 
-/// One instant: θ in degrees, θ', φ', θ'' and φ'' in thousands, N r / K.
+/// One instant: θ in degrees, θ', φ', θ'' and φ'' in thousands, F R / K.
 type Row = [f64; 6];
 
 /// Speed and acceleration of driver and follower, and the force between pin and slot, over one engagement of the steady
 /// motion: three panels over the driver angle.
 ///
 /// `run` says which run is shown. Rings mark the follower's acceleration at the two ends, between which it jumps as one pin hands over to the next.
-/// Series, at equal times: θ, θ', φ', θ'', φ'', N r/K.
+/// Series, at equal times: θ, θ', φ', θ'', φ'', F R/K.
 ///
 /// # Errors
 ///
@@ -38,8 +38,8 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
     let x = Axis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let panels = [
-        both(&x, &rows, [1, 2], "speeds ", "′", " in rad/s"),
-        jumping(both(&x, &rows, [3, 4], "accelerations ", "″", " in 1000 rad/s²"), &rows),
+        both(&x, &rows, [1, 2], "speeds ", 1, " in rad/s"),
+        jumping(both(&x, &rows, [3, 4], "accelerations ", 2, " in 1000 rad/s²"), &rows),
         force(&x.clone().titled(angle), &rows),
     ];
     let change = engagement.passage(engagement.steady_state()?.entry_speed)?.switch_angle();
@@ -59,7 +59,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         format!(
             "Three panels over the driver angle from {} to {}. Speeds: the driver's is {} rad/s at most, the follower's \
              {}. Accelerations in 1000 rad/s²: the driver's strongest is {}, the follower's {}; the follower's is {} at \
-             entry and {} at exit. The force N r / K is strongest with {}.",
+             entry and {} at exit. The force F R / K is strongest with {}.",
             degrees(-half),
             degrees(half),
             greatest(1),
@@ -71,7 +71,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
             said(strongest.normal_moment, parameters.torque()),
         ),
         format!(
-            "One engagement of the steady motion, entry at the left, exit at the right. {}N r / K is the force between pin \
+            "One engagement of the steady motion, entry at the left, exit at the right. {}F R / K is the force between pin \
              and slot over the force of the spring at the crank radius. At the hand-over the follower's acceleration jumps \
              from the right ring to the left one. Shown: {run}.",
             change.map_or_else(String::new, |change| format!(
@@ -87,7 +87,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         ("phi'", "rad/s"),
         ("theta''", "1000 rad/s^2"),
         ("phi''", "1000 rad/s^2"),
-        ("N r/K", "1"),
+        ("F R/K", "1"),
     ];
     Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
 }
@@ -107,11 +107,10 @@ fn row(parameters: &Parameters, angle: f64, speed: f64) -> Result<Row, FigureErr
 }
 
 /// A panel with the driver's and the follower's curve, each named.
-fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, primes: &str, unit: &str) -> Panel {
+fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, order: usize, unit: &str) -> Panel {
     let values = || rows.iter().flat_map(|row| columns.map(|column| row[column]));
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
-    let [theta, phi] =
-        [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::symbol(letter).and(primes).shade(shade));
+    let [theta, phi] = [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::rate(letter, order).shade(shade));
     let title = Label::words(what).and_label(&theta).and(" and ").and_label(&phi).and(unit);
     let strokes = [Stroke::new(DRIVER).dashed("10 5"), Stroke::new(FOLLOWER)];
     let mut panel = Panel::new(190.0, x, &y.titled(title)).horizontal(0.0, Stroke::thin("zero"));
@@ -128,7 +127,7 @@ fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, primes: &str, u
     panel
 }
 
-/// The same with rings at the ends of the follower's acceleration.
+/// Adds rings at the ends of the follower's acceleration to a panel.
 fn jumping(panel: Panel, rows: &[Row]) -> Panel {
     let ends = [rows.first(), rows.last()].into_iter().flatten().map(|row| (row[0], row[4]));
     panel.marks(ends, Marker::new(FOLLOWER, Mark::Ring).sized(10.0).class("hand-over"))

@@ -61,7 +61,7 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     let lines = [(own, "the mechanism"), (as_run, "the program as run")];
     let key = printed.chain(lines.map(|(stroke, name)| Entry::curve(stroke, Label::words(name))));
     let columns = [
-        ("n", "1"),
+        ("slots", "1"),
         ("mu", "1"),
         ("peak printed", "1"),
         ("min printed", "1"),

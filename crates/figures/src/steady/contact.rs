@@ -61,8 +61,8 @@ pub fn contact(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Fig
     );
     let said = instants.iter().map(|at| {
         format!(
-            "At θ = {} the pin touches the {} flank; its centre moves along the slot with {} θ′ times the crank radius, \
-             its surface slides with {} θ′.",
+            "At θ = {} the pin touches the {} flank; its centre moves along the slot with {} θ̇ times the crank radius, \
+             its surface slides with {} θ̇.",
             degrees(at.theta),
             at.flank(),
             number(at.slide),
@@ -152,7 +152,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     part(canvas, "r'", |canvas| arrow(canvas, &centre, &tip, RELATIVE, 4.0, "sliding-of-centre"));
     // Beside the arrow's tip, on the side that does not rub.
     let beside = tip - right * (outward * 20.0);
-    let label = Label::symbol("r").and("′ of the centre").shade(RELATIVE).of_part("r'");
+    let label = Label::rate("r", 1).and(" of the centre").shade(RELATIVE).of_part("r'");
     canvas.label(&beside, &(up * -at.side), 18.0, &label);
     let inside = at.side * (PIN - BESIDE);
     let tip = place(at.sliding * SPEED, inside);
@@ -169,9 +169,9 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     canvas.label(&end, &(right * outward), 8.0, &label);
 
     let values = [
-        Label::symbol("r").and("′/").and_symbol("θ").and("\u{200a}′ = ").and(&number(at.slide)).shade(RELATIVE),
+        Label::rate("r", 1).and("/").and_rate("θ", 1).and(" = ").and(&number(at.slide)).shade(RELATIVE),
         Label::symbol("s").and_symbol("ρ").and("(1 + ").and_symbol("q").and(") = ").and(&number(at.turning)),
-        Label::symbol("w").and("/").and_symbol("θ").and("\u{200a}′ = ").and(&number(at.sliding)).shade(DRIVER),
+        Label::symbol("w").and("/").and_rate("θ", 1).and(" = ").and(&number(at.sliding)).shade(DRIVER),
     ];
     for (k, label) in values.into_iter().enumerate() {
         let corner = Vector2::new(28.0 + 210.0 * k as f64, top + HEIGHT - 24.0);
@@ -190,7 +190,7 @@ fn turning(canvas: &mut Canvas, at: &Instant, centre: &Pixels) {
         (false, false) => (1.6, 0.1),
     };
     arc_arrow(canvas, centre, 0.62 * PIN, from, to, INK, 2.0);
-    let label = Label::symbol("θ").and("\u{200a}′ + ").and_symbol("φ").and("′");
+    let label = Label::rate("θ", 1).and(" + ").and_rate("φ", 1);
     let beside = centre + Vector2::new(-outward * (PIN + 2.0), at.side * 0.55 * PIN);
     canvas.label(&beside, &Vector2::new(-outward, 0.0), 6.0, &label);
 }

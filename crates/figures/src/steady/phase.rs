@@ -81,7 +81,7 @@ pub fn phase(parameters: &Parameters) -> Result<Figure, FigureError> {
 /// All engagements over angles of ±`half` degrees, the first two of each kind numbered.
 fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
     let all = groups.iter().flat_map(|rounds| rounds.iter()).flat_map(|round| &round.points);
-    let symbol = Label::words("driver's speed ").and_symbol("θ").and("\u{200a}′ over √(");
+    let symbol = Label::words("driver's speed ").and_rate("θ", 1).and(" over √(");
     let symbol = symbol.and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
     let y = Axis::from_zero(0.0, all.map(|point| point.1).fold(0.0, f64::max), 5.0).titled(symbol);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");

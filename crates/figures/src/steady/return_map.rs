@@ -59,8 +59,8 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
     }
 
     let symbol = |end: &str| {
-        let label = Label::words("square of the speed at ").and(end).and(", ").and_symbol("θ");
-        label.and("\u{200a}′² ").and_symbol("I").sub("f").and(" / ").and_symbol("K")
+        let label = Label::words("square of the speed at ").and(end).and(", ").and_rate("θ", 1);
+        label.and("² ").and_symbol("I").sub("f").and(" / ").and_symbol("K")
     };
     let mu = |mu: f64| Label::symbol("μ").and(&format!(" = {}", trimmed(mu, 4)));
     let column = |k: usize| rows.iter().map(move |row| (row[0], row[k]));

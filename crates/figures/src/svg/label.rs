@@ -4,6 +4,9 @@ use super::view::Pixels;
 use crate::number::{trimmed, with_minus_sign};
 use crate::theme::{INK, PAPER, Shade};
 
+/// The look of a label's halo, but for its colour: attributes of a `text` element.
+pub const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+
 /// Height of the letters of a label, in pixels of the view box.
 pub const TEXT_SIZE: f64 = 22.0;
 /// Height of a subscript's letters over that of its symbol.
@@ -16,6 +19,7 @@ const RISE: f64 = 10.0;
 const HALF_HEIGHT: f64 = 0.36 * TEXT_SIZE;
 /// Heights above and below the base line that letters reach at most, over the text's size.
 const ASCENT: f64 = 0.76;
+const ASCENT_UNDER_DOTS: f64 = 0.96;
 const DESCENT: f64 = 0.22;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +79,16 @@ impl Label {
     pub fn and_symbol(mut self, letter: &str) -> Self {
         self.runs.push((Style::Italic, letter.to_owned()));
         self
+    }
+
+    /// A label that begins with a rate of change: see [`and_rate`](Self::and_rate).
+    pub fn rate(letter: &str, order: usize) -> Self {
+        Self::words("").and_rate(letter, order)
+    }
+
+    /// Adds a symbol's rate of change with time: the letter in italics under one dot, two or three.
+    pub fn and_rate(self, letter: &str, order: usize) -> Self {
+        self.and_symbol(&dotted(letter, order))
     }
 
     /// Adds a subscript.
@@ -160,7 +174,9 @@ impl Label {
         let lowered = self.has_subscript();
         let below = DESCENT * TEXT_SIZE + if lowered { DROP - 2.0 } else { 0.0 };
         let raised = self.runs.iter().any(|(style, _)| *style == Style::Superscript);
-        let above = if raised { RISE + ASCENT * SUBSCRIPT * TEXT_SIZE } else { ASCENT * TEXT_SIZE };
+        let is_dotted = self.runs.iter().any(|(_, text)| text.contains(DOTS));
+        let letters = if is_dotted { ASCENT_UNDER_DOTS } else { ASCENT } * TEXT_SIZE;
+        let above = if raised { letters.max(RISE + ASCENT * SUBSCRIPT * TEXT_SIZE) } else { letters };
         [Pixels::new(left, base - above), Pixels::new(left + width, base + below)]
     }
 
@@ -200,11 +216,7 @@ impl Label {
             };
             spans += &format!("<tspan{shift}{look}>{}</tspan>", escape(text));
         }
-        let halo = if self.haloed {
-            format!(" stroke=\"{}\" stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"", self.halo.0)
-        } else {
-            String::new()
-        };
+        let halo = if self.haloed { format!(" stroke=\"{}\"{HALO}", self.halo.0) } else { String::new() };
         let part =
             if self.part.is_empty() { String::new() } else { format!(" data-letter=\"{}\"", escape(&self.part)) };
         format!(
@@ -235,9 +247,18 @@ fn set_back((before, text): &(Style, String), style: Style) -> f64 {
     if stacked { text.chars().map(letter_width).sum::<f64>() * SUBSCRIPT * TEXT_SIZE * 0.9 } else { 0.0 }
 }
 
-/// Width of a letter over the text's size: that of a wide font.
+/// The dots above a letter whose first, second or third rate of change is meant.
+const DOTS: [char; 3] = ['\u{307}', '\u{308}', '\u{20db}'];
+
+/// A letter under so many dots, at most three; without any for the letter itself.
+pub fn dotted(letter: &str, dots: usize) -> String {
+    letter.chars().chain(dots.checked_sub(1).and_then(|k| DOTS.get(k)).copied()).collect()
+}
+
+/// Width of a letter over the text's size in a wide font.
 fn letter_width(letter: char) -> f64 {
     match letter {
+        letter if DOTS.contains(&letter) => 0.0,
         'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | ' ' | '|' | '²' => 0.34,
         't' | 'f' | 'r' | '(' | ')' | '/' | '-' => 0.4,
         'm' | 'w' | 'M' | 'W' | 'ω' | '−' | '=' | '+' | '×' | '⊥' => 0.84,

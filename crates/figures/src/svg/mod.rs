@@ -10,7 +10,7 @@ mod shape;
 mod view;
 
 pub use canvas::{Canvas, Kind, PIXELS_PER_MILLIMETRE};
-pub use label::{Label, TEXT_SIZE, escape};
+pub use label::{HALO, Label, TEXT_SIZE, escape};
 pub use path::{Path, Sense};
 pub use placing::{Place, Placing, around, beside_line, leader};
 pub use shape::{DASHED, Shape};

@@ -54,7 +54,8 @@ pub fn part_within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) 
     clipped([[x, along.x], [y, along.y]], [[least.x, greatest.x], [least.y, greatest.y]])
 }
 
-/// The same of a line given in x and in y by its start and its step, and of an area by its least and its greatest.
+/// Which part of a line lies within an area, as shares of the way: line and area in x and in y, the line by its start and
+/// its step, the area by its least and its greatest.
 ///
 /// Plain numbers: every place of every label asks for every line, also where vectors are not optimised.
 pub fn clipped(line: [[f64; 2]; 2], area: [[f64; 2]; 2]) -> Option<[f64; 2]> {

@@ -54,7 +54,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
     }
     for (one, curve, marks) in &curves {
         let (stroke, marker) = of_mechanism(one.parameters.mechanism().slots());
-        panel = panel.curve(curve.iter().copied(), stroke.undashed().wide(2.2).class("rate"));
+        panel = panel.curve(curve.iter().copied(), stroke.wide(2.2).class("rate"));
         panel = panel.marks(marks.iter().copied(), marker.sized(8.0));
         if let Some((_, gain)) = curve.last() {
             let name = Label::words(&one.parameters.mechanism().pins().to_string()).shade(marker.shade);
@@ -87,7 +87,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         ),
         format!(
             "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes: computed from the \
-             exact steady motion for each friction. Marks are the frictions of the thesis's runs. The dashed lines are \
+             exact steady motion for each friction. Marks are the frictions of the thesis's runs. The dashed lines are static \
              handbook values of steel on brass: {}. {}",
             trimmed(set, 2),
             pairs
@@ -98,6 +98,6 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
             super::inertias(all)
         ),
     );
-    let columns = [("m", "1"), ("mu", "1"), ("gain", "h")];
+    let columns = [("pins", "1"), ("mu", "1"), ("gain", "h")];
     Ok(Chart::new([panel]).key(key(all)).figure(words, Series::new(columns, rows)))
 }

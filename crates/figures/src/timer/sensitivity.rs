@@ -55,8 +55,7 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
     for (one, curve, marks) in &curves {
         let (stroke, marker) = of_mechanism(one.parameters.mechanism().slots());
         for k in 1..CHANGED.len() {
-            panel =
-                panel.curve(curve.iter().map(|row| (row[1], row[2 + k])), stroke.undashed().wide(2.0).class("gain"));
+            panel = panel.curve(curve.iter().map(|row| (row[1], row[2 + k])), stroke.wide(2.0).class("gain"));
             panel = panel.marks(marks.iter().map(|row| (row[1], row[2 + k])), marker.sized(7.0));
         }
     }
@@ -94,6 +93,6 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
         ),
     );
     let columns =
-        [("m", "1"), ("mu", "1"), ("gain K", "min"), ("gain mu", "min"), ("gain I_D", "min"), ("gain I_f", "min")];
+        [("pins", "1"), ("mu", "1"), ("gain K", "min"), ("gain mu", "min"), ("gain I_D", "min"), ("gain I_f", "min")];
     Ok(Chart::new([panel]).key(key(all)).figure(words, Series::new(columns, rows)))
 }

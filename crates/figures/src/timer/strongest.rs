@@ -40,13 +40,13 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         rows.extend(curve.iter());
         curves.push((one, curve, marks));
     }
-    let scaled = |words: &str, symbol: &str, primes: &str| {
-        Label::words(words).and_symbol(symbol).and(primes).and_symbol("I").sub("f").and(" / ").and_symbol("K")
+    let scaled = |words: &str, symbol: &str| {
+        Label::words(words).and_rate(symbol, 2).and(" × ").and_symbol("I").sub("f").and(" / ").and_symbol("K")
     };
     let titles = [
-        scaled("driver's acceleration ", "θ", "″ × "),
-        scaled("follower's acceleration ", "φ", "″ × "),
-        scaled("follower's jump of ", "φ", "″ × "),
+        scaled("driver's acceleration ", "θ"),
+        scaled("follower's acceleration ", "φ"),
+        scaled("follower's jump of ", "φ"),
         Label::words("pin force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K"),
     ];
     let panels = titles.into_iter().enumerate().map(|(k, title)| {
@@ -56,7 +56,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         curves.iter().fold(Panel::new(185.0, &x, &y), |panel, (one, curve, marks)| {
             let (stroke, marker) = of_mechanism(one.parameters.mechanism().slots());
             let panel = panel
-                .curve(curve.iter().map(|row| (row[1], row[2 + k])), stroke.undashed().wide(2.2).class("greatest"))
+                .curve(curve.iter().map(|row| (row[1], row[2 + k])), stroke.wide(2.2).class("greatest"))
                 .marks(marks.iter().map(|row| (row[1], row[2 + k])), marker.sized(8.0));
             let name = Label::words(&one.parameters.mechanism().pins().to_string()).shade(marker.shade);
             panel.name(name, Spot::Beside(curve.last().map_or(0.0, |row| row[2 + k])))
@@ -89,6 +89,6 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         ),
     );
     let columns =
-        [("m", "1"), ("mu", "1"), ("theta'' I_f/K", "1"), ("phi'' I_f/K", "1"), ("jump I_f/K", "1"), ("F R/K", "1")];
+        [("pins", "1"), ("mu", "1"), ("theta'' I_f/K", "1"), ("phi'' I_f/K", "1"), ("jump I_f/K", "1"), ("F R/K", "1")];
     Ok(Chart::new(panels).key(key(all)).figure(words, Series::new(columns, rows)))
 }

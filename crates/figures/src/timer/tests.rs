@@ -27,6 +27,12 @@ fn half_the_torque_loses_the_hours_of_the_root() {
     assert!(set[1..].iter().all(|gain| *gain == 0.0));
     // The root lies between the powers of a verge with a drag, on both sides.
     assert!(rows.iter().all(|row| (row[1] - row[2]) * (row[1] - row[3]) <= 0.0));
+    // The name of the verge is in its area, below the root.
+    let (named, height) = torque::NAMED;
+    for torque in [named.start, named.end] {
+        let row = rows.iter().find(|row| (row[0] - torque).abs() < 0.51).expect("a row near it");
+        assert!(row[3] < height && height < row[1], "{row:?}");
+    }
     let drawing = Drawing::of(&figure);
     assert_eq!(["root", "verge", "own-period"].map(|class| drawing.count(class)), [2, 2, 2]);
 }
@@ -103,6 +109,31 @@ fn the_greatest_values_hold_for_every_torque() {
     let found = Accelerations::new(&one.with(row[1]).expect("sound")).expect("steady");
     assert!((row[5] - found.normal_moment.value.abs() / one.parameters.torque()).abs() < 1e-9);
     assert_eq!(Drawing::of(&figure).count("greatest"), 12);
+}
+
+#[test]
+fn the_key_shows_the_dashes_of_the_curves() {
+    let all = tested();
+    for (figure, class) in
+        [(friction(&all, 0.15, &[]), "rate"), (sensitivity(&all), "gain"), (strongest(&all), "greatest")]
+    {
+        let figure = figure.expect("drawn");
+        let drawing = Drawing::of(&figure);
+        let looks = |class: &str| {
+            let of = |node: &roxmltree::Node<'_, '_>| {
+                ["stroke", "stroke-dasharray"].map(|name| node.attribute(name).map(str::to_owned))
+            };
+            let lines =
+                drawing.all(class).into_iter().filter(|node| ["line", "path"].contains(&node.tag_name().name()));
+            lines
+                .map(|node| of(&node))
+                .filter(|[stroke, _]| stroke.is_some())
+                .collect::<std::collections::BTreeSet<_>>()
+        };
+        let (key, curves) = (looks("sample"), looks(class));
+        assert_eq!(curves.len(), all.len(), "{}: {curves:?}", figure.id);
+        assert!(curves.is_subset(&key), "{}: {curves:?} in {key:?}", figure.id);
+    }
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! Hours and minutes that a timekeeper gains or loses in a day as its torque changes.
 
 use super::{HOURS, MINUTES};
-use crate::chart::{Axis, Chart, Panel, Stroke};
+use crate::chart::{Axis, Chart, Panel, Spot, Stroke};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
 use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
 
 /// From what part of the torque to what part the curves go, in per cent; the same of the panel of small changes.
 const WIDE: [f64; 2] = [50.0, 110.0];
@@ -14,6 +15,8 @@ const STEPS: u32 = 60;
 /// The powers between which a verge with a drag lies, and the power of the law of similarity.
 const VERGE: [f64; 2] = [1.0 / 3.0, 1.0];
 const ROOT: f64 = 0.5;
+/// Where the verge has its name: between these torques in per cent and at this gain in hours, which is inside its area.
+pub(super) const NAMED: (Range<f64>, f64) = (52.0..62.0, -7.9);
 
 /// What a timekeeper whose rate goes with this power of the torque gains in a day, in days: torque in per cent.
 fn gained(torque: f64, power: f64) -> f64 {
@@ -46,7 +49,7 @@ pub fn torque() -> Figure {
     let wide = wide
         .near([(84.0, 0.0)], FRAC_PI_2, Label::words("with a period of its own").shade(FOLLOWER))
         .near([(from, HOURS * gained(from, ROOT))], FRAC_PI_2, Label::words("Geneva, runaway").shade(DRIVER))
-        .near([(64.0, HOURS * gained(64.0, VERGE[1]))], -0.5, Label::words("verge with a drag").shade(INK));
+        .name(Label::words("verge").shade(INK), Spot::Within(NAMED.0, NAMED.1));
     let narrow = panel(NARROW, 1.0, MINUTES, 270.0, "gain, minutes a day", true);
     let lost = -HOURS * gained(from, ROOT);
     let words = Words::new(
@@ -61,10 +64,10 @@ pub fn torque() -> Figure {
             crate::number::significant(-MINUTES * gained(to - 1.0, ROOT), 2)
         ),
         "As the spring runs down, the Geneva escapement loses time by the square root of the torque, whatever its pins, \
-         inertias and friction; so does a runaway escapement whose work all goes into blows. A verge and foliot braked by a \
+         inertias and friction. So does a runaway escapement whose work all goes into blows. A verge and foliot braked by a \
          drag in proportion to its speed is somewhere in the shaded area, between the cube root and the first power of the \
-         torque. A pendulum, or a balance with its spring, keeps its period: on this scale its error cannot be seen. The lower \
-         panel shows small changes.",
+         torque. A pendulum, or a balance with its spring, keeps its period, and its error cannot be seen on this scale. The \
+         lower panel shows small changes.",
     );
     let columns = [("torque", "%"), ("gain^1/2", "h"), ("gain^1/3", "h"), ("gain^1", "h")];
     let row = |torque: f64| {

@@ -9,7 +9,6 @@ use geneva_dynamics::wheel_loads::{Peak, Peaks};
 pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
     let loads = made.loads()?;
     let kind = made.wheel.kind();
-    let speed = made.speed();
     let [torque, moment, crank] = match &loads {
         Some(loads) => [loads.wheel_torque(), loads.pin_moment(), loads.crank_torque()].map(Some),
         None => [None; 3],
@@ -50,7 +49,7 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
         Field::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
         Field::new("peak_crank_torque_at_deg", at(driving(crank))),
-        Field::in_unit("peak_power_w", driving(crank).zip(speed).map(|(peak, speed)| peak.value * speed), "W")
+        Field::in_unit("peak_power_w", loads.as_ref().map(|loads| loads.peak_power()), "W")
             .line("peak power", "at the same angle"),
         Field::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
             .line("RMS crank torque", "over a turn of the driver; this heats a motor"),

@@ -8,19 +8,16 @@
 //!
 //! The mechanism is a [`Wheel`](crate::wheel::Wheel) without dwell, so sizes and motion are the wheel's. Here is what
 //! is the escapement's own: which numbers of slots and pins are possible ([`Mechanism`]), where everything
-//! is ([`Configuration`], [`HandOver`]), what stays clear of what, and each line of the source's derivation as an identity
-//! ([`entry_proofs`], [`angle_proofs`], [`rate_proofs`]).
+//! is ([`Configuration`], [`HandOver`]), what stays clear of what, and why no other numbers are possible
+//! ([`entry_proofs`]).
 
 mod clearance;
 mod configuration;
 mod continuous;
 mod geometry;
 
-pub mod angle_proofs;
 pub mod entry_proofs;
-pub mod rate_proofs;
 
-pub use crate::proofs::identity::Form;
 pub use clearance::{ApproachCoefficient, RimExcess};
 pub use configuration::{Configuration, HandOver, RelativePosition, Roots, Slot};
 pub use continuous::{AtHandOver, ContinuityStep, Continuous};

@@ -76,8 +76,9 @@ impl Expression {
         Self::new(Built::Variable(index))
     }
 
-    /// A root: a constant that is not an integer and equal to no other expression.
-    pub(super) fn root() -> Self {
+    /// A root: a constant that is not an integer and equal to no other expression. Which integer stands under it, the
+    /// proof says: [`prove_with_root`](crate::prove_with_root).
+    pub fn root() -> Self {
         Self::new(Built::Root)
     }
 
@@ -118,8 +119,19 @@ impl Expression {
     }
 }
 
-/// The value of an expression's [steps](Expression::steps) for these values of the variables and of the root.
+/// The value of an expression's [steps](Expression::steps) for these values of the variables and of the root. A division
+/// by zero does what it does in these numbers.
 pub(super) fn value<S: Field>(steps: &[Built<usize>], variables: &[S], root: &S) -> S {
+    evaluated(steps, variables, root, |_| false).unwrap_or_else(S::zero)
+}
+
+/// The value of an expression's steps as by [`value`]; none if something is divided by what is `refused`.
+pub(super) fn evaluated<S: Field>(
+    steps: &[Built<usize>],
+    variables: &[S],
+    root: &S,
+    refused: impl Fn(&S) -> bool,
+) -> Option<S> {
     let mut values: Vec<S> = Vec::with_capacity(steps.len());
     for step in steps {
         let of = |number: usize| values[number].clone();
@@ -130,11 +142,12 @@ pub(super) fn value<S: Field>(steps: &[Built<usize>], variables: &[S], root: &S)
             Built::Negated(a) => -of(a),
             Built::Sum(a, b) => of(a) + of(b),
             Built::Product(a, b) => of(a) * of(b),
+            Built::Quotient(_, b) if refused(&values[b]) => return None,
             Built::Quotient(a, b) => of(a) / of(b),
         };
         values.push(next);
     }
-    values.pop().unwrap_or_else(S::zero)
+    values.pop()
 }
 
 impl Add for Expression {

@@ -20,28 +20,6 @@ pub trait IdentityWithRoot<const V: usize> {
     fn difference(&self, root: Expression, variables: [Expression; V]) -> Expression;
 }
 
-/// A line of a source that has a slip: as it is printed, or as it should read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Form {
-    /// With the slip. No identity, or the slip would be none.
-    Printed,
-    /// Without it.
-    Corrected,
-}
-
-impl Form {
-    /// Both forms.
-    pub const BOTH: [Self; 2] = [Self::Printed, Self::Corrected];
-
-    /// What stands in this form, of the two.
-    pub fn pick<T>(self, printed: T, corrected: T) -> T {
-        match self {
-            Self::Printed => printed,
-            Self::Corrected => corrected,
-        }
-    }
-}
-
 /// Proof of an identity: a polynomial of these degrees that is zero on so many points is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proof {
@@ -99,8 +77,7 @@ pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<P
     })
 }
 
-/// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact. A pole on the grid stops
-/// the proof with a panic, as any division by zero of a rational does.
+/// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact.
 ///
 /// # Errors
 ///
@@ -108,18 +85,19 @@ pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<P
 pub fn prove_with_root<const D: u32, const V: usize>(identity: &impl IdentityWithRoot<V>) -> Result<Proof, Refutation> {
     let difference = identity.difference(Expression::root(), from_fn(Expression::variable));
     let steps = difference.steps();
-    on_a_grid(difference, V, |at, _| Some(value_with_root::<D>(&steps, &point(at))))
+    on_a_grid(difference, V, |at, _| value_with_root::<D>(&steps, &point(at)))
 }
 
 fn value(steps: &[Built<usize>], at: &[Relaxed]) -> RBig {
     expression::value(steps, at, &Relaxed::zero()).canonicalize()
 }
 
-fn value_with_root<const D: u32>(steps: &[Built<usize>], at: &[Relaxed]) -> RBig {
+/// None if something is divided by zero.
+fn value_with_root<const D: u32>(steps: &[Built<usize>], at: &[Relaxed]) -> Option<RBig> {
     let at: Vec<_> = at.iter().cloned().map(Surd::<Relaxed, D>::from_plain).collect();
-    let value = expression::value(steps, &at, &Surd::root());
+    let value = expression::evaluated(steps, &at, &Surd::root(), Zero::is_zero)?;
     let plain = value.plain.canonicalize();
-    if plain.is_zero() { value.rooted.canonicalize() } else { plain }
+    Some(if plain.is_zero() { value.rooted.canonicalize() } else { plain })
 }
 
 /// Looks for a point of the grid at which the `value` of `difference` is not zero or is none; there are none if the bound

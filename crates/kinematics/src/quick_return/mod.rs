@@ -7,10 +7,8 @@
 //! - [`linkage`]: which lengths and angles are possible, and how far does the lever swing?
 //! - [`motion`]: every velocity and acceleration, by closing vector diagrams.
 //! - [`series`]: the same by differentiating the loop closure.
-//! - [`proofs`]: that the two say the same, and what a textbook's scalar equations say.
-//! - [`frame_proofs`]: the general equations of a moving frame, where the Coriolis term comes from.
+//! - [`proofs`]: that the two say the same.
 
-pub mod frame_proofs;
 pub mod linkage;
 pub mod motion;
 pub mod proofs;

@@ -3,6 +3,7 @@
 //! Nearer or farther, something takes the play up. Nearer, it is the slot's end at the pin, the locking arc at its disc, or
 //! a horn at the crescent; farther, a corner of the slot at the pin as it comes in.
 
+use super::clearance::{Assembly, Nearest};
 use super::play::EntryContact;
 use super::sizes::Sizes;
 use crate::KinematicsError;
@@ -17,10 +18,15 @@ pub struct CentreTolerance {
 }
 
 /// Halvings of the interval in which a limit is.
-const STEPS: u32 = 24;
-
-/// The part of a limit that need not be known.
+const STEPS: u32 = 30;
+/// Whole turns that are looked at for a limit at most; two or three are enough.
+const TURNS: u32 = 24;
+/// The part of a limit that need not be known where crank angles are short, and in how many steps it is given up.
 const NEAR_ENOUGH: f64 = 1e-3;
+const BACK: f64 = NEAR_ENOUGH / 4.0;
+/// First step and least step, in radians, on the way to the crank angle at which two parts are nearest.
+const FIRST_STEP: f64 = 0.02;
+const LEAST_STEP: f64 = 1e-6;
 
 impl Sizes {
     /// How far the axes may be from their right distance so that parts as sized are proven to keep clear of each other over a
@@ -33,9 +39,8 @@ impl Sizes {
         self.centre_tolerance_within(u32::MAX).unwrap_or(CentreTolerance { nearer: 0.0, farther: 0.0 })
     }
 
-    /// The errors of the axes as by [`centre_tolerance`](Self::centre_tolerance), from so many crank angles at most for each of
-    /// 48 distances. Where these do not decide the last part of a limit, it is told too small, by a thousandth of the play's own
-    /// limit at most.
+    /// The errors of the axes as by [`centre_tolerance`](Self::centre_tolerance), from so many crank angles at most for each of a
+    /// few turns. Where these do not decide the last part of a limit, it is told too small, by a thousandth at most.
     ///
     /// # Errors
     ///
@@ -46,10 +51,10 @@ impl Sizes {
         // Nearer than this the pin is in the slot's end or the disc in its arc. Farther than this the pin passes beside the
         // driving wall.
         let bottom = self.bottom_gap();
-        let nearest = self.locking_gap().map_or(bottom, |arc| bottom.min(arc));
-        let farthest = gap / libm::sin(self.wheel.half_pitch_angle());
-        let last = |error| self.last_that_runs(error, angles);
-        let found = CentreTolerance { nearer: last(-nearest)?, farther: last(farthest)? };
+        let nearest = self.locking_gap().map_or(bottom, |arc| bottom.min(arc)).min(self.deepest() / 2.0);
+        let farthest = (gap / libm::sin(self.wheel.half_pitch_angle())).min(self.centre_distance);
+        let nearer = self.last_that_runs(-nearest, angles)?;
+        let found = CentreTolerance { nearer, farther: self.last_that_runs(farthest, angles)? };
         // Less than the finest tolerance of a clearance is not known to be more than none.
         let is_lost = nearest > 0.0 && farthest > 0.0 && found.nearer.min(found.farther) == 0.0;
         if is_lost { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
@@ -58,31 +63,74 @@ impl Sizes {
     /// The size of the greatest error on the way from none to this one, in millimetres, with which the wheel runs. So short
     /// is the way that the clearances along it are straight lines or bent downwards: past the first error that does not
     /// do, none does.
+    ///
+    /// Where parts meet with an error, they meet at some crank angle, and for that angle alone the error with which they just
+    /// keep clear is quickly found. With that error the whole turn is looked at again, until nothing meets.
     fn last_that_runs(&self, error: f64, angles: u32) -> Result<f64, KinematicsError> {
         if error == 0.0 {
             return Ok(0.0);
         }
-        let (mut runs, mut fails) = (0.0, 1.0);
-        for _ in 0..STEPS {
-            let middle = (runs + fails) / 2.0;
-            match self.runs_with(middle * error, angles) {
-                Ok(true) => runs = middle,
-                Ok(false) => fails = middle,
+        let is_on_wall =
+            |part: f64| self.entry(part * error).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
+        let mut runs = last(1.0, is_on_wall);
+        let mut given_up = 0.0;
+        for _ in 0..TURNS {
+            let assembly = self.assembly_at(self.centre_distance + runs * error)?;
+            let tolerance = assembly.tolerance;
+            match assembly.within(angles, 0.0, Assembly::least) {
+                Ok(nearest) if nearest.distance >= tolerance => return Ok(runs * error.abs()),
+                Ok(nearest) => {
+                    let assembly = self.assembly_at(self.centre_distance + runs * error)?;
+                    let (angle, is_at_rest) = (assembly.nearest_angle(nearest), assembly.phase(nearest.crank_angle).2);
+                    let is_clear = |part: f64| {
+                        let assembly = self.assembly_at(self.centre_distance + part * error);
+                        assembly
+                            .is_ok_and(|assembly| assembly.distance_at(nearest.contact, angle, is_at_rest) >= tolerance)
+                    };
+                    let next = last(runs, is_clear);
+                    runs = if next < runs { next } else { runs * (1.0 - BACK) };
+                }
                 // The nearer to the limit, the more crank angles decide; what runs for certain is near enough.
-                Err(_) if fails - runs < NEAR_ENOUGH => break,
+                Err(_) if given_up < NEAR_ENOUGH => {
+                    given_up += BACK;
+                    runs *= 1.0 - BACK;
+                }
                 Err(error) => return Err(error),
             }
         }
-        Ok(runs * error.abs())
+        Err(KinematicsError::TooManyAngles { limit: angles })
     }
+}
 
-    fn runs_with(&self, error: f64, angles: u32) -> Result<bool, KinematicsError> {
-        if self.entry(error).is_none_or(|entry| entry.contact != EntryContact::DrivingWall) {
-            return Ok(false);
+/// The last part, from none to this one, of which something holds, if it holds of none and of no part after the first of which
+/// it does not.
+fn last(all: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    if holds(all) {
+        return all;
+    }
+    let (mut low, mut high) = (0.0, all);
+    for _ in 0..STEPS {
+        let middle = (low + high) / 2.0;
+        if holds(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
+impl Assembly<'_> {
+    /// The crank angle near that of a distance at which the same two parts are nearest, in radians.
+    fn nearest_angle(&self, from: Nearest) -> f64 {
+        let (mut angle, mut step) = (from.crank_angle, FIRST_STEP);
+        let (first, end, is_at_rest) = self.phase(angle);
+        let at = |angle: f64| self.distance_at(from.contact, angle, is_at_rest);
+        let mut least = at(angle);
+        while step > LEAST_STEP {
+            let beside = [angle - step, angle + step].map(|next| next.clamp(first, end));
+            let next = beside.into_iter().find(|next| at(*next) < least);
+            match next {
+                Some(next) => (angle, least) = (next, at(next)),
+                None => step /= 2.0,
+            }
         }
-        match self.keeps_clear_at(self.centre_distance + error, angles) {
-            Err(error @ KinematicsError::TooManyAngles { .. }) => Err(error),
-            clear => Ok(clear.unwrap_or(false)),
-        }
+        angle
     }
 }

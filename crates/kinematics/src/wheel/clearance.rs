@@ -119,24 +119,29 @@ impl Sizes {
     pub fn clearance_within(&self, centre_distance: f64, angles: u32) -> Result<Clearance, KinematicsError> {
         let wider = |times: f64| {
             let assembly = self.assembly_at(centre_distance)?;
-            Assembly { tolerance: times * assembly.tolerance, ..assembly }.within(angles, f64::INFINITY)
+            let tolerance = times * assembly.tolerance;
+            Assembly { tolerance, ..assembly }.within(angles, f64::INFINITY, Assembly::clearance)
         };
         wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
     }
 
-    /// Whether driver and wheel are proven to keep clear of each other over a whole turn with the axes at another distance, in
-    /// millimetres: no distance that is looked at, at so many crank angles at most, is below the tolerance of
-    /// [`clearance`](Self::clearance), and none between them can be below zero.
+    /// The least distance of all over a whole turn with the axes at another distance, in millimetres, and its tolerance. That is
+    /// found sooner than the least distance of each pair of parts: the pair that is nearest saves looking at the others. The
+    /// tolerance is as of [`clearance_within`](Self::clearance_within).
     ///
     /// # Errors
     ///
     /// The errors of [`clearance_within`](Self::clearance_within).
-    pub(super) fn keeps_clear_at(&self, centre_distance: f64, angles: u32) -> Result<bool, KinematicsError> {
-        let clearance = self.assembly_at(centre_distance)?.within(angles, 0.0)?;
-        Ok(clearance.least().distance >= clearance.tolerance)
+    pub fn least_clearance_within(&self, centre_distance: f64, angles: u32) -> Result<(Nearest, f64), KinematicsError> {
+        let wider = |times: f64| {
+            let assembly = self.assembly_at(centre_distance)?;
+            let tolerance = times * assembly.tolerance;
+            Ok((Assembly { tolerance, ..assembly }.within(angles, f64::INFINITY, Assembly::least)?, tolerance))
+        };
+        wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
     }
 
-    fn assembly_at(&self, centre_distance: f64) -> Result<Assembly<'_>, KinematicsError> {
+    pub(super) fn assembly_at(&self, centre_distance: f64) -> Result<Assembly<'_>, KinematicsError> {
         if !(centre_distance > self.crank_radius && centre_distance.is_finite()) {
             return Err(KinematicsError::CentreDistance { asked: centre_distance, crank_radius: self.crank_radius });
         }
@@ -149,7 +154,7 @@ impl Sizes {
 }
 
 /// Wheel and driver with their axes apart, in millimetres and radians.
-struct Assembly<'a> {
+pub(super) struct Assembly<'a> {
     sizes: &'a Sizes,
     distance: f64,
     wheel: WheelRegion,
@@ -163,7 +168,8 @@ struct Assembly<'a> {
     locking_centres: Vec<Point>,
     edges: Vec<Point>,
     cuts: Vec<Point>,
-    tolerance: f64,
+    /// How much less than what is found a distance may be somewhere, in millimetres.
+    pub tolerance: f64,
     /// A distance in millimetres that is enough: where no lesser one is possible, nothing is looked for.
     enough: f64,
     /// Crank angles that may still be looked at.
@@ -210,35 +216,75 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The clearance from so many crank angles at most, where one of `enough` millimetres need not be known better.
-    fn within(self, angles: u32, enough: f64) -> Result<Clearance, KinematicsError> {
+    /// What is found from so many crank angles at most, where a distance of `enough` millimetres need not be known better.
+    pub fn within<T>(self, angles: u32, enough: f64, of: fn(&Self) -> T) -> Result<T, KinematicsError> {
         let limited = Self { enough, angles: Cell::new(angles), ..self };
-        let clearance = limited.clearance();
-        if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(clearance) }
+        let found = of(&limited);
+        if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
     }
 
     fn clearance(&self) -> Clearance {
-        // The pin is on the slot's middle line all the time and nearest to the slot's end on the line of centres.
+        Clearance {
+            pin_in_slot: self.pin_in_slot(),
+            pin_outside: self.pins_outside(None),
+            locking_disc: self.locking_disc(),
+            crescent: self.disc.as_ref().map(|disc| self.crescent(disc, None)),
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// The least of all distances.
+    pub fn least(&self) -> Nearest {
+        let known = self.locking_disc().map_or(self.pin_in_slot(), |disc| self.pin_in_slot().or(disc));
+        let known = self.pins_outside(Some(known)).map_or(known, |pins| known.or(pins));
+        self.disc.as_ref().map_or(known, |disc| known.or(self.crescent(disc, Some(known))))
+    }
+
+    /// The crank angles, in radians, of the indexing or of the dwell, whichever has this one, and whether it is the dwell.
+    pub fn phase(&self, theta: f64) -> (f64, f64, bool) {
+        let is_at_rest = theta >= self.engaged && self.half_turn > self.engaged;
+        let (from, to) =
+            if is_at_rest { (self.engaged, self.half_turn) } else { (0.0, self.engaged.min(self.half_turn)) };
+        (from, to, is_at_rest)
+    }
+
+    /// The distance of these two parts at this crank angle in radians, in millimetres, as the search for the least one sees it.
+    pub fn distance_at(&self, contact: Contact, theta: f64, is_at_rest: bool) -> f64 {
+        let pins = self.sizes.pin_directions().skip(1).chain(is_at_rest.then_some(0.0));
+        match (contact, &self.disc) {
+            (Contact::PinInSlot, _) => self.pin_in_slot().distance,
+            (Contact::PinOutside, _) => {
+                pins.map(|pin| self.pin_distance(pin, theta, is_at_rest, None)).fold(f64::INFINITY, f64::min)
+            }
+            (Contact::LockingDisc, _) => self.locking_disc().map_or(f64::INFINITY, |disc| disc.distance),
+            (Contact::Crescent, disc) => disc.as_ref().map_or(f64::INFINITY, |disc| self.disc_distance(disc, theta)),
+        }
+    }
+
+    /// The pin is on the slot's middle line all the time and nearest to the slot's end on the line of centres.
+    fn pin_in_slot(&self) -> Nearest {
         let deepest = Point::new(self.distance - self.sizes.crank_radius, 0.0);
-        let pin_in_slot = Nearest {
-            distance: self.wheel.distance(&deepest) - self.sizes.pin_radius(),
-            crank_angle: 0.0,
-            contact: Contact::PinInSlot,
-        };
-        let at_rest = self.half_turn > self.engaged * (1.0 + 1e-12);
-        let end = self.engaged.min(self.half_turn);
-        let resting = at_rest.then(|| self.pin_outside(0.0, end, self.half_turn, None));
-        let pin_outside = self.sizes.pin_directions().skip(1).fold(resting, |known, pin| {
-            let indexing = self.pin_outside(pin, 0.0, end, known);
-            Some(if at_rest { self.pin_outside(pin, end, self.half_turn, Some(indexing)) } else { indexing })
-        });
-        let locking_disc = self.disc.as_ref().map(|disc| Nearest {
+        let distance = self.wheel.distance(&deepest) - self.sizes.pin_radius();
+        Nearest { distance, crank_angle: 0.0, contact: Contact::PinInSlot }
+    }
+
+    fn locking_disc(&self) -> Option<Nearest> {
+        self.disc.as_ref().map(|disc| Nearest {
             distance: self.wheel.distance(&self.driver_axis_at_rest()) - disc.radius,
             crank_angle: self.half_turn,
             contact: Contact::LockingDisc,
-        });
-        let crescent = self.disc.as_ref().map(|disc| self.crescent(disc));
-        Clearance { pin_in_slot, pin_outside, locking_disc, crescent, tolerance: self.tolerance }
+        })
+    }
+
+    /// The least distance of all pins while they are in no slot, or what is known to be less.
+    fn pins_outside(&self, known: Option<Nearest>) -> Option<Nearest> {
+        let at_rest = self.half_turn > self.engaged * (1.0 + 1e-12);
+        let end = self.engaged.min(self.half_turn);
+        let resting = if at_rest { Some(self.pin_outside(0.0, end, self.half_turn, known)) } else { known };
+        self.sizes.pin_directions().skip(1).fold(resting, |known, pin| {
+            let indexing = self.pin_outside(pin, 0.0, end, known);
+            Some(if at_rest { self.pin_outside(pin, end, self.half_turn, Some(indexing)) } else { indexing })
+        })
     }
 
     /// The driver's axis from the wheel while it stands, half a pitch past the slot that the pin left.
@@ -267,27 +313,30 @@ impl<'a> Assembly<'a> {
 
     /// The least distance of a pin in no slot, so far ahead of the first, between two crank angles of the first.
     fn pin_outside(&self, ahead: f64, from: f64, to: f64, known: Option<Nearest>) -> Nearest {
-        let (a, rho) = (self.sizes.crank_radius, self.sizes.pin_radius());
-        let distance = |theta: f64| {
-            let (sin, cos) = libm::sincos(theta + ahead);
-            let (x, y) = (self.distance - a * cos, a * sin);
-            let outside = (x * x + y * y).sqrt() - self.wheel.rim - rho;
-            if known.is_some_and(|known| outside > known.distance) {
-                return outside;
-            }
-            // An interval of the dwell begins as the pin leaves its slot: there the wheel has come to rest.
-            let (s, c) = if from >= self.engaged { libm::sincos(self.half_pitch) } else { self.wheel_turn(theta) };
-            self.wheel.distance(&Point::new(x * c + y * s, y * c - x * s)) - rho
-        };
-        let speed = |from: f64, to: f64| a + self.speed_ratio(from, to) * self.wheel.rim;
+        // An interval of the dwell begins as the pin leaves its slot: there the wheel has come to rest.
+        let distance = |theta: f64| self.pin_distance(ahead, theta, from >= self.engaged, known);
+        let speed = |from: f64, to: f64| self.sizes.crank_radius + self.speed_ratio(from, to) * self.wheel.rim;
         self.search(Contact::PinOutside, from, to, known, distance, speed)
     }
 
-    /// The least distance of the locking disc from the wheel during the engagement.
-    fn crescent(&self, disc: &DiscRegion) -> Nearest {
+    /// The distance of a pin in no slot, or a lesser one where it is farther away than what is known.
+    fn pin_distance(&self, ahead: f64, theta: f64, is_at_rest: bool, known: Option<Nearest>) -> f64 {
+        let (a, rho) = (self.sizes.crank_radius, self.sizes.pin_radius());
+        let (sin, cos) = libm::sincos(theta + ahead);
+        let (x, y) = (self.distance - a * cos, a * sin);
+        let outside = (x * x + y * y).sqrt() - self.wheel.rim - rho;
+        if known.is_some_and(|known| outside > known.distance) {
+            return outside;
+        }
+        let (s, c) = if is_at_rest { libm::sincos(self.half_pitch) } else { self.wheel_turn(theta) };
+        self.wheel.distance(&Point::new(x * c + y * s, y * c - x * s)) - rho
+    }
+
+    /// The least distance of the locking disc from the wheel during the engagement, or what is known to be less.
+    fn crescent(&self, disc: &DiscRegion, known: Option<Nearest>) -> Nearest {
         let distance = |theta: f64| self.disc_distance(disc, theta);
         let speed = |from: f64, to: f64| disc.radius + self.speed_ratio(from, to) * self.wheel.rim;
-        self.search(Contact::Crescent, 0.0, self.engaged, None, distance, speed)
+        self.search(Contact::Crescent, 0.0, self.engaged, known, distance, speed)
     }
 
     /// The distance of the locking disc from the wheel at one crank angle.

@@ -24,6 +24,7 @@ mod outline;
 mod play;
 mod regions;
 mod search;
+mod shared_tolerance;
 mod sizes;
 mod warnings;
 
@@ -40,5 +41,6 @@ pub use misplaced::Misplaced;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{Entry, EntryContact, Knock};
+pub use shared_tolerance::SharedTolerance;
 pub use sizes::{Choices, LockingDisc, Play, Scale, Sizes};
 pub use warnings::Warning;

@@ -1,9 +1,7 @@
 //! The Geneva escapement: its kinds, its hand-over, and each line of the source.
 
-mod angle_proofs;
 mod clearance;
 mod configuration;
 mod continuous;
 mod entry_proofs;
 mod geometry;
-mod rate_proofs;

@@ -1,6 +1,5 @@
 //! The quick-return lever: positions, motion and proofs.
 
-mod frame_proofs;
 mod linkage;
 mod motion;
 mod proofs;

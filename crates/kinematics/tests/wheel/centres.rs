@@ -87,3 +87,20 @@ fn it_grows_with_the_play_and_is_nothing_without() {
     // The pin's way across the slot is the error times sin 30°.
     approx::assert_relative_eq!(some.farther, 0.1, max_relative = 0.005);
 }
+
+#[test]
+fn a_close_fit_of_a_large_wheel_is_decided_by_few_crank_angles() {
+    // As many angles as the page that a reader moves has time for; 0.04 mm is the least play of H8/e8 for these pins.
+    for stations in [3, 4, 6, 7, 8, 12, 24] {
+        for (radius, play) in [(80.0, 0.04), (80.0, 0.06), (100.0, 0.15), (25.0, 0.02)] {
+            let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+            let wheel = geneva_kinematics::wheel::Wheel::new(stations).unwrap();
+            let sizes = Sizes::new(wheel, geneva_kinematics::wheel::Scale::CrankRadius(radius), &choices).unwrap();
+            let found = sizes.centre_tolerance_within(12_000);
+            assert!(found.is_ok(), "{stations}, {radius} mm, {play} mm: {found:?}");
+            let (least, tolerance) = sizes.least_clearance_within(sizes.centre_distance, 40_000).unwrap();
+            approx::assert_relative_eq!(least.distance, play / 2.0, max_relative = 1e-9);
+            assert!(tolerance < 0.01 * play, "{stations}, {radius} mm, {play} mm: {tolerance}");
+        }
+    }
+}

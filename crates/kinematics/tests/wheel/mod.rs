@@ -11,6 +11,7 @@ mod geometry;
 mod indexing;
 mod misplaced;
 mod motion;
+mod shared_tolerance;
 mod sizes;
 mod tolerances;
 mod warnings;

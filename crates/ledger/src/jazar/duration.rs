@@ -1,6 +1,8 @@
 //! The angle α of Fig. 5.31, and how long an advance takes.
 
+use super::letters::{ENTRY_AND_EXIT, PARTS};
 use super::*;
+use crate::vocabulary::equal_to;
 use geneva_kinematics::wheel::{acceleration_peak, entry_acceleration, peak_velocity};
 use std::cmp::Ordering;
 
@@ -67,43 +69,14 @@ fn angle() -> Vec<Claim> {
             .but_not("α is the whole angle between neighbouring slots"),
         DURATION
             .equation("jazar.alpha-degrees", r"360^{\circ}/(2N)", "α in degrees")
-            .by(ClosedForm, || {
-                for_all_stations(
-                    |wheel| {
-                        let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
-                        agrees(alpha, 360.0 / (2.0 * f64::from(wheel.stations())))
-                    },
-                    "the crank over the centre distance is the sine of 360°/(2N)",
-                )
-            })
-            .by(Vectors, || {
-                for_all_stations(
-                    |wheel| agrees(-entry_angle(wheel).to_degrees(), 360.0 / (2.0 * f64::from(wheel.stations()))),
-                    "the slot's angle at entry is 360°/(2N)",
-                )
-            }),
+            .said_in_letters(PARTS, equal_to(r"\alpha")),
     ]
 }
 
 fn duration() -> Claim {
     DURATION
         .equation("jazar.duration", r"\pi - 2\alpha", "crank angle of an advance")
-        .by(Series, || {
-            for_all_stations(
-                |wheel| vanishes(by_series(wheel, PI / 2.0 - wheel.half_pitch_angle())[1]),
-                "the wheel is at rest at ±(π/2 − α)",
-            )
-        })
-        .by(Vectors, || {
-            for_all_stations(
-                |wheel| {
-                    let end = Turn::from_radians(PI / 2.0 - wheel.half_pitch_angle());
-                    let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &end);
-                    vanishes(pin.dot(&end.reversed().direction()))
-                },
-                "slot and crank are at right angles there",
-            )
-        })
+        .said_in_letters(ENTRY_AND_EXIT, equal_to(r"\theta_{\text{exit}} - \theta_{\text{entry}}"))
 }
 
 fn comparisons() -> Vec<Claim> {

@@ -1,10 +1,9 @@
 //! The worked example, part (c): how long the output stands still.
 
+use super::letters::{PARTS, PARTS_BY_DEGREES};
 use super::*;
 use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Field, Rational, rational};
-use std::collections::HashMap;
-use std::sync::OnceLock;
 
 const C: Place = at("Ex. (c)");
 
@@ -35,14 +34,7 @@ pub fn claims() -> Vec<Claim> {
             .by(ClosedForm, || 60.0 / printed("jazar.ex.rpm"))
             .by(OtherPlaceInSource, || 1.0 / printed("jazar.ex-a.advances")),
         C.equation("jazar.ex-c.product", r"\tau = \lambda T", "the time of the dwell is its part of the cycle's time")
-            .by(
-                ClosedForm, // The driver turns by π + 2α in the dwell.
-                || {
-                    let time = (PI + six(|wheel| 2.0 * wheel.half_pitch_angle())) / example_speed();
-                    same(time, seconds(six(Wheel::dwell_fraction)))
-                },
-            )
-            .by(LimitCase, || same((2.0 * PI - six(entry_crank)) / example_speed(), seconds(six(locked_part)))),
+            .in_letters(PARTS),
         C.value("jazar.ex-c.dwell", "1/18", "s", "duration of the dwell, as a fraction")
             .by(ClosedForm, || seconds(printed("jazar.ex-c.fraction")))
             .by(Series, || six(entry_crank) / example_speed())
@@ -74,9 +66,8 @@ fn formula() -> Claim {
         r"\lambda = \frac{180 - 2\alpha}{360}",
         "part of the cycle in which the output stands still",
     )
-    .by(LimitCase, || is_the_locked_part(-1.0))
-    .corrected_form(|| is_the_locked_part(1.0))
-    .by(
+    .in_letters(PARTS_BY_DEGREES)
+    .also_by(
         OtherPlaceInSource, // The caption of Fig. 5.28: locked for three quarters of the cycle, with four stations.
         || {
             let alpha = rational(180, 4);
@@ -90,20 +81,6 @@ fn formula() -> Claim {
 /// (180 ± 2α)/360 for α in degrees.
 fn part(alpha: f64, sign: f64) -> f64 {
     (180.0 + sign * 2.0 * alpha) / 360.0
-}
-
-/// Whether that is the locked part of the turn, for all numbers of stations.
-fn is_the_locked_part(sign: f64) -> Finding {
-    // Asked for with either sign.
-    static LOCKED: OnceLock<HashMap<u32, f64>> = OnceLock::new();
-    let locked = LOCKED.get_or_init(|| wheels().iter().map(|wheel| (wheel.stations(), locked_part(wheel))).collect());
-    for_all_stations(
-        |wheel| {
-            let stations = wheel.stations();
-            locked.get(&stations).is_some_and(|locked| agrees(part(180.0 / f64::from(stations), sign), *locked))
-        },
-        "the part in which the wheel is locked",
-    )
 }
 
 /// Part of a turn in which the wheel is locked, from where its motion ends and begins.

@@ -3,11 +3,12 @@
 use super::dwell;
 use super::four::printed_5_32;
 use super::general::printed_angle;
+use super::letters::{FASTEST, PARTS};
+use super::peak::{number, rounds_to_the_speed};
 use super::*;
-use crate::tex::{Letters, value};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::{Phase, peak_velocity};
-use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove, rational};
+use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove};
 
 const DATA: Place = at("Example, data");
 const A: Place = at("Ex. (a)");
@@ -28,10 +29,12 @@ fn advances() -> Vec<Claim> {
         )
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances"))
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
-        A.formula("jazar.ex-a.formula", "360/60", "revolutions per second from revolutions per minute")
-            .by(OtherPlaceInSource, |stated| same(quotient(stated) * printed("jazar.ex-c.cycle"), 1.0))
-            .by(LimitCase, |stated| same(quotient(stated), advances_in_ten_seconds() / 10.0))
-            .but_not("60/360"),
+        A.equation("jazar.ex-a.formula", "360/60", "revolutions per second from revolutions per minute")
+            .evaluated(OtherPlaceInSource, |tex| match number(tex) {
+                Some(quotient) => same(quotient * printed("jazar.ex-c.cycle"), 1.0),
+                None => Finding::of_reading(None),
+            })
+            .read(LimitCase, |tex| Some(agrees(number(tex)?, advances_in_ten_seconds() / 10.0))),
         A.value(
             "jazar.ex-a.advances",
             "6",
@@ -40,22 +43,7 @@ fn advances() -> Vec<Claim> {
         )
         .by(ClosedForm, || printed("jazar.ex.rpm") / 60.0 * six(|wheel| f64::from(wheel.pins())))
         .by(LimitCase, || advances_in_ten_seconds() / 10.0),
-        B.equation("jazar.ex-b.formula", r"2\alpha = 360^{\circ}/N", "angle of an advance")
-            .by(ClosedForm, || {
-                for_all_stations(
-                    |wheel| {
-                        let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
-                        agrees(2.0 * alpha, 360.0 / f64::from(wheel.stations()))
-                    },
-                    "2α is a turn over N, where the sine of α is the crank over the centre distance",
-                )
-            })
-            .by(Vectors, || {
-                for_all_stations(
-                    |wheel| agrees(advance(wheel).to_degrees(), 360.0 / f64::from(wheel.stations())),
-                    "the wheel turns by 360°/N from entry to exit",
-                )
-            }),
+        B.equation("jazar.ex-b.formula", r"2\alpha = 360^{\circ}/N", "angle of an advance").in_letters(PARTS),
         B.value("jazar.ex-b.advance", "60", "°", "angle through which the wheel advances")
             .by(ClosedForm, || 2.0 * six(Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || six(advance).to_degrees()),
@@ -94,24 +82,15 @@ fn velocity() -> Vec<Claim> {
                 r"\dot{\phi}_{\rm max} = \dot{\theta}",
                 "at its fastest, the six-station wheel turns as fast as its driver",
             )
-            .by(ExactIdentity, || {
-                let on_the_line = Turn { cos: rational(1, 1), sin: rational(0, 1) };
-                let ratio = velocity_ratio(&rational(2, 1), &on_the_line);
-                Finding::new(ratio == rational(1, 1), format!("with 1/sin α = 2 the ratio is {ratio}"))
-            })
-            .by(Series, || same(six(|w| by_series(w, 0.0)[1]), 1.0)),
-        D.formula("jazar.ex-d.driver-formula", r"2\pi \times 6", "angular velocity of the driver")
-            .by(ClosedForm, |stated| {
-                let product = driver_speed(stated);
-                Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
-            })
-            .by(Vectors, |stated| {
+            .in_letters(FASTEST),
+        D.equation("jazar.ex-d.driver-formula", r"2\pi \times 6", "angular velocity of the driver")
+            .evaluated(ClosedForm, rounds_to_the_speed)
+            .read(Vectors, |tex| {
                 // After the time of a cycle the crank is back where it was.
-                let angle = driver_speed(stated) * printed("jazar.ex-c.cycle");
-                let (crank, turns) = (Turn::from_radians(angle), angle / (2.0 * PI));
-                Finding::new(vanishes(crank.sin) && crank.cos > 0.0, format!("that makes {turns} turns in a cycle"))
-            })
-            .but_not("π × 6: half a turn for a revolution"),
+                let angle = number(tex)? * printed("jazar.ex-c.cycle");
+                let [half, whole] = [angle / 2.0, angle].map(Turn::from_radians);
+                Some(vanishes(whole.sin) && whole.cos > 0.0 && half.cos < 0.0)
+            }),
         D.value("jazar.ex-d.driver-speed", "37.70", "rad/s", "angular velocity of the driver")
             .by(ClosedForm, example_speed)
             .by(OtherPlaceInSource, || 2.0 * PI / printed("jazar.ex-c.cycle")),
@@ -124,17 +103,6 @@ fn velocity() -> Vec<Claim> {
         absolute_senses(),
         senses(),
     ]
-}
-
-/// The quotient as it is printed; or upside down.
-fn quotient(stated: Stated) -> f64 {
-    let quotient = value(stated.characters(), &Letters::new());
-    stated.pick(quotient, 1.0 / quotient)
-}
-
-/// The product as it is printed; or half of it.
-fn driver_speed(stated: Stated) -> f64 {
-    value(stated.characters(), &Letters::new()) * stated.pick(1.0, 0.5)
 }
 
 fn reference() -> Claim {

@@ -1,9 +1,9 @@
 //! The worked example, part (e): which root is the angle of the greatest acceleration, and what the source says of it.
 
+use super::letters::PEAK_ANGLE;
 use super::peak::{both_roots, left_side, six_pair};
 use super::*;
 use geneva_kinematics::wheel::{acceleration_peak, acceleration_ratio};
-use geneva_kinematics::wheel_peak_proofs::Roots;
 use geneva_kinematics::{Expression, Field, Identity, Rational, prove, rational};
 
 pub fn claims() -> Vec<Claim> {
@@ -145,16 +145,7 @@ fn angle() -> Claim {
             r"\theta = \pm \cos^{-1}\left(\frac{-\gamma + \sqrt{\gamma^2 + 8}}{2}\right)",
             "crank angles at which the acceleration is greatest in size",
         )
-        .proven(Roots { plus: true })
-        .by(Series, || {
-            for_all_stations(
-                |wheel| {
-                    let (angle, root) = (peak_by_series(wheel).0, both_roots(libm::sin(wheel.half_pitch_angle())).0);
-                    vanishes(libm::cos(angle) - root)
-                },
-                "the power series has its extreme there",
-            )
-        })
+        .in_letters(PEAK_ANGLE)
 }
 
 fn sign_of_the_angle() -> Claim {

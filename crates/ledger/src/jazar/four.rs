@@ -1,13 +1,9 @@
 //! The equations of the wheel of four stations, (5.25) to (5.29), and Fig. 5.29.
 
+use super::letters::{FOUR, LOOP, STEADY_FOUR};
 use super::*;
-use geneva_kinematics::prove_with_root;
-use geneva_kinematics::wheel_proofs::{
-    AccelerationOfFour, LoopClosure, Printed, Quantity, SlotEliminated, TangentDifferentiated,
-    UnsteadyAccelerationOfFour, VelocityOfFour,
-};
 
-const LOOP: Place = at("Eq. (5.25)");
+const CLOSURE: Place = at("Eq. (5.25)");
 
 /// Eq. (5.29) without its sign.
 pub(super) const LOST_SIGN: Slip = Slip {
@@ -29,67 +25,37 @@ pub fn claims() -> Vec<Claim> {
 
 fn loop_closure() -> Vec<Claim> {
     vec![
-        LOOP.equation(
-            "jazar.eq-5.25-across",
-            r"r \sin \theta = x \sin \phi",
-            "loop closure across the line of centres",
-        )
-        .proven(LoopClosure { along: false })
-        .by(ClosedForm, || {
-            at_instants(|wheel, t| {
-                let (distance, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                (libm::sin(t), distance * libm::sin(angle))
-            })
-        }),
-        LOOP.equation(
-            "jazar.eq-5.25-along",
-            r"r \cos \theta + x \cos \phi = \sqrt{2}r",
-            "loop closure along the line of centres",
-        )
-        .proven(LoopClosure { along: true })
-        .by(ClosedForm, || {
-            at_instants(|wheel, t| {
-                let (distance, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                (libm::cos(t) + distance * libm::cos(angle), 2f64.sqrt())
-            })
-        }),
+        CLOSURE
+            .equation("jazar.eq-5.25-across", r"r \sin \theta = x \sin \phi", "loop closure across the line of centres")
+            .in_letters(LOOP),
+        CLOSURE
+            .equation(
+                "jazar.eq-5.25-along",
+                r"r \cos \theta + x \cos \phi = \sqrt{2}r",
+                "loop closure along the line of centres",
+            )
+            .in_letters(LOOP),
         at("Display after Eq. (5.25)")
             .equation(
                 "jazar.slot-eliminated",
                 r"\cos \theta + \frac{\sin \theta}{\tan \phi} = \sqrt{2}",
                 "loop closure with the pin's distance eliminated",
             )
-            .proven(SlotEliminated)
-            .by(ClosedForm, || {
-                at_instants(|wheel, t| {
-                    let (_, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                    (libm::cos(t) + libm::sin(t) / libm::tan(angle), 2f64.sqrt())
-                })
-            }),
+            .in_letters(LOOP),
         at("Eq. (5.26)")
             .equation(
                 "jazar.eq-5.26",
                 r"\tan \phi = \frac{\sin \theta}{\sqrt{2} - \cos \theta}",
                 "tangent of the wheel angle",
             )
-            .proven(Printed(Quantity::Tangent))
-            .by(ClosedForm, || {
-                at_instants(|wheel, t| {
-                    let (_, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                    (libm::tan(angle), libm::sin(t) / (2f64.sqrt() - libm::cos(t)))
-                })
-            }),
+            .in_letters(STEADY_FOUR),
         at("Eq. (5.27)")
             .equation(
                 "jazar.eq-5.27",
                 r"\phi = \tan^{-1} \left(\frac{\sin \theta}{\sqrt{2} - \cos \theta} \right)",
                 "wheel angle",
             )
-            .by(
-                ClosedForm, // The denominator is positive for every θ, so the principal value is the right one.
-                || at_instants(|wheel, t| (by_cosines(wheel.centre_distance_ratio(), t).1, printed_5_27(t))),
-            )
-            .proven(Printed(Quantity::Tangent)),
+            .in_letters(STEADY_FOUR),
         at("Fig. 5.29, caption")
             .figure("jazar.fig-5.29", "line of centers", "θ and φ are angles of rotation from the line of centres")
             .by(Vectors, |stated| {
@@ -124,14 +90,7 @@ fn angle_and_velocity() -> Vec<Claim> {
                 ),
                 "Eq. (5.26) differentiated",
             )
-            .by(ExactIdentity, || prove_with_root::<2, 2>(&TangentDifferentiated).into())
-            .by(AutomaticDerivative, || {
-                at_instants(|wheel, t| {
-                    let ([angle, speed, ..], rest) = (by_duals(wheel, t), 2f64.sqrt() - libm::cos(t));
-                    let tangent = libm::tan(angle);
-                    (speed * (1.0 + tangent * tangent), (2f64.sqrt() * libm::cos(t) - 1.0) / (rest * rest))
-                })
-            }),
+            .in_letters(FOUR),
         at("Eq. (5.28)")
             .equation(
                 "jazar.eq-5.28",
@@ -141,8 +100,7 @@ fn angle_and_velocity() -> Vec<Claim> {
                 ),
                 "angular velocity of the four-station wheel",
             )
-            .by(ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into())
-            .by(AutomaticDerivative, || at_instants(|wheel, t| (by_duals(wheel, t)[1], printed_5_28(t)))),
+            .in_letters(FOUR),
     ]
 }
 
@@ -158,14 +116,7 @@ fn accelerations() -> Vec<Claim> {
                 ),
                 "angular acceleration of the four-station wheel while the driver speeds up",
             )
-            .by(ExactIdentity, || prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour).into())
-            .by(AutomaticDerivative, || {
-                at_instants(|wheel, t| {
-                    let (speed, angular_acceleration) = (1.5, 0.75);
-                    let printed = angular_acceleration * printed_5_28(t) - speed * speed * printed_5_29(t);
-                    (unsteady_by_duals(wheel, t, speed, angular_acceleration)[0], printed)
-                })
-            }),
+            .in_letters(FOUR),
         at("Sentence before Eq. (5.29)")
             .statement("jazar.steady-driver", "first term disappears", "with a steady driver the first term vanishes")
             .by(Series, |stated| {
@@ -192,9 +143,8 @@ fn accelerations() -> Vec<Claim> {
                 r"\ddot{\phi} = \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
                 "angular acceleration of the four-station wheel with a steady driver",
             )
-            .by(ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: false }).into())
-            .corrected_form(|| prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into())
-            .by(
+            .in_letters(STEADY_FOUR)
+            .also_by(
                 OtherPlaceInSource, // (5.32), whose sign is right, for four stations.
                 || at_instants(|wheel, t| (printed_5_32(wheel, t), -printed_5_29(t))),
             )

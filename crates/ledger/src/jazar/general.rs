@@ -1,10 +1,10 @@
 //! The wheel of any number of stations: its sizes and the equations (5.30) to (5.32).
 
-use super::duration::entry_angle;
 use super::four::{printed_5_27, printed_5_28, printed_5_29, printed_5_32};
+use super::letters::{ANY, PARTS, SIZES};
 use super::*;
 use crate::tex::{Letters, value};
-use geneva_kinematics::wheel_proofs::{Printed, Quantity};
+use crate::vocabulary::equal_to;
 use geneva_kinematics::{Expression, Identity, prove};
 
 const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle of the pin's centre, because the \
@@ -19,18 +19,7 @@ fn sizes() -> Vec<Claim> {
     vec![
         RATIOS
             .equation("jazar.centre-distance-ratio", r"1/\sin \alpha", "centre distance over crank radius")
-            .proven(Tangent)
-            .by(Vectors, || {
-                for_all_stations(
-                    |wheel| {
-                        // The farthest that the slot is turned is where the pin turns back, as seen from its axis.
-                        let rest = Turn::from_radians(entry_crank(wheel) / 2.0);
-                        let pin = pin_from_pivot(&(1.0 / libm::sin(wheel.half_pitch_angle())), &rest);
-                        agrees(libm::atan2(pin.y, pin.x), PI / f64::from(wheel.stations()))
-                    },
-                    "with this ratio the wheel comes to rest half a pitch from the line of centres",
-                )
-            })
+            .said_in_letters(SIZES, equal_to("l/r"))
             .read_as(PIN_RADIUS),
         RATIOS
             .statement(
@@ -70,21 +59,7 @@ fn sizes() -> Vec<Claim> {
             ),
         at("Sentence before Eq. (5.30)")
             .equation("jazar.alpha-radians", r"\alpha = \pi/N", "α in radians")
-            .by(ClosedForm, || {
-                for_all_stations(
-                    |wheel| {
-                        let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
-                        agrees(alpha, PI / f64::from(wheel.stations()))
-                    },
-                    "the crank over the centre distance is the sine of π/N",
-                )
-            })
-            .by(Vectors, || {
-                for_all_stations(
-                    |wheel| agrees(-entry_angle(wheel), PI / f64::from(wheel.stations())),
-                    "the slot's angle at entry is π/N",
-                )
-            }),
+            .in_letters(PARTS),
         at("Sentence before Eq. (5.30)")
             .statement(
                 "jazar.generalises",
@@ -114,16 +89,7 @@ fn equations() -> Vec<Claim> {
                 ),
                 "wheel angle, N stations",
             )
-            .proven(Printed(Quantity::Tangent))
-            .by(ClosedForm, || {
-                for_all_stations(
-                    |wheel| {
-                        let by_cosines = |t: f64| by_cosines(wheel.centre_distance_ratio(), t).1;
-                        thirds(wheel).all(|t| agrees(printed_angle(wheel, t), by_cosines(t)))
-                    },
-                    "the law of cosines gives the same angle",
-                )
-            }),
+            .in_letters(ANY),
         at("Eq. (5.31)")
             .equation(
                 "jazar.eq-5.31",
@@ -134,8 +100,7 @@ fn equations() -> Vec<Claim> {
                 ),
                 "angular velocity of the wheel, N stations",
             )
-            .proven(Printed(Quantity::Velocity))
-            .by(AutomaticDerivative, || as_by_duals(1, printed_5_31)),
+            .in_letters(ANY),
         at("Eq. (5.32)")
             .equation(
                 "jazar.eq-5.32",
@@ -146,21 +111,8 @@ fn equations() -> Vec<Claim> {
                 ),
                 "angular acceleration of the wheel, N stations",
             )
-            .proven(Printed(Quantity::Acceleration))
-            .by(AutomaticDerivative, || as_by_duals(2, printed_5_32)),
+            .in_letters(ANY),
     ]
-}
-
-/// With the centre distance 1/sin α the crank is at right angles to the slot at θ = 90° − α. Variable: tangent of α/2.
-struct Tangent;
-
-impl Identity<1> for Tangent {
-    fn difference(&self, [half]: [Expression; 1]) -> Expression {
-        let alpha = Turn::from_half_tangent(&half);
-        let crank = Turn { cos: alpha.sin, sin: alpha.cos };
-        let pin = pin_from_pivot(&(1 / alpha.sin), &crank);
-        pin.dot(&crank.reversed().direction())
-    }
 }
 
 /// How many outside radii the length is of which the characters give the ratio.

@@ -1,7 +1,9 @@
 //! The arcs and the journal that lock the wheel between two advances.
 
+use super::letters::SIZES_OF_FOUR;
 use super::text::{SIMPLE, VARIETIES};
 use super::*;
+use crate::vocabulary::equal_to;
 use nalgebra::Vector2;
 
 pub(super) fn journal_bearing() -> Claim {
@@ -89,11 +91,8 @@ pub(super) fn cutout_centres() -> Claim {
             r"\sqrt{2}r",
             "radius of the circle through the centres of the locking arcs, for four stations",
         )
-        .by(ClosedForm, || {
-            // Of the wheel as it is made.
-            same(of(4, Wheel::locking_centres_ratio), 2f64.sqrt())
-        })
-        .by(Vectors, || {
+        .said_in_letters(SIZES_OF_FOUR, equal_to(r"\text{arcs}"))
+        .also_by(Vectors, || {
             // The arc for a journal as large as the pin's circle, in the wheel at rest, by three of its points: the
             // mouths of the two slots beside it, and on the line of centres the point of that circle next to the wheel.
             let centre = |wheel: &Wheel| {
@@ -211,7 +210,8 @@ fn on_the_journal(wheel: &Wheel, journal: f64, angle: f64) -> Vector2<f64> {
     on_a_journal(wheel.centre_distance_ratio(), journal, angle)
 }
 
-/// The same with the driver's axis so far from the wheel's.
+/// The point of a journal at this angle from the line of centres, from the wheel's axis, with the driver's axis so far from
+/// the wheel's.
 fn on_a_journal(axis: f64, journal: f64, angle: f64) -> Vector2<f64> {
     Vector2::new(axis, 0.0) - Turn::from_radians(angle).direction() * journal
 }

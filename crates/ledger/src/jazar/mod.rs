@@ -10,6 +10,7 @@ mod example;
 mod extreme;
 mod four;
 mod general;
+mod letters;
 mod locking;
 mod peak;
 mod spherical;
@@ -196,21 +197,6 @@ fn by_cosines(ratio: f64, crank: f64) -> (f64, f64) {
 /// The greatest of numbers that are not negative; not a number if one of them is not.
 fn greatest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |most, number| if most >= number || most.is_nan() { most } else { number })
-}
-
-/// Whether a formula agrees with a derivative by dual numbers, for all numbers of stations and instants all over the
-/// advance.
-fn as_by_duals(order: usize, formula: impl Fn(&Wheel, f64) -> f64 + Copy) -> Finding {
-    let worst = greatest(wheels().iter().flat_map(|wheel| {
-        let end = wheel.engagement_half_angle();
-        (-9..=9).map(move |k| end * f64::from(k) / 9.0).map(move |t| {
-            let (a, b) = (formula(wheel, t), by_duals(wheel, t)[order]);
-            (a - b).abs() / a.abs().max(b.abs()).max(1.0)
-        })
-    }));
-    let holds = worst <= crate::tolerance::ROUTES.relative;
-    let how = if holds { "agrees" } else { "differs" };
-    Finding::new(holds, format!("{how} at 19 instants, {}", numbers_of_stations()))
 }
 
 /// The pin's place as it enters, from the wheel's axis.

@@ -1,15 +1,12 @@
 //! The worked example, part (e): where the acceleration is greatest, and how great.
 
-use super::curves::{pure_number, same_at_each_speed};
 use super::four::printed_5_32;
 use super::general::printed_5_31;
+use super::letters::{ANY, COEFFICIENT, PEAK, condition, quadratic};
 use super::*;
-use crate::Dimension as Exponents;
-use crate::tex::{Letters, value};
+use crate::tex::{By, Letters, Moment, decide_multiple, holds, value};
 use geneva_kinematics::wheel::{acceleration_peak, gamma};
-use geneva_kinematics::wheel_peak_proofs::{Condition, Pythagoras, Quadratic, Roots};
-use geneva_kinematics::wheel_proofs::{Printed, Quantity};
-use geneva_kinematics::{Expression, Field, prove};
+use geneva_kinematics::{Expression, Field};
 
 const E: Place = at("Ex. (e)");
 
@@ -46,21 +43,14 @@ fn steps() -> Vec<Claim> {
                 ),
                 "rate of change of the wheel's acceleration",
             )
-            .proven(Printed(Quantity::Jerk))
-            .by(AutomaticDerivative, || as_by_duals(3, printed_derivative)),
+            .in_letters(ANY),
         at("Ex. (e), condition for an extreme")
-            .formula("jazar.ex-e.zero", r"\frac{d\ddot{\phi}}{dt} = 0", "the derivative is zero at the extremes")
-            .by(Series, |stated| {
-                zero_at(
-                    stated,
-                    |wheel, t| by_series(wheel, t)[3],
-                    |wheel| libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0),
-                )
+            .equation("jazar.ex-e.zero", r"\frac{d\ddot{\phi}}{dt} = 0", "the derivative is zero at the extremes")
+            .evaluated(Series, |tex| {
+                let angle = |wheel: &Wheel| libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0);
+                Finding::of_reading(zero_at(tex, by_series, angle))
             })
-            .by(AutomaticDerivative, |stated| {
-                zero_at(stated, |wheel, t| by_duals(wheel, t)[3], |wheel| acceleration_peak(wheel).angle)
-            })
-            .but_not("it is zero where the acceleration is, on the line of centres"),
+            .read(AutomaticDerivative, |tex| zero_at(tex, by_duals, |wheel| acceleration_peak(wheel).angle)),
         at("Ex. (e), condition for an extreme")
             .equation(
                 "jazar.ex-e.condition",
@@ -70,45 +60,29 @@ fn steps() -> Vec<Claim> {
                 ),
                 "where the derivative is zero",
             )
-            .proven(Condition)
-            .by(Series, || {
-                at_the_peak(|sine, c| (1.0 + sine * sine) * c - 2.0 * sine * c * c - 4.0 * sine * (1.0 - c * c))
-            }),
+            .decided(|tex| decide_multiple(tex, condition))
+            .read(PEAK.evidence, |tex| holds(tex, (PEAK.numbers)())),
         E.equation(
             "jazar.ex-e.pythagoras",
             r"\sin^2\theta = 1 - \cos^2\theta",
             "the square of the sine, replaced by the cosine",
         )
-        .proven(Pythagoras)
-        .by(ClosedForm, || {
-            let off = |theta: f64| libm::sin(theta) * libm::sin(theta) - (1.0 - libm::cos(theta) * libm::cos(theta));
-            let worst = (-30..=30).map(|tenths| off(f64::from(tenths) / 10.0).abs()).fold(0.0, f64::max);
-            Finding::new(vanishes(worst), format!("the two sides differ by at most {worst:.0e} at 61 angles"))
-        }),
+        .in_letters(ANY),
         at("Ex. (e), quadratic")
             .equation(
                 "jazar.ex-e.quadratic",
                 r"\cos^2\theta + \gamma\cos\theta - 2 = 0",
                 "the condition as a quadratic in cos θ",
             )
-            .proven(Quadratic)
-            .by(Series, || at_the_peak(|sine, c| c * c + (1.0 + sine * sine) / (2.0 * sine) * c - 2.0)),
+            .decided(|tex| decide_multiple(tex, quadratic))
+            .read(PEAK.evidence, |tex| holds(tex, (PEAK.numbers)())),
         at("Eq. (5.33)")
             .equation(
                 "jazar.eq-5.33",
                 r"\gamma = \frac{1 + \sin^2 \alpha}{2 \sin \alpha}",
                 "coefficient of the quadratic",
             )
-            .proven(Quadratic)
-            .by(Series, || {
-                for_all_stations(
-                    |wheel| {
-                        let (c, sine) = (libm::cos(peak_by_series(wheel).0), libm::sin(wheel.half_pitch_angle()));
-                        agrees((2.0 - c * c) / c, (1.0 + sine * sine) / (2.0 * sine))
-                    },
-                    "it makes the peak of the power series a root",
-                )
-            }),
+            .in_letters(COEFFICIENT),
         preceding(),
         at("Ex. (e), roots")
             .equation(
@@ -116,23 +90,7 @@ fn steps() -> Vec<Claim> {
                 r"\cos\theta = \frac{-\gamma \pm \sqrt{\gamma^2 + 8}}{2}",
                 "roots of the quadratic",
             )
-            .by(ExactIdentity, || {
-                let [plus, minus]: [Finding; 2] = [true, false].map(|plus| prove(&Roots { plus }).into());
-                Finding::new(plus.holds && minus.holds, format!("{}; {}", plus.how, minus.how))
-            })
-            .by(
-                ClosedForm, // Vieta: the sum of the roots is −γ, their product −2.
-                || {
-                    for_all_stations(
-                        |wheel| {
-                            let sine = libm::sin(wheel.half_pitch_angle());
-                            let (plus, minus) = both_roots(sine);
-                            agrees(plus + minus, -(1.0 + sine * sine) / (2.0 * sine)) && agrees(plus * minus, -2.0)
-                        },
-                        "the sum of the roots is −γ and their product is −2",
-                    )
-                },
-            ),
+            .in_letters(PEAK),
     ]
 }
 
@@ -209,14 +167,13 @@ fn numbers() -> Vec<Claim> {
             .by(ClosedForm, || six(|w| acceleration_peak(w).angle).to_degrees())
             .by(Series, || six_pair(peak_by_series).0.to_degrees()),
         at("Ex. (e), from Eq. (5.32)")
-            .formula(
+            .equation(
                 "jazar.ex-e.ratio-form",
                 r"\frac{\ddot{\phi}}{\dot{\theta}^2}",
                 "the acceleration over the square of the driver's speed is a pure number, the same for each speed",
             )
-            .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(stated.count(), 1)))
-            .by(Series, |stated| same_at_each_speed(2, stated.pick(stated.count(), 1)))
-            .but_not("the acceleration over the driver's speed is a pure number"),
+            .evaluated(Dimension, |tex| Finding::of_reading(pure_number(tex)))
+            .read(Series, same_at_each_speed),
         extreme::signs(),
         at("Ex. (e), from Eq. (5.32)")
             .value(
@@ -228,16 +185,10 @@ fn numbers() -> Vec<Claim> {
             .by(ClosedForm, || six(|w| acceleration_peak(w).ratio))
             .by(Series, || six_pair(peak_by_series).1)
             .corrected("±1.350", WRONG_RATIO),
-        E.formula("jazar.ex-e.driver-formula", r"6 \times 2\pi", "angular velocity of the driver, computed once more")
-            .by(ClosedForm, |stated| {
-                let product = driver_speed(stated);
-                Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
-            })
-            .by(LimitCase, |stated| {
-                // How many radians the driver turns in the time of a cycle.
-                same(driver_speed(stated) * printed("jazar.ex-c.cycle"), 2.0 * PI)
-            })
-            .but_not("360 × 2π: revolutions per minute"),
+        E.equation("jazar.ex-e.driver-formula", r"6 \times 2\pi", "angular velocity of the driver, computed once more")
+            .evaluated(ClosedForm, rounds_to_the_speed)
+            // How many radians the driver turns in the time of a cycle.
+            .read(LimitCase, |tex| Some(agrees(number(tex)? * printed("jazar.ex-c.cycle"), 2.0 * PI))),
         E.value("jazar.ex-e.peak", "1,950", "rad/s²", "peak angular acceleration of the wheel")
             .by(ClosedForm, || printed("jazar.ex-e.ratio") * example_speed() * example_speed())
             .by(Series, || printed("jazar.ex-e.ratio") * acceleration_by_time() / six_pair(peak_by_series).1)
@@ -251,9 +202,17 @@ fn numbers() -> Vec<Claim> {
     ]
 }
 
-/// The product as it is printed; or that with revolutions per minute.
-fn driver_speed(stated: Stated) -> f64 {
-    stated.pick(value(stated.characters(), &Letters::new()), printed("jazar.ex.rpm") * 2.0 * PI)
+/// Whether a product of numbers rounds to the printed speed of the driver.
+pub(super) fn rounds_to_the_speed(tex: &str) -> Finding {
+    match number(tex) {
+        Some(product) => Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}")),
+        None => Finding::of_reading(None),
+    }
+}
+
+/// The value of a formula without letters; none if it cannot be read.
+pub(super) fn number(tex: &str) -> Option<f64> {
+    Some(value(tex, &Letters::new())).filter(|number| !number.is_nan())
 }
 
 pub(super) fn six_pair(pair: fn(&Wheel) -> (f64, f64)) -> (f64, f64) {
@@ -283,31 +242,55 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
     )
 }
 
-/// Whether the third derivative of the wheel's angle has the stated value, zero, at both angles of the greatest
-/// acceleration; or between them.
-fn zero_at(stated: Stated, third: fn(&Wheel, f64) -> f64, angle: fn(&Wheel) -> f64) -> Finding {
-    for_all_stations(
-        |wheel| {
-            let (angle, scale) = (stated.pick(angle(wheel), 0.0), third(wheel, 0.0));
-            [-angle, angle].iter().all(|t| vanishes(third(wheel, *t) / scale - stated.number()))
-        },
-        "the derivative of the acceleration over that on the line of centres",
-    )
+/// Whether an equation holds at both angles of the greatest acceleration, for many numbers of stations, with the wheel's
+/// angle and its derivatives by this route. The derivative of the acceleration is over its value on the line of centres.
+fn zero_at(tex: &str, rates: fn(&Wheel, f64) -> [f64; 4], angle: fn(&Wheel) -> f64) -> Option<bool> {
+    let moments = wheels().iter().step_by(5).flat_map(|wheel| {
+        let (angle, scale) = (angle(wheel), rates(wheel, 0.0)[3]);
+        [-angle, angle].map(|crank| {
+            let [wheel_angle, velocity, acceleration, jerk] = rates(wheel, crank);
+            Moment::default()
+                .with([(r"\phi", wheel_angle), (r"\dot\phi", velocity), (r"\ddot\phi", acceleration)])
+                .changing(By::Time, [("phi''", jerk / scale)])
+        })
+    });
+    holds(tex, &moments.collect::<Vec<_>>())
 }
 
-/// Whether an equation in sin α and cos θ is zero at the peak of the power series, for all numbers of stations.
-fn at_the_peak(equation: fn(f64, f64) -> f64) -> Finding {
-    let off = |wheel: &Wheel| equation(libm::sin(wheel.half_pitch_angle()), libm::cos(peak_by_series(wheel).0)).abs();
-    let worst = greatest(wheels().iter().map(off));
-    Finding::new(vanishes(worst), format!("at most {worst:.0e} at the peaks, {}", numbers_of_stations()))
+/// Whether a formula in rates of the two angles has the same value in each unit of time.
+fn pure_number(tex: &str) -> Option<bool> {
+    // So many units are as long as one was.
+    let rates = |units: f64| {
+        let [once, twice] = [units.recip(), (units * units).recip()];
+        [("phi'", 1.75 * once), ("phi''", -0.75 * twice), ("theta'", 2.25 * once), ("theta''", 1.25 * twice)]
+    };
+    let one = of_rates(tex, rates(1.0))?;
+    Some(agrees(of_rates(tex, rates(2.0))?, one) && agrees(of_rates(tex, rates(0.2))?, one))
 }
 
-/// The derivative of Eq. (5.32) as it is printed, for a driver of speed one.
-fn printed_derivative(wheel: &Wheel, theta: f64) -> f64 {
-    let (sine, cosine) = (libm::sin(wheel.half_pitch_angle()), libm::cos(wheel.half_pitch_angle()));
-    let (s, c) = (libm::sin(theta), libm::cos(theta));
-    let square = 1.0 + sine * sine - 2.0 * sine * c;
-    -(sine * cosine * cosine) / (square * square * square) * (square * c - 4.0 * sine * s * s)
+/// The value of a formula in rates of the two angles; none if it cannot be read.
+fn of_rates(tex: &str, rates: [(&str, f64); 4]) -> Option<f64> {
+    let letters = rates.map(|(name, rate)| (name.to_owned(), rate)).into();
+    Some(value(tex, &letters)).filter(|value| !value.is_nan())
+}
+
+/// Whether a formula in rates of the two angles is the wheel's acceleration at the driver's speed one, for each speed.
+fn same_at_each_speed(tex: &str) -> Option<bool> {
+    let states = wheels().iter().step_by(5).flat_map(|wheel| {
+        [-0.9, -0.4, 0.7].into_iter().flat_map(move |part| {
+            let crank = part * wheel.engagement_half_angle();
+            let once = by_series(wheel, crank)[2];
+            [0.5, 3.0, 40.0].map(|speed| {
+                let [_, velocity, acceleration, _] = at_speed(wheel, crank, speed);
+                Moment::default().with([(r"\dot\phi", velocity), (r"\ddot\phi", acceleration)]).with([
+                    (r"\dot\theta", speed),
+                    (r"\ddot\theta", 0.0),
+                    ("y", once),
+                ])
+            })
+        })
+    });
+    holds(&format!("{tex} = y"), &states.collect::<Vec<_>>())
 }
 
 /// The roots of the quadratic as they are printed, from the sine of α by Eq. (5.33).

@@ -1,11 +1,11 @@
 //! What the text says of Geneva wheels before the first equation.
 
+use super::letters::SIZES_OF_FOUR;
 use super::*;
 use crate::tolerance::CLOSURE;
-use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
+use crate::vocabulary::equal_to;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
-use geneva_kinematics::{Field, Rational, Surd};
 
 const INDEXING: Place = at("1st paragraph");
 pub(super) const VARIETIES: Place = at("2nd paragraph");
@@ -205,22 +205,7 @@ fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
 fn centre_distance() -> Claim {
     SIMPLE
         .equation("jazar.centre-distance", r"\sqrt{2}r", "centre distance of the four-station wheel")
-        .by(ExactIdentity, || {
-            type WithTwo = Surd<Rational, 2>;
-            let misfit = four_slot_entry_misfit(&WithTwo::root());
-            Finding::new(misfit == WithTwo::integer(0), "with the root exact the pin enters at rest on its circle")
-        })
-        .by(Vectors, || {
-            // Seen from the wheel's axis the pin goes up to the tangent to its circle: 45° at this distance only.
-            let farthest = |ratio: f64| {
-                let turns_back = halved(0.0, PI / 2.0, |t| {
-                    let (x, y) = (ratio - libm::cos(t), libm::sin(t));
-                    libm::cos(t) * x > libm::sin(t) * y
-                });
-                libm::atan2(libm::sin(turns_back.0), ratio - libm::cos(turns_back.0))
-            };
-            same(halved(1.0, 2.0, |ratio| farthest(ratio) > PI / 4.0).0, 2f64.sqrt())
-        })
+        .said_in_letters(SIZES_OF_FOUR, equal_to("l"))
 }
 
 fn wheel_radius() -> Claim {

@@ -1,8 +1,7 @@
 //! Appendix A: the sizes of the three escapements for their drawings, figures 12 to 14.
 
+use super::hand_over_letters::{self, UNIT};
 use super::*;
-use geneva_kinematics::escapement::Form;
-use geneva_kinematics::escapement::entry_proofs::EntryTriangle;
 
 /// What the appendix prints for one mechanism; each with its id.
 struct Printed {
@@ -26,9 +25,8 @@ pub fn claims() -> Vec<Claim> {
 fn unit() -> Claim {
     at("Appendix A, 2nd sentence")
         .equation("meyer.app-a.unit", "R = 1.000", "unit of length for the drawings")
-        .proven(EntryTriangle::AppendixUnit(Form::Printed))
-        .corrected_form(|| prove(&EntryTriangle::AppendixUnit(Form::Corrected)).into())
-        .by(OtherPlaceInSource, || {
+        .in_letters(UNIT)
+        .also_by(OtherPlaceInSource, || {
             let ids =
                 ["meyer.app-a.four-slots.radius", "meyer.app-a.three-slots.radius", "meyer.app-a.six-slots.radius"];
             let radii = ids.map(printed);
@@ -113,8 +111,8 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
     let value = |[id, printed]: [&'static str; 2], meaning, unit, computed: fn() -> f64, witness: fn() -> f64| {
         at(is.locator).value(id, printed, unit, meaning).by(ClosedForm, computed).by(Vectors, witness)
     };
-    let equation = |[id, printed]: [&'static str; 2], meaning, proof: fn() -> Finding, witness: fn() -> Finding| {
-        at(is.locator).equation(id, printed, meaning).by(ExactIdentity, proof).by(Vectors, witness)
+    let equation = |[id, printed]: [&'static str; 2], meaning| {
+        at(is.locator).equation(id, printed, meaning).in_letters(hand_over_letters::drawn::<SLOTS>())
     };
     [
         value(
@@ -131,12 +129,7 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             || of::<SLOTS>(|at| at.follower_half_angle().to_degrees()),
             || drawn::<SLOTS>(|pin, axis| degrees(&seen_from(axis, pin))),
         ),
-        equation(
-            is.centre_equation,
-            "centre distance in the unit of the drawings, from Eqs. (1-1) and (1-2)",
-            || prove(&EntryTriangle::AppendixUnit(Form::Corrected)).into(),
-            || same(drawn::<SLOTS>(|pin, axis| axis.norm() / pin.norm()), 1.0 / libm::sin(PI / f64::from(SLOTS))),
-        ),
+        equation(is.centre_equation, "centre distance in the unit of the drawings, from Eqs. (1-1) and (1-2)"),
         value(
             is.centre,
             "centre distance",
@@ -144,16 +137,7 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             || of::<SLOTS>(Mechanism::centre_distance_ratio),
             || drawn::<SLOTS>(|_, axis| axis.norm()),
         ),
-        equation(
-            is.radius_equation,
-            "distance of the pin from the follower's axis at the hand-over, from Eq. (1-5)",
-            || prove(&EntryTriangle::SlotRadius).into(),
-            || {
-                let sine = |angle: fn(Mechanism) -> f64| libm::sin(of::<SLOTS>(angle));
-                let by_sines = sine(|at| at.wheel().engagement_half_angle()) / sine(Mechanism::follower_half_angle);
-                same(drawn::<SLOTS>(|pin, axis| (pin - axis).norm()), by_sines)
-            },
-        ),
+        equation(is.radius_equation, "distance of the pin from the follower's axis at the hand-over, from Eq. (1-5)"),
         value(
             is.radius,
             "distance of the pin from the follower's axis at the hand-over",

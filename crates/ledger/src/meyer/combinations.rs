@@ -2,8 +2,9 @@
 
 use super::geometry::{and_with_a_slot_more, every};
 use super::hand_over::Drawn;
+use super::hand_over_letters::{COUNTS, RIGHT_TRIANGLE};
 use super::*;
-use geneva_kinematics::escapement::entry_proofs::{EntryTriangle, PinsAndSlots};
+use geneva_kinematics::escapement::entry_proofs::PinsAndSlots;
 use geneva_kinematics::escapement::{pins_needed, possible};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Jet, Rational, rational};
@@ -30,50 +31,21 @@ fn angle_sum() -> Vec<Claim> {
                 r"\theta_o + \phi_o + \frac{\pi}{2} = \pi",
                 "sum of the angles in the large triangle",
             )
-            .proven(EntryTriangle::HalfTurn)
-            .by(Vectors, || {
-                for_each(
-                    |at| {
-                        let [driver, follower, _] = angles_of_the_triangle(at);
-                        agrees(driver + follower + PI / 2.0, PI)
-                    },
-                    "the two angles at the axes and a right angle, measured",
-                )
-            }),
+            .in_letters(RIGHT_TRIANGLE),
         at("Eq. (1-3), 2nd line")
             .equation("meyer.quarter-turn", r"\theta_o + \phi_o = \frac{\pi}{2}", "the two acute angles")
-            .proven(EntryTriangle::QuarterTurn)
-            .by(Vectors, || {
-                for_each(
-                    |at| {
-                        let [driver, follower, _] = angles_of_the_triangle(at);
-                        agrees(driver + follower, PI / 2.0)
-                    },
-                    "the two angles measured",
-                )
-            }),
+            .in_letters(RIGHT_TRIANGLE),
         at("Eq. (1-3), 3rd line")
             .equation(
                 "meyer.angle-sum",
                 r"\frac{\pi}{m} + \frac{\pi}{n} = \frac{\pi}{2}",
                 "sum of the two acute angles, by the numbers of pins and slots",
             )
-            .proven(PinsAndSlots::AngleSum)
-            .by(Vectors, || {
-                for_each(
-                    |at| {
-                        let [driver, follower, right] = angles_of_the_triangle(at);
-                        agrees(driver, PI / f64::from(at.pins()))
-                            && agrees(follower, PI / f64::from(at.slots()))
-                            && agrees(right, PI / 2.0)
-                    },
-                    "the angles measured are π/m, π/n and π/2",
-                )
-            }),
+            .in_letters(COUNTS),
         at("Eq. (1-3), 4th line")
             .equation("meyer.eq-1-3", r"m = \frac{2n}{n-2}", "number of pins")
-            .proven(PinsAndSlots::Pins)
-            .by(LimitCase, || {
+            .in_letters(COUNTS)
+            .also_by(LimitCase, || {
                 let holds = (3..=100).all(|n| {
                     (1..=100).all(|m| makes_a_quarter(m, n) == pins_needed(n).is_some_and(|pins| pins == whole(m)))
                 });
@@ -233,18 +205,6 @@ fn turned_by_a_pin(drawn: &Drawn) -> f64 {
     let rate = |k: u32| drawn.turning(step * f64::from(k) - drawn.half());
     let inner: f64 = (1..STEPS).map(|k| f64::from(2 + 2 * (k % 2)) * rate(k)).sum();
     step / 3.0 * (rate(0) + inner + rate(STEPS))
-}
-
-/// The angles at the driver's axis, the follower's axis and the pin that leaves, between the sides.
-fn angles_of_the_triangle(escapement: &Mechanism) -> [f64; 3] {
-    let (follower, driver) = (Vector2::zeros(), Vector2::new(escapement.centre_distance_ratio(), 0.0));
-    let pin = geometry::leaving(escapement).place;
-    let between = |a: Vector2<f64>, b: Vector2<f64>| libm::atan2(a.perp(&b).abs(), a.dot(&b));
-    [
-        between(follower - driver, pin - driver),
-        between(driver - follower, pin - follower),
-        between(driver - pin, follower - pin),
-    ]
 }
 
 /// Whether π/m and π/n make a quarter turn.

@@ -19,7 +19,11 @@ const MORE: f64 = 1.2;
 
 fn timing() -> Claim {
     at("Conclusion 1")
-        .statement("meyer.conclusion.timing", "can be used as a timing device", "the mechanism keeps a period")
+        .statement(
+            "meyer.conclusion.timing",
+            "can be used as a timing device",
+            "the mechanism comes to a steady motion",
+        )
         .by(Quadrature, |stated| {
             let settled = series().filter_map(|own| {
                 let of = general_statements::with(own.first()?, 1.0, stated.pick(1.0, MORE))?;
@@ -50,7 +54,7 @@ fn timing() -> Claim {
             });
             of_groups(settled.collect())
         })
-        .but_not("it keeps the same period with a fifth more friction")
+        .but_not("it comes to the same motion with a fifth more friction")
         .read_as(
             "We ask for a timing device of no stated accuracy, as in the abstract. Whether it starts from rest, \
              slowly or fast forwards, every run comes to one terminal velocity, and its engagements then all take the \

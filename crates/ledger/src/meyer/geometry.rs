@@ -1,8 +1,8 @@
 //! The condition on an escapement and the instant of hand-over: figures 3 and 4, Eqs. (1-1) and (1-2).
 
 use super::hand_over::Drawn;
+use super::hand_over_letters::{HALVES, RATIO, RIGHT_TRIANGLE};
 use super::*;
-use geneva_kinematics::escapement::entry_proofs::{EntryTriangle, HalfAngle};
 use geneva_kinematics::escapement::{AtHandOver, Continuous};
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
@@ -100,26 +100,14 @@ fn triangle() -> Vec<Claim> {
                 r"\phi = \phi_0 = \frac{1}{2} \left(\frac{2\pi}{n} \right) = \frac{\pi}{n}",
                 "follower's angle at the hand-over, which is half the angle between two slots",
             )
-            .by(ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified]))
-            .by(Vectors, || {
-                for_each(
-                    |at| agrees(leaving(at).angle(), PI / f64::from(at.slots())),
-                    "direction of the leaving pin from the follower's axis",
-                )
-            }),
+            .in_letters(HALVES),
         at("2nd display before Eq. (1-1)")
             .equation(
                 "meyer.theta-0",
                 r"\theta = \theta_0 = \frac{1}{2} \left(\frac{2\pi}{m} \right) = \frac{\pi}{m}",
                 "size of the driver's angle at the hand-over, which is half the angle between two pins",
             )
-            .by(ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified]))
-            .by(Vectors, || {
-                for_each(
-                    |at| vanishes(PinKinematics::new(at, PI / f64::from(at.pins())).turning()),
-                    "the pin carries the follower no further at π/m",
-                )
-            }),
+            .in_letters(HALVES),
         at("Fig. 4 and the text below it")
             .figure(
                 "meyer.right-triangle",
@@ -146,40 +134,15 @@ fn triangle() -> Vec<Claim> {
                 r"r = c \sin \phi_0 = c \sin \left(\frac{\pi}{n} \right)",
                 "radius of the pins' circle",
             )
-            .proven(EntryTriangle::PinCircle)
-            .by(Vectors, || {
-                for_each(
-                    |at| {
-                        let layout = at.layout(at.engagement_half_angle());
-                        layout.is_ok_and(|layout| {
-                            agrees(layout.slots[0].direction.perp(&layout.follower_axis).abs(), layout.pins[0].norm())
-                        })
-                    },
-                    "the slot's line passes the driver's axis at the radius of the pins",
-                )
-            }),
-        at("Eq. (1-1)")
-            .equation("meyer.eq-1-1", r"c = a r", "centre distance")
-            .proven(EntryTriangle::CentreDistance)
-            .by(Vectors, || {
-                for_each(
-                    |at| agrees(projected_distance(at), 1.0 / libm::sin(PI / f64::from(at.slots()))),
-                    "crank and slot projected on the line of centres",
-                )
-            }),
+            .in_letters(RIGHT_TRIANGLE),
+        at("Eq. (1-1)").equation("meyer.eq-1-1", r"c = a r", "centre distance").in_letters(RIGHT_TRIANGLE),
         at("Eq. (1-2)")
             .equation(
                 "meyer.eq-1-2",
                 r"a = \frac{1}{\sin(\pi/n)}",
                 "centre distance over the radius of the pins' circle",
             )
-            .proven(EntryTriangle::Standstill)
-            .by(Vectors, || {
-                for_usual(
-                    |wheel| vanishes(exit(wheel).dot(&Turn::from_radians(-wheel.engagement_half_angle()).direction())),
-                    "with this ratio slot and crank are at right angles as the pin leaves",
-                )
-            }),
+            .in_letters(RATIO),
     ]
 }
 
@@ -248,15 +211,6 @@ fn moved_on(stated: Stated, turned: fn(&Wheel) -> f64, what: &str) -> Finding {
     Finding::new(failing.is_none(), format!("{what}, for three to eighteen slots{but}"))
 }
 
-/// A Geneva wheel with one pin, for each usual number of slots.
-fn for_usual(holds: fn(&Wheel) -> bool, how: &str) -> Finding {
-    let failing = (3..=18).find(|slots| !Wheel::new(*slots).is_ok_and(|wheel| holds(&wheel)));
-    match failing {
-        None => Finding::new(true, format!("{how}, for three to eighteen slots")),
-        Some(slots) => Finding::new(false, format!("{how}: not for {slots} slots")),
-    }
-}
-
 /// How far the follower goes on during a turn of the driver, from an instant of an advance to that of the next.
 fn moved_by_a_turn(wheel: &Wheel) -> f64 {
     let place = |turns| {
@@ -273,15 +227,4 @@ fn exit(wheel: &Wheel) -> Vector2<f64> {
 fn angle_at_exit(wheel: &Wheel) -> f64 {
     let place = exit(wheel);
     libm::atan2(place.y, place.x)
-}
-
-/// The pin that leaves.
-pub fn leaving(escapement: &Mechanism) -> PinKinematics {
-    PinKinematics::new(escapement, escapement.engagement_half_angle())
-}
-
-/// Centre distance over the radius of the pins' circle, from the angles π/m of the crank and π/n of the slot alone.
-fn projected_distance(escapement: &Mechanism) -> f64 {
-    let [crank, slot] = [escapement.pins(), escapement.slots()].map(|count| Turn::from_radians(PI / f64::from(count)));
-    crank.cos + crank.sin * slot.cos / slot.sin
 }

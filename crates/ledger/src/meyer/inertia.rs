@@ -250,7 +250,7 @@ fn holds_for_a_disc(tex: &str) -> Option<bool> {
     reading::holds(tex, &moments)
 }
 
-/// The same for the estimate: the numbers of the text around it, in units of any size.
+/// Whether the estimate of the moment of inertia holds for the numbers of the text around it, in units of any size.
 fn holds_for_the_estimate(tex: &str) -> Option<bool> {
     let [diameter, thickness] = sizes(Stated::right(characters("meyer.like-discs")));
     let gravity = characters("meyer.gravity").split(' ').next()?.parse::<f64>().ok()?;

@@ -13,10 +13,17 @@
 
 use super::reading::{By, Exact, Moment, decide};
 use super::*;
+use crate::Vocabulary;
+use crate::triangle::Triangle;
 use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::{Coefficients, Pose, Sign};
-use geneva_kinematics::{Expression, Jet, pin_slot};
+use geneva_kinematics::{Expression, Jet, angular_velocity, pin_slot};
 use std::array::from_fn;
+
+/// The triangle of the two axes and the pin.
+pub const TRIANGLE: Vocabulary = Vocabulary::new(triangle, Vectors, instants::moments);
+/// The triangle as it moves, for the rates of the follower.
+pub const RATES: Vocabulary = Vocabulary::new(moving_triangle, Vectors, instants::moments);
 
 /// The moving mechanism: chapter I from the kinetic energy to Eq. (1-19).
 ///
@@ -106,14 +113,12 @@ pub fn size(_: i64) -> Moment<Expression> {
     triangle_with(1, 1)
 }
 
-/// The triangle by the law of sines: R/r = sin θ / sin φ, and a = cos θ + R/r cos φ.
+/// The triangle by the crossing of its lines. How far the pin slides per radian comes from its place.
 ///
-/// How far the pin slides per radian comes from its place. Variables: tangents of θ/2 and φ/2, N, μ, r.
+/// Variables: tangents of θ/2 and φ/2, N, μ, r.
 fn triangle_with(bars: i64, sense: i64) -> Moment<Expression> {
     let [half_theta, half_phi, normal, friction, radius] = from_fn(Expression::variable);
-    let [theta, phi] = [half_theta, half_phi].map(|half| Turn::from_half_tangent(&half));
-    let distance = theta.sin / phi.sin;
-    let ratio = theta.cos + distance * phi.cos;
+    let (Triangle { theta, phi, .. }, [ratio, distance]) = crossing([half_theta, half_phi]);
     let place = pin_slot::pin_path(&ratio, &theta.moving::<2>(Expression::ONE));
     let sliding = radius * (place.x * place.x + place.y * place.y).rate() / (2 * distance);
     let letters = [
@@ -130,8 +135,33 @@ fn triangle_with(bars: i64, sense: i64) -> Moment<Expression> {
         .giving(r"\sin\theta", theta.sin)
         .giving(r"\cos\theta", theta.cos)
         .giving(r"\sin\phi", phi.sin)
+        .giving(r"\cos\phi", phi.cos)
+        .giving(r"\tan\phi", phi.sin / phi.cos)
         .giving(r"(1 + a^2 - 2a\cos\theta)^{1/2}", distance)
         .opening_bars(bars * Expression::ONE)
+}
+
+/// The triangle with its centre distance and the pin's distance from the follower's axis in crank radii.
+fn crossing(halves: [Expression; 2]) -> (Triangle, [Expression; 2]) {
+    let triangle = Triangle::by_halves(Expression::ONE, halves);
+    let lengths = [Expression::ONE, triangle.slot_radius].map(|length| length / triangle.crank_radius);
+    (triangle, lengths)
+}
+
+/// The triangle as it moves: the follower's angular velocity is what the pin's velocity has across the slot, over the pin's
+/// distance. Variables: tangents of θ/2 and φ/2, θ', θ''.
+fn moving_triangle(_: i64) -> Moment<Expression> {
+    let [half_theta, half_phi, speed, gain] = from_fn(Expression::variable);
+    let (Triangle { theta, phi, .. }, [ratio, distance]) = crossing([half_theta, half_phi]);
+    let place = pin_slot::pin_path(&ratio, &theta.speeding_up(speed, gain));
+    let follower = angular_velocity(&place).expect("the pin is off the follower's axis");
+    of([("a", ratio), ("theta'", speed), ("theta''", gain), ("phi'", follower.value()), ("phi''", follower.rate())])
+        .changing(By::Time, [("theta", speed), ("phi", follower.value())])
+        .giving(r"\sin\theta", theta.sin)
+        .giving(r"\cos\theta", theta.cos)
+        .giving(r"\tan\phi", phi.sin / phi.cos)
+        .giving(r"\sec\phi", 1 / phi.cos)
+        .giving(r"1 + a^2 - 2a\cos\theta", distance * distance)
 }
 
 /// Eq. (1-19) by its letters, with S for the sign of the expression between the bars, as the crate has the equation.

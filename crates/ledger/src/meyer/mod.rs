@@ -19,6 +19,7 @@ mod front;
 mod general_statements;
 mod geometry;
 mod hand_over;
+mod hand_over_letters;
 mod inertia;
 mod instants;
 mod lagrange;
@@ -44,7 +45,7 @@ pub use concluded::CONCLUSIONS;
 pub use symbols::SYMBOLS;
 
 use crate::agreement::{agrees, same, vanishes};
-use crate::by_id::{characters, named, numbers, printed, reads, right_side};
+use crate::by_id::{characters, named, numbers, printed, right_side};
 use crate::tex as reading;
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{HandOver, Mechanism, Roots};

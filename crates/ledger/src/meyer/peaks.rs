@@ -480,7 +480,7 @@ fn falls(speeds: &[f64]) -> bool {
         })
 }
 
-/// The same speeds in the reverse order.
+/// Speeds in the reverse order.
 fn reversed(speeds: &[f64]) -> Vec<f64> {
     speeds.iter().rev().copied().collect()
 }

@@ -146,9 +146,10 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
 /// A number in a row that nothing explains, because neither the mechanism nor the program gives it.
 pub const UNEXPLAINED: Slip = Slip {
     id: "",
-    reason: "The reset of the program is right for four pins, so mechanism and program agree here, and both differ \
-             from the printed peak by more than two units of its last digit. The minimum and the period of the same \
-             row fit. We do not know how the peak came to be printed.",
+    reason: "The reset of the program is right for four pins, so both program and mechanism should have the printed \
+             peak. But both are higher: the largest speed that the program prints by more than one and a half units of \
+             the last digit, and the mechanism's own peak, which we give as the right one, by more than two and a half. \
+             The minimum and the period of the same row fit. We do not know how the peak came to be printed.",
     witness: "The steady cycle of the mechanism, by quadrature and by Runge-Kutta steps, has a higher peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,

@@ -1,7 +1,8 @@
 //! What the problem gives: its values, and how far apart the axes must be.
 
+use super::letters::FOUR_SLOTS;
 use super::*;
-use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
+use crate::tex::{decide, holds};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Field, Rational, Surd, rational};
 
@@ -56,17 +57,15 @@ pub fn claims() -> Vec<Claim> {
                 r"l=1 \overline{2} R",
                 "centre distance of a four-slot wheel that starts from rest and stops at rest",
             )
-            .by(ExactIdentity, || {
-                // Two readings of the characters: one times two, and 1.222…
-                let misfits = [rational(2, 1), rational(11, 9)].map(|ratio| four_slot_entry_misfit(&ratio));
-                let holds = misfits.contains(&rational(0, 1));
-                Finding::new(
-                    holds,
-                    format!("the pin is off its circle by {} and {} if l/R is 2 or 1.222…", misfits[0], misfits[1]),
-                )
+            .decided(|tex| {
+                // A digit one and a bar over the two: one times two, or 1.222…
+                let read = ["2", r"\frac{11}{9}"]
+                    .map(|number| decide(&tex.replace(r"1 \overline{2}", number), FOUR_SLOTS.exact));
+                let [first, second] = read;
+                if first.holds { first } else { second }
             })
-            .corrected_form(|| Finding::new(is_root_of_two_exact(), "the pin is exactly on its circle if l/R is √2"))
-            .by(OtherPlaceInSource, || {
+            .read(FOUR_SLOTS.evidence, |tex| holds(tex, (FOUR_SLOTS.numbers)()))
+            .also_by(OtherPlaceInSource, || {
                 let [least, most] = ratio_from_printed_radius();
                 Finding::new(
                     (least..most).contains(&2f64.sqrt()),
@@ -107,10 +106,6 @@ fn ratio_at_the_instant() -> f64 {
 }
 
 type WithTwo = Surd<Rational, 2>;
-
-fn is_root_of_two_exact() -> bool {
-    four_slot_entry_misfit(&WithTwo::root()) == WithTwo::integer(0)
-}
 
 /// The number of slots; or six.
 fn slots(stated: Stated) -> u32 {

@@ -5,6 +5,7 @@
 
 mod directions;
 mod given;
+mod letters;
 mod position;
 mod signs;
 mod symbols;
@@ -13,7 +14,7 @@ mod velocity;
 pub(crate) use signs::{only_arrow, turns};
 pub use symbols::SYMBOLS;
 
-use crate::agreement::{coincide, meets, same, vanishes};
+use crate::agreement::vanishes;
 use crate::by_id::{interval, printed, rounds};
 use crate::duals::{Crank, path, turned};
 use crate::{Claim, Consequence, Dimension, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};

@@ -1,8 +1,8 @@
 //! The position triangle OPB: law of cosines, law of sines.
 
+use super::letters::{AT_THIRTY, SPEEDS, makes_exact};
 use super::*;
-use crate::{Decimal, numeric_tokens};
-use geneva_kinematics::pin_proofs::{LawOfCosines, LawOfSines};
+use crate::vocabulary::filled;
 
 const COSINES: Place = at("Solution, law of cosines");
 const SINES: Place = at("Solution, law of sines");
@@ -45,15 +45,7 @@ pub fn claims() -> Vec<Claim> {
                 r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots^{\circ}",
                 "law of cosines for the side OP",
             )
-            .proven(LawOfCosines)
-            .by(Vectors, || {
-                at_the_instant(|instant, motion| {
-                    let (radius, distance) = (instant.mechanism.crank_radius(), instant.mechanism.centre_distance());
-                    let cosine = Turn::from_degrees(printed("pin.angle-at-driver")).cos;
-                    let square = radius * radius + distance * distance - 2.0 * radius * distance * cosine;
-                    same(motion.position.norm_squared(), square)
-                })
-            }),
+            .said_in_letters(SPEEDS, filled(&[r"\theta^\circ"])),
         COSINES
             .value("pin.angle-at-driver", "30", "°", "angle of the triangle at B")
             .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))
@@ -87,23 +79,23 @@ pub fn claims() -> Vec<Claim> {
                 r"\frac{\sin b}{R}=\frac{\sin 30^{\circ}}{r}",
                 "law of sines for the angle at O",
             )
-            .proven(LawOfSines)
-            .by(Vectors, || same(triangle(|t| t.sine_at_pivot), vectors(|motion| motion.position.normalize().y))),
+            .in_letters(AT_THIRTY),
         // An equation with a rounded number in it holds if the number is a rounding of what would make it exact.
         SINES
-            .formula(
+            .equation(
                 "pin.sine-at-pivot",
                 r"\sin b=\frac{\sin 30^{\circ}}{0.742}",
                 "sine of the angle at O, from the rounded r/R",
             )
-            .by(Vectors, |stated| makes_exact(vectors(|motion| motion.position.normalize().y), stated))
-            .by(ClosedForm, |stated| {
+            .evaluated(Vectors, |tex| {
+                let angle = vectors(|motion| libm::atan2(motion.position.y, motion.position.x));
+                Finding::of_reading(makes_exact(tex, ("b", angle)))
+            })
+            .read(ClosedForm, |tex| {
                 // The angle at O from the three sides, with r² = (3 − √6) R² and l² = 2 R².
                 let square = 3.0 - 6f64.sqrt();
-                let cosine = (1.0 + square) / (2.0 * (2.0 * square).sqrt());
-                makes_exact((1.0 - cosine * cosine).sqrt(), stated)
-            })
-            .but_not("the same formula with the last digit of the denominator one larger"),
+                makes_exact(tex, ("b", libm::acos((1.0 + square) / (2.0 * (2.0 * square).sqrt()))))
+            }),
         SINES
             .value("pin.angle-at-pivot", "42.4", "°", "angle of the slot at O from the line of centres")
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
@@ -113,20 +105,4 @@ pub fn claims() -> Vec<Claim> {
                 Turn { cos: (1.0 - sine * sine).sqrt(), sin: sine }.degrees()
             }),
     ]
-}
-
-/// Whether the denominator is a rounding of the one that makes sin β exact; or the number next to it.
-fn makes_exact(sine_at_pivot: f64, stated: Stated) -> Finding {
-    let numbers = numeric_tokens(stated.characters());
-    let [Ok(angle), Ok(denominator)] = &numbers.iter().map(|digits| digits.parse()).collect::<Vec<_>>()[..] else {
-        return Finding::new(false, "these are not an angle and a denominator");
-    };
-    let (angle, denominator): (&Decimal, &Decimal) = (angle, denominator);
-    let exact = sine(angle.to_f64()) / sine_at_pivot;
-    let [least, most] = denominator.interval();
-    let shift = stated.pick(0.0, most - least);
-    Finding::new(
-        (least + shift..most + shift).contains(&exact),
-        format!("it is exact with {exact:.6} in the denominator"),
-    )
 }

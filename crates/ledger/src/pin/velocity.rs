@@ -1,9 +1,8 @@
 //! The velocity triangle: v_P = v_P′ + v_{P/S}.
 
+use super::letters::{SPEEDS, VELOCITIES};
 use super::*;
-use geneva_kinematics::pin_proofs::{PinSpeed, SlidingSpeed, SlotPointOnItsCircle, SlotPointSpeed, VelocityTriangle};
-use geneva_kinematics::pin_vectors::quarter_turn;
-use geneva_kinematics::prove;
+use crate::vocabulary::filled;
 use nalgebra::Vector2;
 
 const PIN: Place = at("Solution, velocity of the pin");
@@ -19,13 +18,7 @@ pub fn claims() -> Vec<Claim> {
 fn pin_speed() -> Vec<Claim> {
     vec![
         PIN.equation("pin.pin-speed-equation", r"v_{P}=R \mathrm{v}_{D}", "speed of the pin on its circle")
-            .proven(PinSpeed)
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let speed = printed("pin.crank-radius") * printed("pin.driver-speed");
-                    meets(crank.pin_motion()[1].norm(), speed)
-                })
-            })
+            .in_letters(SPEEDS)
             .read_as(OF_A_DISK),
         PIN.value(
             "pin.crank-radius",
@@ -53,20 +46,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
                 "velocity of the pin, as the velocity of the slot's point plus the velocity along the slot",
             )
-            .by(ExactIdentity, || {
-                // Along the line of centres and across it.
-                let [one, other]: [Finding; 2] = [true, false].map(|first| prove(&VelocityTriangle { first }).into());
-                Finding::new(one.holds && other.holds, format!("{}; {}", one.how, other.how))
-            })
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
-                    let along = Turn::from_radians(slot).direction();
-                    let sum = quarter_turn(&along) * (distance * turning) + along * sliding;
-                    let [_, pin, _] = crank.pin_motion();
-                    Finding::new(coincide(&pin, &sum), parts(&pin, &sum))
-                })
-            }),
+            .in_letters(VELOCITIES),
         directions::across_the_slot(),
         directions::along_the_slot(),
         directions::velocity_figure(),
@@ -77,20 +57,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 r"g=90^{\circ}-\ldots^{\circ}-\ldots^{\circ}",
                 "γ is a right angle less the angle at O and less the angle at B",
             )
-            .by(Vectors, || {
-                same(
-                    vectors(angle_to_slot),
-                    90.0 - triangle(|t| t.angle_at_pivot).to_degrees() - printed("pin.angle-at-driver"),
-                )
-            })
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
-                    let angle = libm::atan2((distance * turning).abs(), sliding.abs()).to_degrees();
-                    let triangle = crank.angle.to_degrees() - 180.0 + 90.0 - slot.to_degrees();
-                    meets(angle, triangle)
-                })
-            }),
+            .said_in_letters(SPEEDS, filled(&[r"\theta^\circ", r"b^\circ"])),
         ANGLE
             .value("pin.velocity-angle", "17.6", "°", "γ, angle between the pin's velocity and the slot")
             .by(ClosedForm, || triangle(|t| t.velocity_angle).to_degrees())
@@ -107,13 +74,7 @@ fn components() -> Vec<Claim> {
                 r"v_{P'}=v_{P} \sin g",
                 "component of the pin's velocity across the slot",
             )
-            .proven(SlotPointSpeed)
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[distance, ..], [_, turning, _]] = crank.polar();
-                    meets((distance * turning).abs(), triangle(|t| t.pin_speed * libm::sin(t.velocity_angle)))
-                })
-            }),
+            .in_letters(SPEEDS),
         COMPONENTS
             .value("pin.slot-point-speed", "151.2", "mm/s", "speed of the slot's point under the pin")
             .by(ClosedForm, || triangle(|t| t.slot_point_speed))
@@ -132,19 +93,8 @@ fn components() -> Vec<Claim> {
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
             .by(Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity))),
         COMPONENTS
-            .equation(
-                "pin.sliding-equation",
-                r"v_{P/S}=v_{P} \cos g",
-                "component of the pin's velocity along the \
-                                                                        slot",
-            )
-            .proven(SlidingSpeed)
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[_, sliding, _], _] = crank.polar();
-                    meets(sliding.abs(), triangle(|t| t.pin_speed * libm::cos(t.velocity_angle)))
-                })
-            }),
+            .equation("pin.sliding-equation", r"v_{P/S}=v_{P} \cos g", "component of the pin's velocity along the slot")
+            .in_letters(SPEEDS),
         COMPONENTS
             .value("pin.sliding-speed", "477", "mm/s", "speed of the pin along the slot")
             .by(ClosedForm, || triangle(|t| t.sliding_speed))
@@ -165,14 +115,7 @@ fn wheel() -> Vec<Claim> {
                 r"v_{P'}=r \mathrm{v}_{S}",
                 "speed of the slot's point from the wheel's angular velocity",
             )
-            .proven(SlotPointOnItsCircle)
-            .by(AutomaticDerivative, || {
-                // The speed of a point that the wheel carries, against its distance times the slot's rate.
-                from_duals(|crank| {
-                    let ([_, velocity, _], [[distance, ..], [_, turning, _]]) = (crank.point_motion(), crank.polar());
-                    meets(velocity.norm(), distance * turning.abs())
-                })
-            })
+            .in_letters(SPEEDS)
             .read_as(OF_A_DISK),
         WHEEL
             .value("pin.follower-speed", "4.08", "rad/s", "angular speed of the wheel")
@@ -197,11 +140,6 @@ const ROUNDED_ANGLE: Slip = Slip {
 /// How the letter v is read that has a disk's name for an index.
 const OF_A_DISK: &str = "The letter v with the index D or S means the angular velocity of that disk, as it does where \
                          the problem gives it and where its unit is printed.";
-
-/// Two vectors by their components, in the printed unit.
-fn parts(a: &Vector2<f64>, b: &Vector2<f64>) -> String {
-    format!("({:.1}, {:.1}) against ({:.1}, {:.1})", a.x, a.y, b.x, b.y)
-}
 
 /// The acute angle between a direction and the horizontal, in degrees.
 fn from_horizontal(direction: &Vector2<f64>) -> f64 {

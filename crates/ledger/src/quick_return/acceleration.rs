@@ -1,9 +1,9 @@
 //! The accelerations: seven terms, of which two are zero and two are known only in direction.
 
+use super::letters::SIZES;
 use super::*;
-use crate::by_id::reads;
-use crate::tex::{Moment, holds};
-use geneva_kinematics::quick_return::proofs::{AcrossTheLever, AlongTheLever};
+use crate::tex::{Letters, Moment, holds, value};
+use crate::vocabulary::{equal_to, filled};
 use rounding::STEPS;
 
 const PIN_NORMAL: Place = at("Solution, acceleration, normal of P2");
@@ -41,27 +41,17 @@ fn known() -> Vec<Claim> {
                 r"A_{P2}^n = \omega_2^2 l_2",
                 "centripetal acceleration of the pin",
             )
-            .by(Series, || at_the_instant(|at| Some(same(given::total(&at.by_series()?), centripetal(at)))))
-            .by(AutomaticDerivative, || {
-                at_the_instant(|at| Some(meets(at.by_duals().pin_motion()[2].norm(), centripetal(at))))
-            }),
+            .in_letters(SIZES),
         PIN_NORMAL
-            .formula(
+            .equation(
                 "quick-return.square-of-the-rate",
                 r"(\ldots)^2(\ldots)",
                 "the square of the printed rate times the printed crank gives the printed result",
             )
-            .by(OtherPlaceInSource, |stated| {
-                let factors = ["quick-return.driver-rate", "quick-return.crank"].map(printed);
-                gives("quick-return.pin-normal", power(factors, stated.pick(stated.count(), 1)))
+            .evaluated(OtherPlaceInSource, |tex| {
+                gives("quick-return.pin-normal", tex, ["quick-return.driver-rate", "quick-return.crank"])
             })
-            .by(Series, |stated| {
-                at_the_instant(|at| {
-                    let factors = [at.drive.speed, at.linkage.crank()];
-                    Some(same(given::total(&at.by_series()?), power(factors, stated.pick(stated.count(), 1))))
-                })
-            })
-            .but_not("the rate itself, not its square"),
+            .read(SIZES.evidence, |tex| in_names(tex, "A_{P2}^n", &[r"\omega_2", "l_2"])),
         PIN_NORMAL
             .value("quick-return.pin-normal", "5.492", "m/s^2", "centripetal acceleration of the pin")
             .by(Vectors, || diagram(|motion| motion.pin_normal.norm()))
@@ -74,63 +64,50 @@ fn known() -> Vec<Claim> {
             .expecting(Verdict::FromRounded)
             .affected_by(STEPS),
         PIN_TANGENTIAL
-            .formula(
+            .equation(
                 "quick-return.pin-tangential",
                 r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
                 "the pin has no tangential acceleration while the crank's speed is constant",
             )
-            .by(Series, |stated| {
-                // Along the circle, the polar components of the whole acceleration cancel.
-                at_the_instant(|at| {
-                    let mut at = at.clone();
-                    at.drive.acceleration = stated.pick(0.0, 1.0);
-                    Some(along_the_circle(&at, given::components(&at.by_series()?), stated))
+            .said_in_letters(SIZES, |tex| tex.replace(r"\text{ since }", ","))
+            .also_by(Series, || {
+                // Along the circle, the polar components of the whole acceleration cancel, and at no other speed.
+                let along = |acceleration: f64| {
+                    let mut at = Instant::printed().ok()?;
+                    at.drive.acceleration = acceleration;
+                    let whole = given::components(&at.by_series()?);
+                    Some(quarter_turn(&at.arm()).normalize().dot(&whole) / whole.norm())
+                };
+                at_the_instant(|_| {
+                    let [constant, gaining] = [along(0.0)?, along(1.0)?];
+                    let holds = vanishes(constant) && !vanishes(gaining);
+                    let how = "along the circle the acceleration vanishes while the speed is constant, and only then";
+                    Some(Finding::new(holds, how))
                 })
-            })
-            .by(AutomaticDerivative, |stated| {
-                at_the_instant(|at| {
-                    let crank = Crank { acceleration: stated.pick(0.0, 1.0), ..at.by_duals() };
-                    Some(along_the_circle(at, crank.pin_motion()[2], stated))
-                })
-            })
-            .but_not("it is zero though the crank gains 1 rad/s in a second"),
+            }),
         LEVER_NORMAL
             .equation(
                 "quick-return.lever-normal-equation",
                 r"A_{P4}^n = \omega_4^2 l_4",
                 "centripetal acceleration of the lever's point",
             )
-            .by(AutomaticDerivative, || {
-                // Of a point that the lever carries along, towards the pivot.
-                from_duals(|crank| {
-                    let inwards = -crank.point_motion()[2].dot(&frames::along_the_slot(crank));
-                    meets(inwards, series(|rates| rates.turning * rates.turning * radius(rates)))
-                })
-            })
-            .by(OtherPlaceInSource, || {
+            .in_letters(SIZES)
+            .also_by(OtherPlaceInSource, || {
                 let speed = printed("quick-return.lever-speed");
                 let found = speed * speed * printed("quick-return.lever-length");
                 let holds = rounds("quick-return.lever-normal", found);
                 Finding::new(holds, format!("the printed numbers give {found:.4} m/s²"))
             }),
         LEVER_NORMAL
-            .formula(
+            .equation(
                 "quick-return.square-of-the-speed",
                 r"(\ldots)^2(\ldots)",
                 "the square of the lever's printed speed times its printed length gives the printed result",
             )
-            .by(OtherPlaceInSource, |stated| {
-                let factors = ["quick-return.lever-speed", "quick-return.lever-length"].map(printed);
-                gives("quick-return.lever-normal", power(factors, stated.pick(stated.count(), 1)))
+            .evaluated(OtherPlaceInSource, |tex| {
+                gives("quick-return.lever-normal", tex, ["quick-return.lever-speed", "quick-return.lever-length"])
             })
-            .by(Vectors, |stated| {
-                at_the_instant(|at| {
-                    let (motion, rates) = (at.by_diagrams()?, at.by_series()?);
-                    let normal = motion.accelerations.follower_normal.norm();
-                    Some(same(normal, power([rates.turning, radius(&rates)], stated.pick(stated.count(), 1))))
-                })
-            })
-            .but_not("the speed itself, not its square"),
+            .read(SIZES.evidence, |tex| in_names(tex, "A_{P4}^n", &[r"\omega_4", "l_4"])),
         LEVER_NORMAL
             .value("quick-return.lever-normal", "0.813", "m/s^2", "centripetal acceleration of the lever's point")
             .by(Vectors, || diagram(|motion| motion.accelerations.follower_normal.norm()))
@@ -148,7 +125,7 @@ fn known() -> Vec<Claim> {
                 r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
                 "there is no relative normal acceleration in a straight slot",
             )
-            .by(Vectors, || reads("quick-return.sliding-normal"))
+            .evaluated(Vectors, |tex| Finding::of_reading(normal_in_the_slot(tex)))
             .by(AutomaticDerivative, || {
                 from_duals(|crank| {
                     let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
@@ -207,15 +184,7 @@ fn found() -> Vec<Claim> {
                 r"A_{P2/P4}^t = A_{P2}^n \cos \ldots - A_{P4}^n",
                 "sliding acceleration, towards the lever's pivot",
             )
-            .proven(AlongTheLever)
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[distance, _, outwards], [_, turning, _]] = crank.polar();
-                    let beta = angle_at_pin(printed("quick-return.lever-angle"));
-                    let pin = crank.speed * crank.speed * crank.radius;
-                    meets(-outwards, pin * cosine(beta) - turning * turning * distance)
-                })
-            })
+            .said_in_letters(SIZES, filled(&[r"\beta"]))
             .read_as(DEGREES),
         SLIDING
             .value(
@@ -239,15 +208,7 @@ fn found() -> Vec<Claim> {
                 "tangential acceleration of the lever's point, in the sense of the pin's acceleration across the \
                  lever",
             )
-            .proven(AcrossTheLever)
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
-                    let beta = angle_at_pin(printed("quick-return.lever-angle"));
-                    let pin = crank.speed * crank.speed * crank.radius;
-                    meets(-growth * distance, pin * sine(beta) - 2.0 * turning * -sliding)
-                })
-            })
+            .said_in_letters(SIZES, filled(&[r"\beta"]))
             .read_as(DEGREES),
         LEVER_TANGENTIAL
             .value("quick-return.lever-tangential", "2.266", "m/s^2", "tangential acceleration of the lever's point")
@@ -265,14 +226,8 @@ fn found() -> Vec<Claim> {
                 r"A_{P4}^t = \alpha_4 l_4",
                 "tangential acceleration and angular acceleration of the lever",
             )
-            .by(AutomaticDerivative, || {
-                // Of a point that the lever carries along, across it.
-                from_duals(|crank| {
-                    let across = quarter_turn(&frames::along_the_slot(crank)).dot(&crank.point_motion()[2]);
-                    meets(across, series(|rates| rates.turning_rate * radius(rates)))
-                })
-            })
-            .by(OtherPlaceInSource, || {
+            .in_letters(SIZES)
+            .also_by(OtherPlaceInSource, || {
                 let found = printed("quick-return.lever-acceleration") * printed("quick-return.lever-length");
                 let holds = rounds("quick-return.lever-tangential", found);
                 Finding::new(holds, format!("the printed numbers give {found:.3} m/s²"))
@@ -300,14 +255,20 @@ fn found() -> Vec<Claim> {
 /// How we read the equations whose angle is printed without a unit.
 const DEGREES: &str = "The angle is printed without a unit here, so we take it in degrees, as where it was found.";
 
-/// A rate to this power, times a length.
-fn power([rate, length]: [f64; 2], exponent: u32) -> f64 {
-    (0..exponent).fold(length, |product, _| product * rate)
+/// Whether a formula with dots rounds to the number printed in the claim with the first id, with the printed numbers of the
+/// other claims at its dots.
+pub fn gives(id: &str, tex: &str, of: [&str; 2]) -> Finding {
+    let letters: Letters = ["a", "b"].into_iter().zip(of.map(printed)).map(|(name, of)| (name.into(), of)).collect();
+    let number = value(&filled(&["a", "b"])(tex), &letters);
+    if number.is_nan() {
+        return Finding::of_reading(None);
+    }
+    Finding::new(rounds(id, number), format!("the printed numbers give {number:.4}"))
 }
 
-/// Whether a number rounds to the one printed in the claim with this id.
-pub fn gives(id: &str, number: f64) -> Finding {
-    Finding::new(rounds(id, number), format!("the printed numbers give {number:.4}"))
+/// Whether a formula with dots equals a letter, with these letters at its dots.
+pub fn in_names(tex: &str, side: &'static str, names: &'static [&'static str]) -> Option<bool> {
+    holds(&equal_to(side)(&filled(names)(tex)), (SIZES.numbers)())
 }
 
 /// Whether the chain holds up to its last sign of equality in a curved slot, and as a whole in the straight one.
@@ -328,17 +289,4 @@ fn normal_in_the_slot(tex: &str) -> Option<bool> {
     let across = slot.perp(&motion.accelerations.sliding_tangential);
     let straight = holds(tex, &moment(across, motion.velocities.sliding_velocity.norm(), f64::INFINITY));
     Some(curved(0.6)? && curved(3.0)? && straight?)
-}
-
-/// Square of the crank's angular velocity times its radius.
-fn centripetal(at: &Instant) -> f64 {
-    at.drive.speed * at.drive.speed * at.linkage.crank()
-}
-
-/// Whether an acceleration has as much along the pin's circle as is said, in units of its own size.
-fn along_the_circle(at: &Instant, acceleration: Vector2<f64>, stated: Stated) -> Finding {
-    let along = quarter_turn(&at.arm()).normalize().dot(&acceleration);
-    let part = along / acceleration.norm();
-    let as_said = vanishes(part - stated.number());
-    Finding::new(as_said, format!("along the circle it is {:.3} m/s²", if vanishes(part) { 0.0 } else { along }))
 }

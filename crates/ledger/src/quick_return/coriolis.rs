@@ -1,7 +1,8 @@
 //! The Coriolis term: how large it is, which way it points, and what the text says of its factors.
 
+use super::letters::SIZES;
 use super::*;
-use geneva_kinematics::quick_return::proofs::CoriolisMagnitude;
+use crate::vocabulary::equal_to;
 
 const CORIOLIS: Place = at("Solution, acceleration, Coriolis");
 const SENSE: Place = at("Solution, acceleration, direction of Coriolis");
@@ -14,30 +15,18 @@ pub fn claims() -> Vec<Claim> {
                 r"2\omega_4 v_{P2/P4}",
                 "magnitude of the Coriolis acceleration, whose factors are at right angles",
             )
-            .proven(CoriolisMagnitude { coriolis: 2 })
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[_, sliding, _], [_, turning, _]] = crank.polar();
-                    meets(term(crank).norm(), 2.0 * (turning * sliding).abs())
-                })
-            }),
+            .said_in_letters(SIZES, equal_to(r"a_\mathrm{Cor}")),
         CORIOLIS
-            .formula(
+            .equation(
                 "quick-return.factor-two",
                 r"2(\ldots)(\ldots)",
                 "twice the lever's printed speed times the printed sliding speed gives the printed result",
             )
-            .by(OtherPlaceInSource, |stated| {
-                let [turning, sliding] = ["quick-return.lever-speed", "quick-return.sliding-speed"].map(printed);
-                acceleration::gives("quick-return.coriolis", stated.pick(stated.number(), 1.0) * turning * sliding)
+            .evaluated(OtherPlaceInSource, |tex| {
+                let of = ["quick-return.lever-speed", "quick-return.sliding-speed"];
+                acceleration::gives("quick-return.coriolis", tex, of)
             })
-            .by(AutomaticDerivative, |stated| {
-                from_duals(|crank| {
-                    let [[_, sliding, _], [_, turning, _]] = crank.polar();
-                    meets(term(crank).norm(), stated.pick(stated.number(), 1.0) * (turning * sliding).abs())
-                })
-            })
-            .but_not("the product once, not twice"),
+            .read(SIZES.evidence, |tex| acceleration::in_names(tex, r"a_\mathrm{Cor}", &[r"\omega_4", "v_{P2/P4}"])),
         CORIOLIS
             .value("quick-return.coriolis", "1.960", "m/s^2", "magnitude of the Coriolis acceleration")
             .by(Vectors, || diagram(|motion| motion.accelerations.coriolis.norm()))

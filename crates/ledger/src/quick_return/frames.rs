@@ -1,8 +1,7 @@
 //! The equations of the moving frame: how the rates of a vector in the frame are counted, and who sees them.
 
+use super::letters::{AT_THE_ORIGIN, FRAME};
 use super::*;
-use geneva_kinematics::quick_return::frame_proofs::{AccelerationInAFrame, Brackets, VelocityInAFrame};
-use geneva_kinematics::quick_return::proofs::TermsOfTheVelocity;
 
 const VELOCITY: Place = at("Solution, velocity, 1st line");
 const NAMES: Place = at("Solution, velocity, 2nd line");
@@ -16,24 +15,14 @@ pub fn claims() -> Vec<Claim> {
                 r"\dot{r} = \dot{R} + \dot{p} + \omega \times p",
                 "velocity of a point given in a turning frame",
             )
-            .by(ExactIdentity, || both_components(|first| VelocityInAFrame { first }))
-            .by(AutomaticDerivative, || {
-                let Moving { whole, origin, inside, speed, .. } = moving();
-                alike(&whole[1], &(origin[1] + inside[1] + quarter_turn(&inside[0]) * speed))
-            }),
+            .in_letters(FRAME),
         NAMES
             .equation(
                 "quick-return.velocity-by-points",
                 r"v_{P2} = v_{P4} + v_{P2/P4} = \dot{R} + \dot{p}",
                 "with p = 0 the last term vanishes, and the relative velocity is the velocity seen in the frame",
             )
-            .by(ExactIdentity, || both_components(|first| TermsOfTheVelocity { first }))
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let ([_, pin, _], [_, origin, _]) = (crank.pin_motion(), crank.point_motion());
-                    alike(&pin, &(origin + along_the_slot(crank) * crank.polar()[0][1]))
-                })
-            }),
+            .in_letters(AT_THE_ORIGIN),
         ADVICE
             .statement(
                 "quick-return.seen-from-the-lever",
@@ -69,16 +58,7 @@ pub fn acceleration_in_a_frame() -> Claim {
             ),
             "acceleration of a point given in a turning frame",
         )
-        .by(ExactIdentity, || {
-            let brackets = Brackets::FromTheRight;
-            both_components(|first| AccelerationInAFrame { first, brackets, coriolis: 2 })
-        })
-        .by(AutomaticDerivative, || {
-            let Moving { whole, origin, inside, speed, angular_acceleration } = moving();
-            let centripetal = -inside[0] * (speed * speed);
-            let turning = quarter_turn(&inside[0]) * angular_acceleration + quarter_turn(&inside[1]) * (2.0 * speed);
-            alike(&whole[2], &(origin[2] + inside[2] + centripetal + turning))
-        })
+        .in_letters(FRAME)
         .read_as(
             "The double product has no brackets, and we read it from the right, as ω × (ω × p). Read from the left it \
              would be zero for every motion, so there would be no reason to write it.",
@@ -140,14 +120,14 @@ pub fn along_the_slot(crank: &Crank) -> Vector2<f64> {
 }
 
 /// A point that moves at will in a frame that moves at will; its axes are those of the ground at the instant.
-struct Moving {
+pub struct Moving {
     /// Place, velocity and acceleration of the point, of the frame's origin, and of the point as seen in the frame.
-    whole: [Vector2<f64>; 3],
-    origin: [Vector2<f64>; 3],
-    inside: [Vector2<f64>; 3],
+    pub whole: [Vector2<f64>; 3],
+    pub origin: [Vector2<f64>; 3],
+    pub inside: [Vector2<f64>; 3],
     /// The frame's angular velocity and angular acceleration.
-    speed: f64,
-    angular_acceleration: f64,
+    pub speed: f64,
+    pub angular_acceleration: f64,
 }
 
 /// Where the frame's origin is.
@@ -158,16 +138,17 @@ fn origin(t: Time) -> [Time; 2] {
     [t * t * -0.7 + t * 1.1 + 0.3, t * t * 0.9 + t * 0.4 - 0.2]
 }
 
-/// Where the point is in the frame.
-fn inside(t: Time) -> [Time; 2] {
-    [t * t * 0.6 - t * 0.5 + 0.8, t * t * -0.3 + t * 0.7 + 0.5]
+/// Where the point is in the frame, with its distance from the origin so many times as large.
+fn inside(t: Time, scale: f64) -> [Time; 2] {
+    [t * t * 0.6 - t * 0.5 + 0.8 * scale, t * t * -0.3 + t * 0.7 + 0.5 * scale]
 }
 
-fn moving() -> Moving {
+/// The point at this many times a distance from the origin.
+pub fn moving(scale: f64) -> Moving {
     let (speed, angular_acceleration) = (1.3, 0.9);
     let whole = path(|t| {
-        let ([a, b], [x, y]) = (origin(t), turned(inside(t), advance(speed, angular_acceleration, t)));
+        let ([a, b], [x, y]) = (origin(t), turned(inside(t, scale), advance(speed, angular_acceleration, t)));
         [a + x, b + y]
     });
-    Moving { whole, origin: path(origin), inside: path(inside), speed, angular_acceleration }
+    Moving { whole, origin: path(origin), inside: path(|t| inside(t, scale)), speed, angular_acceleration }
 }

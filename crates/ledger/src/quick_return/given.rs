@@ -1,7 +1,8 @@
 //! What the problem gives and asks.
 
+use super::letters::{COMPONENTS, VECTORS, with_parts};
 use super::*;
-use geneva_kinematics::quick_return::proofs::{TermsInAnySlot, TermsOfTheAcceleration, TermsOfTheVelocity};
+use crate::tex::Moment;
 
 const DATA: Place = at("Problem, 1st paragraph");
 const VELOCITY: Place = at("Problem, part (a), equation");
@@ -39,13 +40,7 @@ pub fn claims() -> Vec<Claim> {
                 "velocity of the pin, as the velocity of the lever's point under it plus its velocity relative to the \
                  lever",
             )
-            .by(ExactIdentity, || both_components(|first| TermsOfTheVelocity { first }))
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
-                    alike(&pin, &(lever + frames::along_the_slot(crank) * crank.polar()[0][1]))
-                })
-            }),
+            .in_letters(VECTORS),
         THREE
             .statement("quick-return.three", "three", "the equation of the velocities has three terms")
             .by(AutomaticDerivative, |stated| {
@@ -96,29 +91,14 @@ pub fn accelerations(place: Place, id: &'static str, printed: &'static str) -> C
             printed,
             "acceleration of the pin, as the acceleration of the lever's point plus the rest, seen without turning",
         )
-        .by(ExactIdentity, || both_components(|first| TermsOfTheAcceleration { first, coriolis: 2 }))
-        .by(AutomaticDerivative, || {
-            from_duals(|crank| {
-                let [[_, sliding, outwards], [_, turning, _]] = crank.polar();
-                let along = frames::along_the_slot(crank);
-                let relative = along * outwards + quarter_turn(&along) * (2.0 * sliding * turning);
-                alike(&crank.pin_motion()[2], &(crank.point_motion()[2] + relative))
-            })
-        })
+        .in_letters(VECTORS)
 }
 
 /// The equation of the accelerations by its components.
 pub fn components_of_all(place: Place, id: &'static str, printed: &'static str) -> Claim {
     place
         .equation(id, printed, "acceleration of the pin by its normal, tangential and Coriolis components")
-        .by(ExactIdentity, || both_components(|first| TermsInAnySlot { first, coriolis: 2 }))
-        .by(AutomaticDerivative, || {
-            from_duals(|crank| {
-                let Parted { accelerations, .. } = parted(crank);
-                let left = accelerations[0] + accelerations[1];
-                alike(&left, &-accelerations[2..].iter().sum::<Vector2<f64>>())
-            })
-        })
+        .in_letters(COMPONENTS)
 }
 
 /// How we count terms.
@@ -141,6 +121,8 @@ fn out_of_the_page(speed: f64) -> Finding {
 struct Parted {
     velocities: [Vector2<f64>; 3],
     accelerations: [Vector2<f64>; 7],
+    relative: Vector2<f64>,
+    turning: f64,
 }
 
 /// The crank of the problem, speeding up, and a lever that turns at will: the slot must then be curved.
@@ -164,7 +146,16 @@ fn parted(crank: &Crank) -> Parted {
             -tangential,
             -coriolis,
         ],
+        relative,
+        turning,
     }
+}
+
+/// The letters of the components, with this crank and a lever that turns at will.
+pub fn components_at_will(crank: Crank) -> Moment {
+    let Parted { accelerations: [pin_n, pin_t, lever_n, lever_t, normal, tangential, _], relative, turning, .. } =
+        parted(&crank);
+    with_parts([[pin_n, pin_t], [-lever_n, -lever_t], [-normal, -tangential]], relative, turning)
 }
 
 /// Whether some choice of so many of the terms adds up to nothing.

@@ -7,6 +7,7 @@ mod acceleration;
 mod coriolis;
 mod frames;
 mod given;
+mod letters;
 mod places;
 mod position;
 mod rounding;
@@ -17,14 +18,14 @@ mod with_printed_angle;
 pub use symbols::SYMBOLS;
 pub use with_printed_angle::{WithPrintedAngle, with_printed_angle};
 
-use crate::agreement::{agrees, coincide, meets, same, vanishes};
+use crate::agreement::{agrees, coincide, meets, vanishes};
 use crate::by_id::{interval, printed, rounds};
 use crate::duals::{Crank, Time, advance, path, turned};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::series::{PolarRates, polar_rates};
 use geneva_kinematics::quick_return::{Branch, Drive, Motion, Position, QuickReturn};
-use geneva_kinematics::{Identity, KinematicsError, Turn, prove};
+use geneva_kinematics::{KinematicsError, Turn};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -153,12 +154,6 @@ fn alike(a: &Vector2<f64>, b: &Vector2<f64>) -> Finding {
     Finding::new(coincide(a, b), format!("({:.3}, {:.3}) against ({:.3}, {:.3})", a.x, a.y, b.x, b.y))
 }
 
-/// Whether both components of a vector equation are proven, the first along the line of centres.
-fn both_components<const V: usize, I: Identity<V>>(equation: impl Fn(bool) -> I) -> Finding {
-    let [along, across]: [Finding; 2] = [true, false].map(|first| prove(&equation(first)).into());
-    Finding::new(along.holds && across.holds, format!("{}; {}", along.how, across.how))
-}
-
 /// A quantity of the position at the printed instant.
 fn position_of(quantity: fn(&Position) -> f64) -> f64 {
     Instant::printed().map_or(f64::NAN, |instant| quantity(&instant.position))
@@ -184,11 +179,6 @@ fn arcsine(sine: f64) -> f64 {
     libm::asin(sine).to_degrees()
 }
 
-/// The angle in degrees between the first two sides of a triangle, by the law of cosines.
-fn angle_opposite_to_third([a, b, opposite]: [f64; 3]) -> f64 {
-    arccosine((a * a + b * b - opposite * opposite) / (2.0 * a * b))
-}
-
 /// β in degrees for a lever angle in degrees, by the law of sines with the printed lengths; the acute one.
 fn angle_at_pin(lever: f64) -> f64 {
     arcsine(printed("quick-return.ground") * sine(lever) / printed("quick-return.crank"))
@@ -204,4 +194,4 @@ fn arccosine(cosine: f64) -> f64 {
     libm::acos(cosine).to_degrees()
 }
 
-use Evidence::{AutomaticDerivative, ClosedForm, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};
+use Evidence::{AutomaticDerivative, ClosedForm, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};

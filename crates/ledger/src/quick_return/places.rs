@@ -1,6 +1,8 @@
 //! Where the vectors of the solution lead: to the pin, to the frame's origin, and from one to the other.
 
+use super::letters::FRAME;
 use super::*;
+use crate::tex::{Moment, holds, value};
 
 const PLACES: Place = at("Solution, position, vectors");
 
@@ -67,14 +69,14 @@ pub fn claims() -> Vec<Claim> {
             })
             .but_not("it is the same as P2, and moves with the pin"),
         PLACES
-            .formula(
+            .equation(
                 "quick-return.p-is-zero",
                 "p = 0",
                 "the pin is at the frame's origin at this instant, but it does not stay there",
             )
-            .by(Vectors, |stated| {
+            .evaluated(Vectors, |tex| {
                 at_the_instant(|instant| {
-                    let length = stated.pick(projected_length(lever_angle()), 0.0);
+                    let length = projected_length(lever_angle());
                     let axis = Vector2::new(instant.linkage.ground(), 0.0);
                     let [now, later] = [0.0, 1.0].map(|degrees| {
                         let crank = instant.position.crank.plus(&Turn::from_degrees(degrees));
@@ -82,40 +84,41 @@ pub fn claims() -> Vec<Claim> {
                         Some((axis + crank.direction() * axis_to_pin() - position.lever.direction() * length).norm())
                     });
                     let (now, later) = (now? / axis_to_pin(), later? / axis_to_pin());
-                    Some(Finding::new(
-                        vanishes(now - stated.number()) && !vanishes(later),
-                        format!(
-                            "p is {now:.3} of the crank's radius, and {later:.3} of it after another 1° of the crank"
+                    Some(match holds(tex, &[Moment::default().with([("p", now)])]) {
+                        None => Finding::of_reading(None),
+                        Some(holds) => Finding::new(
+                            holds && !vanishes(later),
+                            format!(
+                                "p is {now:.3} of the crank's radius, and {later:.3} of it after another 1° of the crank"
+                            ),
                         ),
-                    ))
+                    })
                 })
             })
-            .by(OtherPlaceInSource, |stated| {
+            .read(OtherPlaceInSource, |tex| {
                 // By printed numbers alone: within what the digits of the lever's length leave open.
-                let p = printed_pin() - end_of(stated.pick(printed("quick-return.lever-length"), 0.0), lever_angle());
+                let p = (printed_pin() - end_of(printed("quick-return.lever-length"), lever_angle())).norm();
                 let [least, most] = interval("quick-return.lever-length");
-                Finding::new(
-                    (p.norm() - stated.number()).abs() < (most - least) / 2.0,
-                    format!("by the printed lengths and angles p is {:.4} m", p.norm()),
-                )
-            })
-            .but_not("the frame's origin is at the lever's pivot"),
+                let (left, right) = tex.split_once('=')?;
+                let apart = value(&format!("{left} - ({right})"), Moment::default().with([("p", p)]).letters());
+                (!apart.is_nan()).then_some(apart.abs() < (most - least) / 2.0)
+            }),
         PLACES
             .equation(
                 "quick-return.sum-of-places",
                 "r = R + p",
                 "place of the pin, as the place of the frame's origin plus the pin's place in the frame",
             )
-            .by(ClosedForm, sum_while_the_lever_swings)
-            .by(Series, sum_of_rates),
+            .in_letters(FRAME)
+            .also_by(Series, sum_of_rates),
         PLACES
             .equation(
                 "quick-return.sum-of-places-by-points",
                 r"r_{P2} = r_{P4} + r_{P2/P4}",
                 "place of the pin, in the names of the points",
             )
-            .by(ClosedForm, sum_while_the_lever_swings)
-            .by(Series, sum_of_rates),
+            .in_letters(FRAME)
+            .also_by(ClosedForm, sum_while_the_lever_swings),
     ]
 }
 

@@ -1,7 +1,8 @@
 //! The position: a triangle of ground, crank and lever.
 
+use super::letters::{SIZES, UNITS};
 use super::*;
-use geneva_kinematics::quick_return::proofs::{LawOfSinesAtThePin, LeverAsProjections};
+use crate::vocabulary::{equal_to, filled};
 
 const SINES: Place = at("Solution, position, 1st line");
 const PROJECTIONS: Place = at("Solution, position, 2nd line");
@@ -61,14 +62,7 @@ pub fn claims() -> Vec<Claim> {
                 r"\ldots \sin \ldots^\circ = \ldots \sin \beta",
                 "law of sines at the lever's pivot and at the pin",
             )
-            .proven(LawOfSinesAtThePin)
-            .by(ClosedForm, || {
-                // Both angles from the three sides.
-                let [ground, crank, lever] = sides();
-                let pivot = angle_opposite_to_third([ground, lever, crank]);
-                let pin = angle_opposite_to_third([crank, lever, ground]);
-                same(ground * sine(pivot), crank * sine(pin))
-            }),
+            .said_in_letters(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
         SINES
             .value("quick-return.angle-at-pin", "50.31", "°", "β, the angle at the pin between lever and crank")
             .by(Vectors, || position_of(|position| position.angle_at_pin().to_degrees()))
@@ -109,13 +103,7 @@ pub fn claims() -> Vec<Claim> {
                 r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
                 "length of the lever, as the projections of ground and crank on it",
             )
-            .proven(LeverAsProjections)
-            .by(ClosedForm, || {
-                same(
-                    projected_length(printed("quick-return.lever-angle")),
-                    position_of(|position| position.pin_distance),
-                )
-            }),
+            .said_in_letters(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
         PROJECTIONS
             .value(
                 "quick-return.lever-length",
@@ -134,15 +122,8 @@ pub fn claims() -> Vec<Claim> {
                 ),
                 "revolutions per minute to radians per second",
             )
-            .by(Vectors, || {
-                // The crank is back in its place after one of so many parts of a minute, and at no half of it.
-                let turns = printed("quick-return.driver-speed");
-                let rate = turns * 2.0 * PI / 60.0;
-                let [half, whole] = [30.0, 60.0].map(|seconds| Turn::from_radians(rate * seconds / turns));
-                let back = vanishes(whole.sin) && agrees(whole.cos, 1.0) && agrees(half.cos, -1.0);
-                Finding::new(back, format!("{rate:.3} rad/s makes {turns} turns in a minute"))
-            })
-            .by(OtherPlaceInSource, || {
+            .said_in_letters(UNITS, equal_to(r"\frac{\text{rev}}{\text{min}}"))
+            .also_by(OtherPlaceInSource, || {
                 let circumference = 2.0 * PI * printed("quick-return.crank");
                 let turns = printed("quick-return.pin-speed") * 60.0 / circumference;
                 let holds = rounds("quick-return.driver-speed", turns);
@@ -161,12 +142,8 @@ pub fn claims() -> Vec<Claim> {
                 r"\gamma = 180^\circ - \ldots^\circ - \beta",
                 "the third angle of the triangle",
             )
-            .by(ClosedForm, || {
-                let [ground, crank, lever] = sides();
-                let corners = [[ground, lever, crank], [crank, lever, ground], [ground, crank, lever]];
-                same(corners.map(angle_opposite_to_third).iter().sum(), 180.0)
-            })
-            .by(OtherPlaceInSource, || {
+            .said_in_letters(SIZES, filled(&[r"\varphi^\circ"]))
+            .also_by(OtherPlaceInSource, || {
                 let left = 180.0 - printed("quick-return.lever-angle") - printed("quick-return.angle-at-pin");
                 Finding::new(rounds("quick-return.angle-at-axis", left), format!("the printed angles leave {left:.2}°"))
             }),
@@ -189,12 +166,8 @@ pub fn claims() -> Vec<Claim> {
                 r"180^\circ - \gamma",
                 "half a turn less γ is the angle of the crank from the line of centres",
             )
-            .by(ClosedForm, || {
-                let [ground, crank, lever] = sides();
-                let left = 180.0 - angle_opposite_to_third([ground, crank, lever]);
-                same(left, position_of(|position| position.crank.degrees()))
-            })
-            .by(OtherPlaceInSource, || {
+            .said_in_letters(SIZES, equal_to(r"\psi"))
+            .also_by(OtherPlaceInSource, || {
                 let left = 180.0 - printed("quick-return.angle-at-axis");
                 Finding::new(rounds("quick-return.crank-angle", left), format!("the printed γ leaves {left:.2}°"))
             }),
@@ -212,9 +185,4 @@ pub fn claims() -> Vec<Claim> {
                 printed("quick-return.lever-angle") + arcsine(sine_at_pin)
             }),
     ]
-}
-
-/// Ground, crank and lever: the sides of the triangle.
-fn sides() -> [f64; 3] {
-    [printed("quick-return.ground"), printed("quick-return.crank"), position_of(|position| position.pin_distance)]
 }

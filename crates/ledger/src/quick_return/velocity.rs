@@ -1,7 +1,8 @@
 //! The velocities: a triangle with its right angle between lever and slot.
 
+use super::letters::SIZES;
 use super::*;
-use geneva_kinematics::quick_return::proofs::{Part, ResolvedBy, ResolvedSpeed};
+use crate::vocabulary::filled;
 
 const PIN: Place = at("Solution, velocity, part (a)");
 const ACROSS: Place = at("Solution, velocity, 4th line");
@@ -15,13 +16,7 @@ pub fn claims() -> Vec<Claim> {
 fn pin() -> Vec<Claim> {
     vec![
         PIN.equation("quick-return.pin-speed-equation", r"v_{P2} = \omega_2 l_2", "speed of the pin on its circle")
-            .by(Series, || {
-                let polar = series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates));
-                at_the_instant(|at| Some(same(polar, at.drive.speed * at.linkage.crank())))
-            })
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| meets(crank.pin_motion()[1].norm(), crank.speed * crank.radius))
-            }),
+            .in_letters(SIZES),
         PIN.value("quick-return.pin-speed", "1.048", "m/s", "speed of the pin")
             .by(Vectors, || diagram(|motion| motion.velocities.pin_velocity.norm()))
             .by(Series, || series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates)))
@@ -39,9 +34,8 @@ fn across() -> Vec<Claim> {
                 r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
                 "the pin's velocity across the lever, from an angle between crank and lever",
             )
-            .by(ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Across))
-            .corrected_form(|| resolved(ResolvedBy::AngleAtPin, Part::Across))
-            .by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine))
+            .said_in_letters(SIZES, filled(&[r"\psi^\circ"]))
+            .also_by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine))
             .corrected(r"v_{P4} = v_{P2} \cos\beta", OTHER_ANGLE),
         ACROSS
             .value("quick-return.lever-point-speed", "0.669", "m/s", "speed of the lever's point under the pin")
@@ -50,21 +44,7 @@ fn across() -> Vec<Claim> {
             .rounded(|| printed("quick-return.pin-speed") * cosine(printed("quick-return.angle-at-pin"))),
         LEVER
             .equation("quick-return.lever-speed-equation", r"\omega_4 = v_{P4} / l_4", "angular velocity of the lever")
-            .by(Series, || {
-                // What the pin's velocity has across the lever, over the pin's distance.
-                at_the_instant(|at| {
-                    let pin = Vector2::new(at.linkage.ground(), 0.0) + at.arm();
-                    let across = pin.normalize().perp(&(quarter_turn(&at.arm()) * at.drive.speed));
-                    Some(same(at.by_series()?.turning, across / pin.norm()))
-                })
-            })
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let lever = printed("quick-return.lever-angle");
-                    let across = crank.speed * crank.radius * cosine(angle_at_pin(lever));
-                    meets(crank.polar()[1][1], across / projected_length(lever))
-                })
-            }),
+            .in_letters(SIZES),
         LEVER
             .value("quick-return.lever-speed", "1.216", "rad/s", "angular velocity of the lever")
             .by(Vectors, || diagram(|motion| motion.velocities.follower_speed))
@@ -83,9 +63,8 @@ fn along() -> Vec<Claim> {
                 r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
                 "the pin's velocity along the lever, from an angle between crank and lever",
             )
-            .by(ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Along))
-            .corrected_form(|| resolved(ResolvedBy::AngleAtPin, Part::Along))
-            .by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine))
+            .said_in_letters(SIZES, filled(&[r"\psi^\circ"]))
+            .also_by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine))
             .corrected(r"v_{P2/P4} = v_{P2} \sin\beta", OTHER_ANGLE),
         ALONG
             .value("quick-return.sliding-speed", "0.806", "m/s", "speed of the pin along the slot")
@@ -107,10 +86,6 @@ const OTHER_ANGLE: Slip = Slip {
     consequence: Consequence::Derivation,
     changes: "No number changes, because both speeds were computed with β.",
 };
-
-fn resolved(by: ResolvedBy, part: Part) -> Finding {
-    prove(&ResolvedSpeed { by, part }).into()
-}
 
 /// Whether the ratio of a printed speed to the printed speed of the pin belongs to β and not to the printed angle.
 fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {

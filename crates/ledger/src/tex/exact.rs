@@ -8,7 +8,7 @@ use super::number::Number;
 use super::tree::Function;
 use super::{Display, Moment};
 use crate::Finding;
-use geneva_kinematics::{Expression, Field, Identity, prove};
+use geneva_kinematics::{Expression, Field, Identity, IdentityWithRoot, prove, prove_with_root};
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError};
 
@@ -22,8 +22,9 @@ impl Number for Expression {
         None
     }
 
+    /// Only the constant zero is known to be zero.
     fn size(&self) -> f64 {
-        self.approximate()
+        if *self == Self::ZERO { 0.0 } else { self.approximate() }
     }
 
     fn apply(self, _: Function) -> Option<Self> {
@@ -40,7 +41,7 @@ impl Number for Expression {
 pub type Exact = fn(i64) -> Moment<Expression>;
 
 /// How many variables the letters of a display are made of, at most.
-const VARIABLES: usize = 9;
+const VARIABLES: usize = 14;
 
 /// Proves an equation for both signs of what stands between bars, or refutes it; with it, that what is given for half
 /// powers is their value.
@@ -49,15 +50,39 @@ const VARIABLES: usize = 9;
 /// nothing, a division by zero. It must not pass for a slip of the source, so the finding says that it was not evaluated.
 pub fn decide(tex: &str, letters: Exact) -> Finding {
     let (mut parts, mut conditions) = (Vec::new(), Vec::new());
-    for moment in [1, -1].map(letters) {
-        match Display::read_line(tex).and_then(|display| display.differences(&moment)) {
+    let mut root = None;
+    for sign in [1, -1] {
+        let moment = letters(sign);
+        match Display::read_line(tex).and_then(|display| display.differences(&moment, sign)) {
             Ok(differences) => parts.extend(differences),
             Err(illegible) => return Finding::not_evaluated(illegible.to_string()),
         }
+        root = moment.under_root();
         conditions.extend(moment.conditions());
     }
-    let findings: Vec<Finding> = without_repetition(parts).map(zero).collect();
-    let given = || without_repetition(conditions).map(zero);
+    all_zero(parts, conditions, root)
+}
+
+/// Proves an equation that holds only where something vanishes: its two sides are that many times as far apart as that is
+/// from zero.
+pub fn decide_multiple(tex: &str, letters: fn() -> (Moment<Expression>, Expression, Expression)) -> Finding {
+    let (moment, factor, vanishing) = letters();
+    match Display::read_line(tex).and_then(|display| display.differences(&moment, 1)) {
+        Ok(differences) => {
+            let parts = differences.into_iter().map(|part| part * factor - vanishing).collect();
+            all_zero(parts, moment.conditions(), moment.under_root())
+        }
+        Err(illegible) => Finding::not_evaluated(illegible.to_string()),
+    }
+}
+
+/// Whether all parts are zero, and all conditions. The third part of a vector of the plane is so without a proof.
+fn all_zero(mut parts: Vec<Expression>, conditions: Vec<Expression>, root: Option<u32>) -> Finding {
+    if parts.iter().any(|part| *part != Expression::ZERO) {
+        parts.retain(|part| *part != Expression::ZERO);
+    }
+    let findings: Vec<Finding> = without_repetition(parts).map(|part| zero(part, root)).collect();
+    let given = || without_repetition(conditions).map(|condition| zero(condition, root));
     let not_evaluated = findings.iter().find(|finding| !finding.evaluated);
     let refuted = not_evaluated.or_else(|| findings.iter().find(|finding| !finding.holds)).cloned();
     refuted.or_else(|| given().find(|finding: &Finding| !finding.holds)).unwrap_or_else(|| {
@@ -73,10 +98,17 @@ fn without_repetition(parts: Vec<Expression>) -> impl Iterator<Item = Expression
 }
 
 /// Whether an expression is zero, found once: the lines of a display have one proof, and what is given is given to many.
-fn zero(part: Expression) -> Finding {
-    static FOUND: LazyLock<Mutex<HashMap<Expression, Arc<OnceLock<Finding>>>>> = LazyLock::new(Mutex::default);
-    let own = Arc::clone(FOUND.lock().unwrap_or_else(PoisonError::into_inner).entry(part).or_default());
-    own.get_or_init(|| prove(&Zero(part)).into()).clone()
+fn zero(part: Expression, root: Option<u32>) -> Finding {
+    type Found = HashMap<(Expression, Option<u32>), Arc<OnceLock<Finding>>>;
+    static FOUND: LazyLock<Mutex<Found>> = LazyLock::new(Mutex::default);
+    let own = Arc::clone(FOUND.lock().unwrap_or_else(PoisonError::into_inner).entry((part, root)).or_default());
+    let find = || match root {
+        None => prove(&Zero(part)).into(),
+        Some(2) => prove_with_root::<2, VARIABLES>(&Zero(part)).into(),
+        Some(3) => prove_with_root::<3, VARIABLES>(&Zero(part)).into(),
+        Some(other) => Finding::not_evaluated(format!("no proof is prepared for the root of {other}, only of 2 and 3")),
+    };
+    own.get_or_init(find).clone()
 }
 
 /// The statement that an expression is zero.
@@ -84,6 +116,12 @@ struct Zero(Expression);
 
 impl Identity<VARIABLES> for Zero {
     fn difference(&self, _: [Expression; VARIABLES]) -> Expression {
+        self.0
+    }
+}
+
+impl IdentityWithRoot<VARIABLES> for Zero {
+    fn difference(&self, _: Expression, _: [Expression; VARIABLES]) -> Expression {
         self.0
     }
 }

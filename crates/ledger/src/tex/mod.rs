@@ -5,6 +5,8 @@
 //! Nothing is taken from the formula crates' own identities, so what is found here is found about the characters.
 //! [`misprints`] makes slips by rule, to see that each would be noticed.
 
+mod apart;
+mod changed;
 mod exact;
 mod misprints;
 mod moment;
@@ -12,13 +14,16 @@ mod number;
 mod pieces;
 mod reader;
 mod tree;
+mod value;
 
-pub use exact::{Exact, decide};
+pub use changed::changed_part;
+pub use exact::{Exact, decide, decide_multiple};
 pub use misprints::{Class, Misprint, misprints};
-pub use moment::{Letters, Moment, Value};
+pub use moment::{Letters, Moment};
 pub use number::Number;
 pub use pieces::{GREEK, Piece, pieces};
 pub use tree::By;
+pub use value::Value;
 
 use crate::tolerance::{DIFFERENCES, ROUTES};
 use std::collections::BTreeSet;
@@ -96,15 +101,14 @@ impl Display {
         Ok(true)
     }
 
-    /// Each side of an equation minus the next.
-    fn differences<N: Number>(&self, moment: &Moment<N>) -> Result<Vec<N>, Illegible> {
-        match &self.chains[..] {
-            [chain] if chain.len() > 1 => {
-                let sides = chain.iter().map(|side| moment.number(side)).collect::<Result<Vec<_>, _>>()?;
-                Ok(sides.windows(2).map(|pair| pair[0].clone() - pair[1].clone()).collect())
-            }
-            _ => Err(Illegible("it is no equation".to_owned())),
+    /// Each side of an equation minus the next, with this sign for those that stand for both.
+    fn differences<N: Number>(&self, moment: &Moment<N>, sign: i64) -> Result<Vec<N>, Illegible> {
+        if self.chains.is_empty() || self.chains.iter().any(|chain| chain.len() < 2) {
+            return Err(Illegible("it is no equation".to_owned()));
         }
+        let pairs = self.chains.iter().flat_map(|chain| chain.windows(2));
+        let apart = pairs.map(|pair| moment.apart([&pair[0], &pair[1]], sign));
+        Ok(apart.collect::<Result<Vec<_>, _>>()?.concat())
     }
 
     /// What stands alone in a display that equates nothing.

@@ -2,46 +2,17 @@
 
 use super::number::Number;
 use super::tree::{By, Function, Joint, Node};
+use super::value::Value;
 use super::{Display, Illegible, name, name_at};
-use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
 /// What each letter stands for at one instant, by its [`name`].
 pub type Letters<N = f64> = BTreeMap<String, N>;
 
-/// A number, or a vector of space.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Value<N = f64> {
-    /// A number.
-    Number(N),
-    /// A vector by its coordinates, the third out of the plane of the mechanism.
-    Vector([N; 3]),
-}
-
-impl Value {
-    /// An angular velocity or acceleration: a vector out of the plane.
-    pub fn turning(rate: f64) -> Self {
-        Self::Vector([0.0, 0.0, rate])
-    }
-}
-
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Self::Number(number)
-    }
-}
-
-/// A vector of the plane.
-impl From<Vector2<f64>> for Value {
-    fn from(vector: Vector2<f64>) -> Self {
-        Self::Vector([vector.x, vector.y, 0.0])
-    }
-}
-
 /// What the names of a formula stand for at one instant, and how fast it changes.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Moment<N = f64> {
-    letters: Letters<N>,
+    pub(super) letters: Letters<N>,
     vectors: BTreeMap<String, [N; 3]>,
     /// The rates of the letters by time, angle and speed.
     rates: [Letters<N>; 3],
@@ -49,6 +20,14 @@ pub struct Moment<N = f64> {
     slope: Option<fn(N, N) -> N>,
     /// Formulas that have a value of their own, so that they need not be evaluated.
     given: Vec<(Node, N)>,
+    /// Formulas that another value replaces, with no condition on it.
+    replaced: Vec<(Node, N)>,
+    /// The cosine and the sine of each name that stands for an angle.
+    pub(super) angles: BTreeMap<String, [N; 2]>,
+    /// What else must be zero for the names to stand for what they do.
+    required: Vec<N>,
+    /// The integer under the root that exact numbers contain.
+    under_root: Option<u32>,
     /// The sign of what stands between bars, if it is given.
     bars: Option<N>,
 }
@@ -58,8 +37,14 @@ pub struct Moment<N = f64> {
 const WEIGHTS: [(f64, f64); 4] = [(1.0, 4.0 / 5.0), (2.0, -1.0 / 5.0), (3.0, 4.0 / 105.0), (4.0, -1.0 / 280.0)];
 const STEP: f64 = 1.0 / 1024.0;
 
+impl<N: Number> Default for Moment<N> {
+    fn default() -> Self {
+        Self::of(Letters::new())
+    }
+}
+
 impl Moment {
-    /// The same with what the letters stand for at some distance by time, angle or speed: their rates are differences.
+    /// Adds rates of the letters as differences of what they stand for at some distance by time, angle or speed.
     #[must_use]
     pub fn moving(mut self, there: impl Fn(By, f64) -> Letters) -> Self {
         for by in [By::Time, By::Angle, By::Speed] {
@@ -74,16 +59,7 @@ impl Moment {
         self
     }
 
-    /// The same with values for more names, as TeX writes them; what is no name has no value.
-    #[must_use]
-    pub fn with<'a, V: Into<Value>>(mut self, values: impl IntoIterator<Item = (&'a str, V)>) -> Self {
-        for (name, value) in values.into_iter().filter_map(|(tex, value)| Some((name(tex).ok()?, value))) {
-            self.set(name, value.into());
-        }
-        self
-    }
-
-    /// The same with numbers that names have at an instant that a formula names.
+    /// Adds numbers that names have at an instant that a formula names.
     #[must_use]
     pub fn with_instant<'a>(mut self, instant: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Self {
         let named = values.into_iter().filter_map(|(tex, number)| Some((name_at(&name(tex).ok()?, instant), number)));
@@ -91,8 +67,7 @@ impl Moment {
         self
     }
 
-    /// The same with other names for the same things and for their rates: theirs, then ours. Not a number, if ours
-    /// stands for nothing.
+    /// Adds other names for the letters and for their rates: theirs, then ours. Not a number, if ours stands for nothing.
     #[must_use]
     pub fn called<'a>(mut self, names: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
         let named = names.into_iter().filter_map(|(theirs, ours)| Some((name(theirs).ok()?, name(ours).ok()?)));
@@ -108,45 +83,109 @@ impl Moment {
         }
         self
     }
-
-    fn set(&mut self, name: String, value: Value) {
-        self.letters.remove(&name);
-        match value {
-            Value::Number(number) => drop(self.letters.insert(name, number)),
-            Value::Vector(vector) => drop(self.vectors.insert(name, vector)),
-        }
-    }
 }
 
 impl<N: Number> Moment<N> {
     /// The letters alone.
     pub fn of(letters: Letters<N>) -> Self {
         let rates = [const { Letters::new() }; 3];
-        Self { letters, vectors: BTreeMap::new(), rates, slope: None, given: Vec::new(), bars: None }
+        Self {
+            letters,
+            vectors: BTreeMap::new(),
+            rates,
+            slope: None,
+            given: Vec::new(),
+            replaced: Vec::new(),
+            angles: BTreeMap::new(),
+            required: Vec::new(),
+            under_root: None,
+            bars: None,
+        }
     }
 
-    /// The same with rates of letters, by their [`name`]s. What has no rate among others is constant.
+    /// Adds values for names, as TeX writes them; what is no name has no value.
+    #[must_use]
+    pub fn with<'a, V: Into<Value<N>>>(mut self, values: impl IntoIterator<Item = (&'a str, V)>) -> Self {
+        for (name, value) in values.into_iter().filter_map(|(tex, value)| Some((name(tex).ok()?, value))) {
+            self.set(name, value.into());
+        }
+        self
+    }
+
+    fn set(&mut self, name: String, value: Value<N>) {
+        self.letters.remove(&name);
+        match value {
+            Value::Number(number) => drop(self.letters.insert(name, number)),
+            Value::Vector(vector) => drop(self.vectors.insert(name, vector)),
+        }
+    }
+
+    /// Adds angles by their cosines and sines: a sum of angles is then proven as a sequence of turns. The sine, the cosine
+    /// and the tangent of each are given too.
+    #[must_use]
+    pub fn with_angles<'a>(mut self, angles: impl IntoIterator<Item = (&'a str, [N; 2])>) -> Self {
+        for (tex, [cos, sin]) in angles {
+            for (function, value) in [
+                (Function::Cosine, cos.clone()),
+                (Function::Sine, sin.clone()),
+                (Function::Tangent, sin.clone() / cos.clone()),
+            ] {
+                self.replaced.extend(name(tex).ok().map(|name| (Node::Name(name).of(function), value)));
+            }
+            self.required.push(cos.clone() * cos.clone() + sin.clone() * sin.clone() - N::integer(1));
+            self.angles.extend(name(tex).ok().map(|name| (name, [cos, sin])));
+        }
+        self
+    }
+
+    /// Adds what must be zero for the names to stand for what they do.
+    #[must_use]
+    pub fn requiring(mut self, zeros: impl IntoIterator<Item = N>) -> Self {
+        self.required.extend(zeros);
+        self
+    }
+
+    /// Says which integer stands under the root of these numbers.
+    #[must_use]
+    pub fn with_root_of(self, integer: u32) -> Self {
+        Self { under_root: Some(integer), ..self }
+    }
+
+    /// The integer under the root of these numbers, if they have one.
+    pub(super) fn under_root(&self) -> Option<u32> {
+        self.under_root
+    }
+
+    /// Puts a value in the place of a formula wherever it stands. An equation that holds for every such value holds for the
+    /// right one. A formula that cannot be read stands nowhere.
+    #[must_use]
+    pub fn replacing(mut self, tex: &str, value: N) -> Self {
+        self.replaced.extend(Display::read(tex).ok().and_then(|display| Some((display.alone()?.clone(), value))));
+        self
+    }
+
+    /// Adds rates of letters, by their [`name`]s. What has no rate among others is constant.
     #[must_use]
     pub fn changing<'a>(mut self, by: By, rates: impl IntoIterator<Item = (&'a str, N)>) -> Self {
         self.rates[by as usize].extend(rates.into_iter().map(|(name, rate)| (name.to_owned(), rate)));
         self
     }
 
-    /// The same with a slope that the letter f stands for.
+    /// Adds a slope that the letter f stands for.
     #[must_use]
     pub fn sloping(self, slope: fn(N, N) -> N) -> Self {
         Self { slope: Some(slope), ..self }
     }
 
-    /// The same with the value of a formula wherever it stands, and for half a power of something also of the other
-    /// half powers. A formula that cannot be read stands nowhere.
+    /// Adds the value of a formula wherever it stands, and for half a power of something also of the other half powers. A
+    /// formula that cannot be read stands nowhere.
     #[must_use]
     pub fn giving(mut self, tex: &str, value: N) -> Self {
         self.given.extend(Display::read(tex).ok().and_then(|display| Some((display.alone()?.clone(), value))));
         self
     }
 
-    /// The same with the sign of what stands between bars.
+    /// Adds the sign of what stands between bars.
     #[must_use]
     pub fn opening_bars(self, sign: N) -> Self {
         Self { bars: Some(sign), ..self }
@@ -180,7 +219,7 @@ impl<N: Number> Moment<N> {
     }
 
     /// What a formula comes to, with this sign for those that stand for both.
-    fn value(&self, node: &Node, sign: i64) -> Result<Value<N>, Illegible> {
+    pub(super) fn value(&self, node: &Node, sign: i64) -> Result<Value<N>, Illegible> {
         if let Some(value) = self.given(node) {
             return Ok(Value::Number(value));
         }
@@ -208,6 +247,11 @@ impl<N: Number> Moment<N> {
                         let [x, y, z] = vector.map(|part| part.clone() * part);
                         apply(Function::Root, x + y + z)
                     }
+                    // Where π is one of the letters, degrees are parts of it.
+                    (Function::Degrees, of, _) if self.letters.contains_key("pi") => {
+                        let degree = self.of_name("pi")?.number()? / N::integer(180);
+                        Ok(of.times(degree))
+                    }
                     (function, of, _) => apply(*function, of.number()?),
                 }
             }
@@ -225,7 +269,8 @@ impl<N: Number> Moment<N> {
     }
 
     fn given(&self, node: &Node) -> Option<N> {
-        self.given.iter().find(|(given, _)| given == node).map(|(_, value)| value.clone())
+        let mut all = self.given.iter().chain(&self.replaced);
+        all.find(|(given, _)| given == node).map(|(_, value)| value.clone())
     }
 
     /// What is given for the power 1/2 of this base.
@@ -244,7 +289,7 @@ impl<N: Number> Moment<N> {
                 None => Some(others.number(node).ok()? - value.clone()),
             }
         };
-        self.given.iter().enumerate().filter_map(condition).collect()
+        self.given.iter().enumerate().filter_map(condition).chain(self.required.iter().cloned()).collect()
     }
 
     fn joined(&self, joint: Joint, left: Value<N>, right: Value<N>) -> Result<Value<N>, Illegible> {
@@ -297,6 +342,7 @@ impl<N: Number> Moment<N> {
 fn under_root(node: &Node) -> Option<&Node> {
     let half = Node::integer(1).join(Joint::Over, Node::integer(2));
     match node {
+        Node::Of(Function::Root, base) => Some(base),
         Node::Two(Joint::Power, base, exponent) if **exponent == half => Some(base),
         _ => None,
     }
@@ -310,37 +356,4 @@ fn no_rate(of: &Node) -> Illegible {
 fn dotted(name: &str) -> String {
     let end = name.find(['_', '^', '′']).unwrap_or(name.len());
     format!("{}'{}", &name[..end], &name[end..])
-}
-
-impl<N: Number> Value<N> {
-    fn number(self) -> Result<N, Illegible> {
-        match self {
-            Self::Number(number) => Ok(number),
-            Self::Vector(_) => Err(Illegible("a vector where a number should be".to_owned())),
-        }
-    }
-
-    fn size(&self) -> f64 {
-        match self {
-            Self::Number(number) => number.size(),
-            Self::Vector(parts) => parts.iter().map(|part| part.size() * part.size()).sum::<f64>().sqrt(),
-        }
-    }
-
-    fn times(self, factor: N) -> Self {
-        match self {
-            Self::Number(number) => Self::Number(number * factor),
-            Self::Vector(vector) => Self::Vector(vector.map(|part| part * factor.clone())),
-        }
-    }
-
-    fn plus(self, other: Self) -> Result<Self, Illegible> {
-        match (self, other) {
-            (Self::Number(one), Self::Number(other)) => Ok(Self::Number(one + other)),
-            (Self::Vector([a, b, c]), Self::Vector([x, y, z])) => Ok(Self::Vector([a + x, b + y, c + z])),
-            // Nothing is nothing of either kind.
-            (vector, Self::Number(zero)) | (Self::Number(zero), vector) if zero.size() == 0.0 => Ok(vector),
-            _ => Err(Illegible("a number added to a vector".to_owned())),
-        }
-    }
 }

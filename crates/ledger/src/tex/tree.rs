@@ -98,7 +98,7 @@ impl Node {
         found
     }
 
-    /// The same with another name for each.
+    /// Renames each letter of the formula.
     #[must_use]
     pub fn renamed(self, name: &dyn Fn(&str) -> String) -> Self {
         match self {

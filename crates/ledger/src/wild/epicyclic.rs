@@ -109,8 +109,8 @@ fn by_turns(fit: &Fit, moving: Moving) -> Vec<f64> {
     ratios.filter(whole).collect()
 }
 
-/// The same by coordinates, of all ratios in twelfths: the pin at its farthest, on its way along the slot, as it leaves and
-/// as it comes to the next slot. The gear may have its teeth outside or inside.
+/// Ratios of teeth, among all in twelfths, that let the pin leave as it came, and come back, by coordinates: the pin at its
+/// farthest, on its way along the slot, as it leaves and as it comes to the next slot. The gear may have its teeth outside or inside.
 fn by_places(fit: &Fit, moving: Moving) -> Vec<f64> {
     let half = moving(fit) / 2.0;
     let direction = |angle: f64| Vector2::new(libm::cos(angle), libm::sin(angle));

@@ -41,13 +41,13 @@ pub fn claims() -> Vec<Claim> {
 }
 
 impl Drawn {
-    /// The same driver with the wheel that fits it.
+    /// The model's driver with the wheel that fits it.
     fn fitting(self) -> Self {
         let centres = self.crank / libm::sin(PI / f64::from(self.slots));
         Self { centres, rim: (centres * centres - self.crank * self.crank).sqrt(), ..self }
     }
 
-    /// The same axes and rim, with the wheel's radius that fits.
+    /// The model's axes with the wheel's radius that fits them.
     fn with_fitting_rim(self) -> Self {
         Self { rim: self.centres * libm::cos(PI / f64::from(self.slots)), ..self }
     }
@@ -67,7 +67,8 @@ impl Drawn {
         Some([libm::atan2(pin.y, pin.x) * f64::from(self.slots) / PI, velocity_ratio(&ratio, &turn)])
     }
 
-    /// The same by coordinates: the pin from the driver's axis, and what of its velocity is across the slot.
+    /// Where the pin comes to the rim and how fast the wheel must turn then, by coordinates: the pin from the driver's axis,
+    /// and the part of its velocity across the slot.
     fn entry_by_coordinates(&self) -> Option<[f64; 2]> {
         // Where the circles of the pin and of the rim meet, by the distances of that place from the line of centres.
         let [a, c, r] = [self.crank, self.centres, self.rim];

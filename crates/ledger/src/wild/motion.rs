@@ -76,7 +76,7 @@ fn speed(of: &Instant) -> Vec<(&'static str, f64)> {
     vec![(r"\omega_{out}", 3.0 * of.speed), (r"\omega_{in}", 3.0), (r"\alpha", of.crank), ("r", ratio)]
 }
 
-/// The same on the line of centres, for a wheel of so many slots.
+/// The letters of the speed that lacks a factor, on the line of centres, for a wheel of so many slots.
 pub(super) fn greatest_speed(slots: u32) -> Option<Vec<(&'static str, f64)>> {
     by_formula(slots).iter().find(|instant| instant.crank == 0.0).map(speed)
 }

@@ -4,8 +4,8 @@ use super::fit::{Fit, Letters};
 use super::{motion, sizes, turning};
 use crate::tex::{self, Moment};
 
-/// What the wrong formula of a claim gives over what the right one gives, for a wheel of so many slots: dimensionless.
-/// That of the wheel's speed on the line of centres.
+/// What the wrong formula of a claim gives over what the right one gives, for a wheel of so many slots: dimensionless. A
+/// formula for the wheel's speed is taken on the line of centres.
 ///
 /// None for a claim that is no wrong formula of this kind, and for numbers of slots that no wheel has.
 pub fn ratio(id: &str, slots: u32) -> Option<f64> {

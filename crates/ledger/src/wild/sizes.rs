@@ -61,17 +61,17 @@ pub(super) fn centres(fit: &Fit) -> Vec<(&'static str, f64)> {
     vec![("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)]
 }
 
-/// Those of its driver.
+/// The letters of the calculator's driver radius.
 pub(super) fn driver(fit: &Fit) -> Vec<(&'static str, f64)> {
     vec![(r"R_{driver}", fit.crank), ("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)]
 }
 
-/// Those of the centre distance with a root.
+/// The letters of the centre distance with a root.
 pub(super) fn centres_by_the_root(fit: &Fit) -> Vec<(&'static str, f64)> {
     vec![("C", fit.centres), (r"R_{pin}", fit.crank), ("n", fit.slots)]
 }
 
-/// Those of the library's wheel radius.
+/// The letters of the library's wheel radius.
 pub(super) fn rim(fit: &Fit) -> Vec<(&'static str, f64)> {
     vec![("R", fit.rim), ("d", fit.centres), ("r", fit.crank)]
 }

@@ -1,8 +1,9 @@
 //! The first page: how many claims are right, how many rows describe no mechanism, how many cells are reproduced.
 
 use super::Number;
-use crate::lookup::of_documents;
+use crate::lookup::{judged, of_documents};
 use crate::rows::score;
+use geneva_ledger::meyer::runs::data::inputs;
 use geneva_ledger::meyer::runs::{Hypothesis, Row, rows};
 use geneva_ledger::{Consequence, Decimal, Judged, Truth, claim, slips_of};
 
@@ -18,6 +19,9 @@ pub const NUMBERS: &[(&str, Number)] = &[
         Ok(claims(Truth::Wrong, |slip| slip.is_none_or(|slip| slip != Consequence::Copy && !GRAVE.contains(&slip))))
     }),
     ("claims.copy", || Ok(claims(Truth::Wrong, |slip| slip == Some(Consequence::Copy)))),
+    ("claims.inputs", || Ok(inputs_that_are_right()?.to_string())),
+    ("claims.by-accident", || Ok(right_by_accident()?.to_string())),
+    ("claims.of-one-line", || Ok(of_one_line().to_string())),
     ("claims.open", || Ok(claims(Truth::Open, |_| true))),
     ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
@@ -34,8 +38,55 @@ fn is_reset_rightly(row: &Row) -> bool {
     reset.is_some_and(|reset| reset.is_rounding_of(Hypothesis::IDEAL.angle(row.mechanism)))
 }
 
+/// How many of the inputs of the thesis's runs are right, which we know only from the results.
+fn inputs_that_are_right() -> anyhow::Result<usize> {
+    let truths = inputs().map(|id| Ok(judged(&id)?.truth()));
+    let truths: Vec<Truth> = truths.collect::<anyhow::Result<_>>()?;
+    Ok(truths.into_iter().filter(|truth| *truth == Truth::Right).count())
+}
+
+/// How many results of rows that describe no mechanism are right all the same.
+fn right_by_accident() -> anyhow::Result<usize> {
+    let others = rows().iter().filter(|row| !is_reset_rightly(row));
+    let results = others.flat_map(|row| ["max", "min", "period"].map(|result| (row, result)));
+    let truths = results.map(|(row, result)| Ok(judged(&format!("meyer.app-e.{}.{result}", row.slug()))?.truth()));
+    let truths: Vec<Truth> = truths.collect::<anyhow::Result<_>>()?;
+    Ok(truths.into_iter().filter(|truth| *truth == Truth::Right).count())
+}
+
+/// How many claims are wrong because of the one line of the program that resets the driver's angle.
+fn of_one_line() -> usize {
+    let own = |judged: &&Judged| judged.claim.erratum.as_ref().is_some_and(|erratum| erratum.slip.id == FAULTY_LINE);
+    of_documents().filter(own).filter(|judged| judged.truth() == Truth::Wrong).count()
+}
+
+/// The mistake of that line.
+const FAULTY_LINE: &str = "meyer.listing.fold";
+
 /// How many claims are right, wrong or open, and reached by such a slip or by none.
 fn claims(truth: Truth, by: fn(Option<Consequence>) -> bool) -> String {
     let slip = |judged: &Judged| judged.claim.erratum.as_ref().map(|erratum| erratum.slip.consequence);
     of_documents().filter(|judged| judged.truth() == truth && by(slip(judged))).count().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_line_makes_more_wrong_claims_than_any_other_mistake_and_than_all_others_together() {
+        let own = of_one_line();
+        let most = GRAVE.into_iter().flat_map(slips_of).map(|places| places.claims.len()).max();
+        assert_eq!(most, Some(own));
+        let wrong = claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy)).parse::<usize>().expect("a count");
+        assert!(2 * own > wrong, "{own} of {wrong}");
+    }
+
+    #[test]
+    fn the_inputs_of_the_runs_are_right_but_for_two_inertias_and_a_few_results_are_by_accident() {
+        assert_eq!(inputs_that_are_right().expect("judged") + 2, inputs().count());
+        let others = 3 * rows().iter().filter(|row| !is_reset_rightly(row)).count();
+        let accidents = right_by_accident().expect("judged");
+        assert!(accidents > 0 && 5 * accidents < others, "{accidents} of {others}");
+    }
 }

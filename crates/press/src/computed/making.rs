@@ -1,5 +1,7 @@
 //! Of the chapter on making a wheel: the worked design, from its need to its drawing, and the exercises.
 
+mod advice;
+
 use super::{Number, degrees, with_unit};
 use crate::numbers::fixed;
 use anyhow::Context;
@@ -24,11 +26,10 @@ const THICKNESS: f64 = 10.0;
 const PIN: &str = "steel";
 const WALL: &str = "phosphor-bronze";
 const CENTRE_ERROR: f64 = 0.1;
-/// Least and greatest play of the fit H8/e8 of ISO 286 for diameters over 6 to 10 mm, in mm.
-const FIT: [f64; 2] = [0.025, 0.069];
-/// Coefficient of friction of a pin in its slot, density of steel in kg/m³, and a large crank radius in mm.
+/// An error of the centre distance with which the pin knocks less, in mm.
+const LITTLE_APART: f64 = 0.02;
+/// Coefficient of friction of a pin in its slot, and a large crank radius in mm.
 const RUBBING: f64 = 0.15;
-const STEEL: f64 = 7850.0;
 const LARGE: f64 = 100.0;
 /// Poisson's ratio for which the pressure at yielding is said.
 const POISSON: f64 = 0.3;
@@ -52,7 +53,9 @@ const SECOND_CENTRES: f64 = 80.0;
 const SECOND_TURN: f64 = 2.0;
 const SECOND_INERTIA: f64 = 0.02;
 
-/// The numbers of this chapter.
+pub use advice::NUMBERS as ADVICE;
+
+/// The numbers of this chapter, but for those of its advice.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("making.inertia", || Ok(with_unit(INERTIA, 1, "kg&nbsp;m²"))),
     ("making.friction", || Ok(with_unit(FRICTION, 1, "N&nbsp;m"))),
@@ -64,13 +67,18 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.play", || millimetres(|of| of.play.slot)),
     ("making.slot-width", || millimetres(|of| of.slot_width)),
     ("making.slot-depth", || millimetres(|of| of.slot_depth)),
-    ("making.fit-least", || Ok(told(FIT[0]))),
-    ("making.fit-most", || Ok(told(FIT[1]))),
     ("making.bottom-clearance", || millimetres(|of| of.bottom_clearance)),
     ("making.bottom-gap", || millimetres(|of| rounded_down(of.bottom_gap()))),
     ("making.longer-crank", || millimetres(|of| rounded_down(of.crank_radius_tolerance().unwrap_or(f64::NAN)))),
     ("making.locking-gap", || millimetres(|of| rounded_down(of.locking_gap().unwrap_or(f64::NAN)))),
-    ("making.third", || millimetres(|of| rounded_down(of.locking_gap().unwrap_or(f64::NAN) / 3.0))),
+    ("making.shorter-crank", || millimetres(|of| rounded_down(of.slot_gap()))),
+    ("making.own-factor", || {
+        let own = own_inertia(&sizes()?)?;
+        Ok(with_unit(own / (CRANK_RADIUS / 1000.0).powi(4), 2, "kg/m²"))
+    }),
+    ("making.own", || Ok(with_unit(own_inertia(&sizes()?)?, 2, "kg&nbsp;m²"))),
+    ("making.little-apart", || Ok(told(LITTLE_APART))),
+    ("making.blow-little-apart", || Ok(with_unit(blow(LITTLE_APART)?, 2, "mm/s"))),
     ("making.slot-direction", || Ok(fixed(slot_direction()?.to_degrees(), 3) + "°")),
     ("making.slot-direction-rim", || Ok(told(rounded_down(slot_direction()? * sizes()?.wheel_radius)))),
     ("making.thickness", || Ok(told(THICKNESS))),
@@ -134,7 +142,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.crank-at", || loaded(|loads| before(loads.crank_torque().driving))),
     ("making.rms", || loaded(|loads| with_unit(loads.rms_crank_torque(), 2, "N&nbsp;m"))),
     ("making.mean", || loaded(|loads| with_unit(loads.mean_crank_torque(), 2, "N&nbsp;m"))),
-    ("making.power", || loaded(|loads| with_unit(loads.crank_torque().driving.value * speed(RPM), 2, "W"))),
+    ("making.power", || loaded(|loads| with_unit(loads.peak_power(), 2, "W"))),
     ("making.braking-from", || Ok(degrees(braking()?.0))),
     ("making.braking-until", || Ok(degrees(braking()?.1))),
     ("making.modulus", || {
@@ -319,12 +327,16 @@ fn knock(of: fn(&Knock) -> f64) -> anyhow::Result<String> {
     Ok(with_unit(of(&knock) * CRANK_RADIUS * speed(RPM), 2, "mm/s"))
 }
 
+/// The moment of inertia of a steel wheel, in kg m².
+fn own_inertia(sizes: &Sizes) -> anyhow::Result<f64> {
+    Ok(sizes.outline().wheel.moment_of_inertia(THICKNESS, material("steel")?.density)?)
+}
+
 /// The pin's greatest force in N and the greatest torque at the crank in N m, with this crank radius in mm, where a steel wheel
 /// adds its own inertia to that of the problem.
 fn with_wheel(radius: f64) -> anyhow::Result<(f64, f64)> {
     let sizes = Sizes::new(Wheel::new(STATIONS)?, Scale::CrankRadius(radius), &Choices::default())?;
-    let own = sizes.outline().wheel.moment_of_inertia(THICKNESS, STEEL)?;
-    let loads = WheelLoads::new(&sizes.wheel, INERTIA + own, FRICTION, speed(RPM))?;
+    let loads = WheelLoads::new(&sizes.wheel, INERTIA + own_inertia(&sizes)?, FRICTION, speed(RPM))?;
     Ok((loads.pin_moment().driving.value / (radius / 1000.0), loads.crank_torque().driving.value))
 }
 
@@ -377,6 +389,7 @@ fn second(of: fn(&Sizes) -> f64) -> anyhow::Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_kinematics::wheel::EntryContact;
     use geneva_live::Arguments;
 
     #[test]
@@ -389,6 +402,15 @@ mod tests {
         near(force().expect("loaded"), shown("force"));
         near(loaded(|loads| loads.crank_torque().driving.value).expect("loaded"), shown("crank"));
         near(blow(0.0).expect("met"), shown("blow"));
+        near(loaded(|loads| loads.rms_crank_torque()).expect("loaded"), shown("rms"));
+        near(loaded(|loads| loads.mean_crank_torque()).expect("loaded"), shown("mean"));
+        near(loaded(|loads| loads.peak_power()).expect("loaded"), shown("power"));
+        near(contact().expect("one").pressure(force().expect("loaded")).expect("one") / 1e6, shown("pressure"));
+        // The hint: a little apart the pin knocks less, and farther apart it meets a corner.
+        assert!(live.hint.contains("apart by 0.02 mm") && live.hint.contains("At 0.06 mm"), "another hint");
+        let sizes = sizes().expect("fits");
+        assert!(blow(LITTLE_APART).expect("met") < 0.8 * blow(0.0).expect("met"));
+        assert_eq!(sizes.entry(0.06).expect("met").contact, EntryContact::Mouth);
     }
 
     #[test]
@@ -405,10 +427,9 @@ mod tests {
     #[test]
     fn the_chapters_words_about_the_play_hold() {
         let (sizes, play) = (sizes().expect("fits"), dwell_play().expect("a dwell"));
-        assert!(FIT[0] < sizes.play.slot && sizes.play.slot < FIT[1], "another fit");
         // The chapter says that the axes may be wrong by this much and the wheel runs, and that nearer by as much jams.
         let apart = sizes.entry(CENTRE_ERROR).expect("met");
-        assert_eq!(apart.contact, geneva_kinematics::wheel::EntryContact::Mouth);
+        assert_eq!(apart.contact, EntryContact::Mouth);
         assert!(sizes.locking_gap().expect("a disc") < CENTRE_ERROR);
         // With two pins the opening is in the arc all the time.
         for stations in [STATIONS, 12] {

@@ -1,10 +1,10 @@
-//! Of how it is checked: the misprints that were made, the equations with a neighbour by hand, and what readings overturned.
+//! Of how it is checked: the equations that are read, the misprints that were made, and what readings overturned.
 
 use super::Number;
 use crate::lookup::of_documents;
 use crate::tables::readings::{READINGS, SENTENCES};
 use anyhow::Context;
-use geneva_ledger::{Check, Kind};
+use geneva_ledger::{Check, Evidence, Judged, Kind, verdicts};
 use std::collections::BTreeMap;
 
 /// Made by the test of the misprints, which fails if it is not as the ledger has it.
@@ -15,7 +15,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("method.misprints.refuted", || misprints("refuted")),
     ("method.misprints.unreadable", || misprints("unreadable")),
     ("method.misprints.harmless", || misprints("harmless")),
-    ("method.neighbours-by-hand", || Ok(neighbours_by_hand().to_string())),
+    ("method.equations.both", || Ok(equations_read_by(2).to_string())),
+    ("method.equations.one", || Ok(equations_read_by(1).to_string())),
+    ("method.same-kind", || Ok(of_one_kind(|_| true).to_string())),
+    ("method.same-kind.given", || Ok(of_one_kind(|kind| kind == Evidence::OtherPlaceInSource).to_string())),
     ("method.readings.last", || Ok(last()?.0.to_string())),
     ("method.readings.last-of", || Ok(last()?.1.to_string())),
     ("method.readings.last-part", || Ok(one_in(last()?))),
@@ -30,10 +33,23 @@ fn misprints(name: &str) -> anyhow::Result<String> {
     found.with_context(|| format!("the record of misprints has no line `{name}`"))
 }
 
-/// How many equations of the documents are checked like a statement, with a false form that is made by hand.
-fn neighbours_by_hand() -> usize {
-    let by_hand = |check: &Check| matches!(check, Check::Statement { .. });
-    of_documents().filter(|judged| judged.claim.kind == Kind::Equation && by_hand(&judged.claim.check)).count()
+/// How many equations of all sources have so many routes that read their printed characters.
+fn equations_read_by(routes: usize) -> usize {
+    let reading = |check: &Check| match check {
+        Check::Equation { decide, reader, .. } => usize::from(decide.is_some()) + usize::from(reader.is_some()),
+        _ => 0,
+    };
+    let equations = verdicts().iter().filter(|judged| judged.claim.kind == Kind::Equation);
+    equations.filter(|judged| reading(&judged.claim.check) == routes).count()
+}
+
+/// How many claims of the documents have two routes of one kind, of these kinds.
+fn of_one_kind(wanted: fn(Evidence) -> bool) -> usize {
+    let alike = |judged: &&Judged| match judged.claim.check.evidence()[..] {
+        [first, witness] => first == witness && wanted(first),
+        _ => false,
+    };
+    of_documents().filter(alike).count()
 }
 
 /// Of the last reading that overturned something and counted what it went through: statements and figures overturned, those
@@ -73,6 +89,7 @@ mod tests {
             assert!(misprints(name).expect("a line").parse::<usize>().is_ok_and(|number| number > 0), "{name}");
         }
         assert!(misprints("made up").is_err());
-        assert!(again() > 3 && neighbours_by_hand() > 0);
+        assert!(of_one_kind(|_| true) > of_one_kind(|kind| kind == Evidence::OtherPlaceInSource));
+        assert!(again() > 3 && equations_read_by(0) == 0);
     }
 }

@@ -2,6 +2,10 @@
 
 use super::Number;
 use crate::rows::score;
+use anyhow::Context;
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::chance;
+use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{EXPLAINED, Hypothesis, Reset, rows};
 
 /// The numbers of the page.
@@ -9,6 +13,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("mistake.cells", || Ok((EXPLAINED.len() * rows().len()).to_string())),
     ("mistake.quarter-turn", || within_one(&Hypothesis::WITHOUT_LAG)),
     ("mistake.own-angles", || within_one(&Hypothesis { reset: Reset::OfTheMechanism, ..Hypothesis::WITHOUT_LAG })),
+    ("mistake.four", || {
+        let score = score(&Hypothesis::WITHOUT_LAG)?;
+        let found = chance::of_cells(score, &[Mechanism::FOUR_PIN]).context("a run comes to no end")?.found;
+        Ok(found.to_string())
+    }),
+    ("mistake.four.cells", || Ok((EXPLAINED.len() * rows_of(Mechanism::FOUR_PIN).count()).to_string())),
     ("mistake.as-run", || within_one(&Hypothesis::as_run())),
 ];
 

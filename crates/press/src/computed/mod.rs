@@ -1,5 +1,6 @@
 //! Our numbers in a sentence: what a chapter says with a number that no source prints.
 
+mod built;
 mod escapement;
 mod found;
 mod front;
@@ -13,7 +14,7 @@ mod never_printed;
 mod pin;
 mod program;
 mod quick_return;
-mod runs;
+pub mod runs;
 mod solver;
 mod terminal_speed;
 pub mod timer;
@@ -26,12 +27,14 @@ pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
 const ALL: &[&[(&str, Number)]] = &[
+    built::NUMBERS,
     escapement::NUMBERS,
     found::NUMBERS,
     front::NUMBERS,
     jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
+    making::ADVICE,
     method::NUMBERS,
     mimic::NUMBERS,
     mistake::NUMBERS,

@@ -1,20 +1,24 @@
 //! The comparison of the runs: how many cells are reproduced, how likely the tables are, and what chance would give.
 
-use super::Number;
+use super::{Number, least, most};
 use crate::lookup::judged;
 use crate::numbers::fixed;
 use crate::rows::score;
 use anyhow::Context;
 use geneva_dynamics::likelihood::Law;
 use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::chance::{self, Shuffled};
+use geneva_ledger::meyer::runs::data::freed::Freed;
 use geneva_ledger::meyer::runs::rise_times::{
     Group, OF_A_PART, Tried, explained, groups, with_more_friction, with_more_torque,
 };
 use geneva_ledger::meyer::runs::{
-    Column, EXPLAINED, Fit, Hypothesis, Reading, Row, Run, Score, delays, interval, rows, scores,
+    Column, EXPLAINED, Fit, Hypothesis, Reading, Reset, Row, Run, Score, Weighing, delays, interval, rows, scores,
+    series,
 };
 use geneva_ledger::meyer::terms::MISSING;
 use geneva_ledger::{Decimal, Judged, Verdict};
+use std::sync::OnceLock;
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -28,17 +32,25 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.others", || Ok((EXPLAINED.len() * others().count()).to_string())),
     ("runs.others-by-the-mechanisms", || Ok(of_others(score(&Hypothesis::IDEAL)?).to_string())),
     ("runs.others-by-the-program", || Ok(of_others(lagged(0.1)?).to_string())),
-    ("runs.by-chance", || Ok(fixed(Mechanism::ALL.map(by_chance).into_iter().sum::<anyhow::Result<f64>>()?, 0))),
-    ("runs.others.by-chance", || {
-        let others = [Mechanism::SIX_PIN, Mechanism::THREE_PIN];
-        Ok(fixed(others.map(by_chance).into_iter().sum::<anyhow::Result<f64>>()?, 0))
-    }),
-    ("runs.margin", || Ok(fixed(margin()?.floor(), 0))),
-    ("runs.margin.odds", || Ok(odds(margin()?))),
-    ("runs.margin.coarse", || Ok(fixed(coarse_margin()?.floor(), 0))),
-    ("runs.sampled", || Ok(fixed(sampled()?[0], 0))),
-    ("runs.sampled.exponential", || Ok(fixed(sampled()?[1], 0))),
-    ("runs.sampled.odds", || Ok(odds(sampled()?[0]))),
+    ("runs.by-chance", || expected(&Hypothesis::as_run(), &Mechanism::ALL)),
+    ("runs.others.by-chance", || expected(&Hypothesis::as_run(), &OTHERS)),
+    ("runs.others.by-chance.mechanisms", || expected(&Hypothesis::IDEAL, &OTHERS)),
+    ("runs.others.as-many", || Ok(format!("{}&nbsp;%", fixed(100.0 * as_many_by_chance()?, 0)))),
+    ("runs.groups", || Ok(series().count().to_string())),
+    ("runs.reset", || Ok(fixed(weakest(for_the_reset)?.floor(), 0))),
+    ("runs.reset.one-row", || Ok(fixed(with_one_row_of_each(for_the_reset)?.floor(), 0))),
+    ("runs.margin", || Ok(fixed(weakest(for_reset_and_inertias)?.floor(), 0))),
+    ("runs.margin.one-row", || Ok(fixed(with_one_row_of_each(for_reset_and_inertias)?.floor(), 0))),
+    ("runs.margin.one-row.odds", || Ok(odds(with_one_row_of_each(for_reset_and_inertias)?))),
+    ("runs.sampled", || Ok(fixed(weakest(for_sampled_peaks)?, 0))),
+    ("runs.sampled.odds", || Ok(odds(weakest(for_sampled_peaks)?))),
+    ("runs.sampled.most", || Ok(fixed(most(&by_all_weighings(for_sampled_peaks)?), 0))),
+    ("freed.six", || Ok(freed(Reset::OfTheMechanism, Mechanism::SIX_PIN)?.within_one().to_string())),
+    ("freed.three", || Ok(freed(Reset::OfTheMechanism, Mechanism::THREE_PIN)?.within_one().to_string())),
+    ("freed.six.quarter", || Ok(freed(Reset::QuarterTurn, Mechanism::SIX_PIN)?.within_one().to_string())),
+    ("freed.three.quarter", || Ok(freed(Reset::QuarterTurn, Mechanism::THREE_PIN)?.within_one().to_string())),
+    ("freed.six.less-friction", || less_friction(Mechanism::SIX_PIN)),
+    ("freed.three.less-friction", || less_friction(Mechanism::THREE_PIN)),
     ("runs.least-spread", || Ok(format!("{:.2}", least_spread()))),
     ("runs.spreads", || {
         let [peak, minimum, period] = best()?.fits.each_ref().map(|fit| format!("{:.2}", fit.likelihoods[0].spread));
@@ -47,6 +59,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.fifth", || Ok(fixed(against_a_fifth()?.floor(), 0))),
     ("runs.lag.normal", || Ok(fixed(for_the_lag()?[0], 1))),
     ("runs.lag.exponential", || Ok(fixed(for_the_lag()?[1], 1))),
+    ("runs.lag.by-table", || {
+        let [with, without] = [lagged(0.1)?, lagged(0.0)?];
+        let margin =
+            |law| Weighing::BY_TABLE.log_likelihood(with, law) - Weighing::BY_TABLE.log_likelihood(without, law);
+        Ok(fixed(least(&Law::ALL.map(margin)), 1))
+    }),
     ("runs.torques", || found("torque", Verdict::Reproduced)),
     ("runs.frictions", || found("friction", Verdict::Reproduced)),
     ("runs.frictions.read", || found("friction", Verdict::ReadOff)),
@@ -58,6 +76,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.most", || Ok(most_explained(|_| true).to_string())),
     ("rise.most.own-part", || Ok(most_explained(|tried| tried.part == Some(MISSING)).to_string())),
     ("rise.chance", || Ok(fixed(explained().iter().map(|tried| tried.as_run.by_chance).fold(0.0, f64::max), 0))),
+    ("rise.by-chance.most", || greatest(by_chance(Shuffled::InTables))),
+    ("rise.by-chance.usual", || usual(by_chance(Shuffled::InTables))),
+    ("rise.by-chance.equal-torques", || usual(by_chance(Shuffled::AmongEqualTorques))),
+    ("rise.by-chance.equal-torques.most", || greatest(by_chance(Shuffled::AmongEqualTorques))),
     ("rise.profile", || own_meaning(0)),
     ("rise.average", || own_meaning(1)),
     ("rise.torque.pairs", || Ok(with_more_torque().pairs.to_string())),
@@ -149,71 +171,96 @@ fn of_others(score: &Score) -> usize {
     all.map(near).sum()
 }
 
-/// How many cells of a table would be within one unit if the computed numbers of each of its columns were dealt out to its
-/// rows at random: the expectation.
-fn by_chance(mechanism: Mechanism) -> anyhow::Result<f64> {
-    let score = lagged(0.1)?;
-    let own: Vec<_> = rows().iter().zip(&score.runs).filter(|(row, _)| row.mechanism == mechanism).collect();
-    let mut pairs = 0_u32;
-    for (row, _) in &own {
-        for (_, run) in &own {
-            let run = run.as_ref().context("a run of the program comes to no end")?;
-            let near = |column: &&Column| column.is_within_one(row.number(**column), run.number(**column));
-            pairs += EXPLAINED.iter().filter(near).count() as u32;
-        }
-    }
-    Ok(f64::from(pairs) / own.len() as f64)
+/// How many cells of these mechanisms chance would give with a hypothesis's numbers: the expectation.
+fn expected(hypothesis: &Hypothesis, mechanisms: &[Mechanism]) -> anyhow::Result<String> {
+    let chance = chance::of_cells(score(hypothesis)?, mechanisms).context(NO_END)?;
+    Ok(fixed(chance.expected, 0))
 }
 
-/// By how much ln L of the best combination is above that of any with another reset angle or other inertias, by the law of
-/// error that is kinder to the others.
-fn margin() -> anyhow::Result<f64> {
-    let best = best()?;
-    let others = scores().iter().filter(|other| is_another_combination(other, best));
-    let margins = others.flat_map(|other| above(best, other));
-    Ok(margins.fold(f64::INFINITY, f64::min))
+/// The part of all shuffles of the mechanisms' own numbers with six and three pins that gives as many cells as they do.
+fn as_many_by_chance() -> anyhow::Result<f64> {
+    let ideal = score(&Hypothesis::IDEAL)?;
+    let found = chance::of_cells(ideal, &OTHERS).context(NO_END)?.found;
+    let counts = chance::shuffles_of_cells(ideal, &OTHERS, SHUFFLES).context(NO_END)?;
+    Ok(counts.iter().filter(|count| **count >= found).count() as f64 / SHUFFLES as f64)
 }
 
-/// The margin of the best combination if no error may spread by less than half a unit.
-fn coarse_margin() -> anyhow::Result<f64> {
-    const COARSE: f64 = 0.5;
-    let log = |score: &Score, law: usize| {
-        let of_column = |(column, fit): (Column, &Fit)| {
-            let off = |(row, run): (&Row, &Option<Run>)| {
-                Some((row.number(column) - run.as_ref()?.number(column)).abs() / column.unit())
-            };
-            let units: Option<Vec<f64>> = rows().iter().zip(&score.runs).map(off).collect();
-            // The likelihood falls to either side of the spread that suits best.
-            Some(Law::ALL[law].log_likelihood(&units?, fit.likelihoods[law].spread.max(COARSE)))
-        };
-        EXPLAINED.into_iter().zip(&score.fits).map(of_column).sum::<Option<f64>>()
-    };
-    let best = best()?;
-    let mut least = f64::INFINITY;
-    for other in scores().iter().filter(|other| is_another_combination(other, best)) {
-        for law in [0, 1] {
-            let of = |score| log(score, law).context("a run of the program comes to no end");
-            least = least.min(of(best)? - of(other)?);
-        }
-    }
-    Ok(least)
+const NO_END: &str = "a run of the program comes to no end";
+
+/// Shuffles that stand for all.
+pub const SHUFFLES: usize = 10_000;
+
+/// How many rows the best definition of a rise time explains in each shuffle of the printed times.
+fn by_chance(shuffled: Shuffled) -> &'static [usize] {
+    static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
+    let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
+    COUNTS[own].get_or_init(|| chance::shuffles_of_definitions(shuffled, SHUFFLES))
 }
 
-/// Whether reset angle or inertias differ.
-fn is_another_combination(one: &Score, other: &Score) -> bool {
-    let [one, other] = [one, other].map(|score| (score.hypothesis.reset, score.hypothesis.six_pin));
-    one != other
+fn greatest(counts: &[usize]) -> anyhow::Result<String> {
+    Ok(counts.iter().max().context("no shuffles")?.to_string())
 }
+
+/// The count in the middle of all.
+fn usual(counts: &[usize]) -> anyhow::Result<String> {
+    let mut sorted = counts.to_vec();
+    sorted.sort_unstable();
+    Ok(sorted.get(sorted.len() / 2).context("no shuffles")?.to_string())
+}
+
+/// By how much ln L is greater than with any other reset angle.
+pub fn for_the_reset(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
+    Ok(weighing.margin(best()?, law, |other| other.reset == Reset::OfTheMechanism))
+}
+
+/// By how much ln L is greater than with any other combination of reset angle and inertias.
+pub fn for_reset_and_inertias(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
+    let own = best()?.hypothesis;
+    Ok(weighing.margin(best()?, law, |other| (other.reset, other.six_pin) != (own.reset, own.six_pin)))
+}
+
+/// By how much ln L is greater than if the peaks were the true ones.
+pub fn for_sampled_peaks(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
+    let of_true_peaks = Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
+    Ok(weighing.margin(best()?, law, |other| *other == of_true_peaks))
+}
+
+/// A margin by all weighings of all rows, with both laws.
+fn by_all_weighings(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<Vec<f64>> {
+    let weighings = [Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE];
+    weighings.iter().flat_map(|weighing| Law::ALL.map(|law| margin(weighing, law))).collect()
+}
+
+fn weakest(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<f64> {
+    Ok(least(&by_all_weighings(margin)?))
+}
+
+/// The weakest margin, by either law, if only one row for each mechanism and friction counts.
+fn with_one_row_of_each(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<f64> {
+    let margins = Weighing::one_row_of_each().flat_map(|weighing| Law::ALL.map(|law| margin(&weighing, law)));
+    Ok(least(&margins.collect::<anyhow::Result<Vec<_>>>()?))
+}
+
+/// A table with the inertias that fit it best.
+fn freed(reset: Reset, mechanism: Mechanism) -> anyhow::Result<Freed> {
+    Freed::inertias(reset, mechanism).context(NO_MOTION)
+}
+
+/// How many results of a table the right reset gives with the best inertias and a hundredth of the printed frictions.
+fn less_friction(mechanism: Mechanism) -> anyhow::Result<String> {
+    let freed = Freed::with_friction(Reset::OfTheMechanism, mechanism, 0.01).context(NO_MOTION)?;
+    Ok(freed.within_one().to_string())
+}
+
+const NO_MOTION: &str = "no inertias give a table a motion";
+
+/// The mechanisms for which the program's reset is wrong.
+const OTHERS: [Mechanism; 2] = [Mechanism::SIX_PIN, Mechanism::THREE_PIN];
 
 /// By how much ln L of one is above that of another, by either law.
 fn above(one: &Score, other: &Score) -> [f64; 2] {
     let [a, b] = [one.likelihoods(), other.likelihoods()];
     [a[0] - b[0], a[1] - b[1]]
-}
-
-/// By how much ln L is greater if the peaks were read off the print-out.
-fn sampled() -> anyhow::Result<[f64; 2]> {
-    Ok(above(best()?, score(&Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG })?))
 }
 
 /// By how much ln L is greater with the lag that the thesis gives than with the best of a fifth of an interval or more.
@@ -236,13 +283,16 @@ fn least_spread() -> f64 {
     scores().iter().flat_map(|score| &score.fits).flat_map(spreads).fold(f64::INFINITY, f64::min)
 }
 
-/// How many times as likely, for a difference of ln L: a round number in words, or a power of ten.
+/// How many times as likely, for a difference of ln L: in words to two digits, or a power of ten.
 fn odds(difference: f64) -> String {
     let decades = difference / std::f64::consts::LN_10;
     match decades {
         _ if decades >= 9.0 => format!("10<sup>{}</sup>", decades.floor()),
         _ if decades >= 6.0 => format!("{:.0} million", difference.exp() / 1e6),
-        _ => format!("{:.0}", difference.exp()),
+        _ => {
+            let unit = libm::pow(10.0, (decades.floor() - 1.0).max(0.0));
+            format!("{:.0}", (difference.exp() / unit).round() * unit)
+        }
     }
 }
 
@@ -259,7 +309,7 @@ mod tests {
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {
         let best = best().expect("compared");
-        let chance: f64 = Mechanism::ALL.map(|of| by_chance(of).expect("runs")).iter().sum();
+        let chance = chance::of_cells(best, &Mechanism::ALL).expect("runs").expected;
         assert!(3.0 * chance < best.within_one() as f64, "{chance}");
         assert!(of_others(best) + 3 >= EXPLAINED.len() * others().count());
         assert!(3 * of_others(score(&Hypothesis::IDEAL).expect("compared")) < of_others(best));
@@ -268,11 +318,24 @@ mod tests {
     #[test]
     fn no_spread_that_is_found_is_at_the_end_of_those_that_are_tried() {
         assert!(least_spread() > 2.0 * LEAST_SPREAD, "{}", least_spread());
-        assert!(coarse_margin().expect("compared") < margin().expect("compared"));
+    }
+
+    #[test]
+    fn the_margins_shrink_with_milder_weighings_but_decide_with_each() {
+        for margin in [for_the_reset, for_reset_and_inertias] {
+            let [columns, tables, coarse] = [Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE]
+                .map(|weighing| least(&Law::ALL.map(|law| margin(&weighing, law).expect("compared"))));
+            let one_row = with_one_row_of_each(margin).expect("compared");
+            assert!(columns > tables && tables > coarse && coarse > one_row, "{columns} {tables} {coarse} {one_row}");
+            assert!(one_row > 20.0, "{one_row}");
+        }
+        // Whether the peaks are true or printed is decided by all rows only.
+        assert!(weakest(for_sampled_peaks).expect("compared") > 5.0);
+        assert!(with_one_row_of_each(for_sampled_peaks).expect("compared") < 0.0);
     }
 
     #[test]
     fn odds_are_said_in_the_size_they_have() {
-        assert_eq!([7.0, 15.0, 300.0].map(odds), ["1097", "3 million", "10<sup>130</sup>"]);
+        assert_eq!([7.0, 15.0, 300.0].map(odds), ["1100", "3 million", "10<sup>130</sup>"]);
     }
 }

@@ -108,14 +108,7 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
 
 /// The drawing alone, without number and caption: a picture of a page that has no number.
 pub fn picture(name: &str) -> anyhow::Result<String> {
-    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", on_a_page(&by_name(name)?)))
-}
-
-/// A drawing as it stands on a page, whose style sheet says how the halos of labels look.
-pub fn on_a_page(figure: &Figure) -> String {
-    const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
-    let of_paper = format!(" stroke=\"var(--fig-paper, #ffffff)\"{HALO}");
-    figure.svg.trim_end().replace(&of_paper, " class=\"halo\"").replace(HALO, "")
+    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", by_name(name)?.on_a_page()))
 }
 
 /// A drawing of the pin in the slot at the printed instant.
@@ -143,7 +136,8 @@ const KIND_SLOTS: u32 = 6;
 
 /// Driver angle of the drawings of a general position, as a part of the half angle of the engagement.
 const GENERAL: f64 = -0.5;
-/// The same of the drawing of the forces: past the line of centres, where the follower drives the pin.
+/// Driver angle of the drawing of the forces, as a part of the half angle of the engagement: past the line of centres, where
+/// the follower drives the pin.
 const TRAILING: f64 = 2.0 / 3.0;
 
 fn with_slots(slots: u32) -> anyhow::Result<Mechanism> {
@@ -196,6 +190,19 @@ mod tests {
     const SMALLEST: f64 = 11.0;
     /// Of the body's letters, in pixels: on a wide screen those of drawings are neither much larger nor much smaller.
     const BODY: f64 = 16.0;
+
+    #[test]
+    fn on_a_page_every_halo_is_left_to_the_style_sheet() {
+        for (name, draw) in FIGURES {
+            let figure = draw().expect("drawn");
+            let (drawing, page) = (&figure.svg, figure.on_a_page());
+            assert!(!page.contains("paint-order"), "{name}: a label of the page has a halo of its own");
+            let of_paper = |text: &&str| text.contains("stroke=\"var(--fig-paper, #ffffff)\"");
+            let halos =
+                drawing.split("<text").skip(1).filter_map(|text| text.split('>').next()).filter(of_paper).count();
+            assert_eq!(page.matches(" class=\"halo\"").count(), halos, "{name}: halos lost or invented");
+        }
+    }
 
     #[test]
     fn the_letters_of_every_figure_can_be_read_on_a_phone_and_are_as_large_as_the_text_on_a_wide_screen() {

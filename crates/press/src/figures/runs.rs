@@ -22,7 +22,8 @@ pub fn agreement() -> anyhow::Result<Figure> {
     let of = |hypothesis: &Hypothesis, name: &str| {
         Ok::<_, anyhow::Error>(Compared { name: name.to_owned(), ..compared(rows::score(hypothesis)?)? })
     };
-    let compared = [of(&Hypothesis::IDEAL, "the mechanisms")?, of(&Hypothesis::as_run(), "the program as listed")?];
+    let compared =
+        [of(&Hypothesis::IDEAL, "real mechanisms")?, of(&Hypothesis::as_run(), "the program with its mistake")?];
     let inertias = Mechanism::ALL.map(|mechanism| {
         let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
         format!("{driver} and {follower} with {} pins", mechanism.pins())

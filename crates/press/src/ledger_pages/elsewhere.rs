@@ -33,7 +33,7 @@ fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
             format!("{} <div>{}</div>", right(judged)?, escape(slip.changes)),
         ])
     });
-    table(caption, Cells::Words, &["As printed", "Right, and what the printed one does"], rows)
+    table(caption, Cells::Wide, &["As printed", "Right, and what the printed one does"], rows)
 }
 
 /// Whether it is the sizes of an example, which nobody says are right.
@@ -58,7 +58,7 @@ pub fn addresses() -> anyhow::Result<Table> {
         Ok([vec![linked_page(address), taken.to_owned()], counts.map(count).into()].concat())
     });
     let head = ["Page or program", "Taken from it", "Right", "Wrong", "Examples right", "Examples wrong"];
-    table("Where it was read", Cells::Words, &head, rows)
+    table("Where it was read", Cells::Wide, &head, rows)
 }
 
 /// Every statement and example that is wrong in a fold, by what it is about. The ledger has the others.

@@ -5,7 +5,7 @@ use crate::html::{escape, tex_or_text};
 use crate::pages::address_of_claim;
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
-use geneva_ledger::{Claim, Decimal, Judged, Truth, Verdict, in_full, wild};
+use geneva_ledger::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, in_full, wild};
 
 /// The printed characters with their unit.
 pub fn printed(id: &str) -> anyhow::Result<String> {
@@ -44,6 +44,60 @@ pub fn mark(id: &str) -> anyhow::Result<String> {
     ))
 }
 
+/// A page whose marks stay on one line with the word before them and the punctuation behind them.
+///
+/// A joiner of words does not keep a browser from breaking a line beside a button. A word with markup of its own other than a
+/// formula or a claim's number is left alone, and so are tables, whose cells would grow.
+pub fn glued(page: &str) -> String {
+    const MARK: &str = "&#8288;<button type=\"button\" class=\"mark ";
+    const END: &str = "</button>&#8288;";
+    let mut out = String::with_capacity(page.len());
+    let mut rest = page;
+    while let Some(at) = rest.find(MARK) {
+        let (before, marks) = rest.split_at(at);
+        out.push_str(before);
+        let mut end = 0;
+        while let Some(length) = marks[end..].strip_prefix(MARK).and_then(|mark| mark.find(END)) {
+            end += MARK.len() + length + END.len();
+        }
+        if end == 0 {
+            rest = marks;
+            break;
+        }
+        end += marks[end..].chars().take_while(|c| maths::JOINED.contains(c)).map(char::len_utf8).sum::<usize>();
+        let word = start_of_word(&out);
+        if let Some(start) = word {
+            out.insert_str(start, GLUED);
+        }
+        out.push_str(&marks[..end]);
+        if word.is_some() {
+            out.push_str("</span>");
+        }
+        rest = &marks[end..];
+    }
+    out + rest
+}
+
+/// Begins a stretch of a line that does not break.
+pub const GLUED: &str = "<span class=\"glued\">";
+
+/// Where the last word of a text begins, if it can be put into an element as it is.
+fn start_of_word(text: &str) -> Option<usize> {
+    let line = text.rfind('\n').map_or(0, |at| at + 1);
+    if text[line..].starts_with('|') {
+        return None;
+    }
+    let opening = [("</math>", "<math>"), ("</span>", "<span class=\"claim\"")];
+    if let Some((_, open)) = opening.iter().find(|(close, _)| text.ends_with(close)) {
+        let start = line + text[line..].rfind(open)?;
+        let is_one = ["<math", "<span"].iter().all(|tag| text[start..].matches(tag).count() <= 1);
+        return is_one.then_some(start);
+    }
+    let start = line + text[line..].rfind(char::is_whitespace).map_or(0, |at| at + 1);
+    let word = &text[start..];
+    (!word.is_empty() && !word.contains(['<', '>', '*', '`', '[', ']', '$', '|', '#', '{'])).then_some(start)
+}
+
 /// The sign of a verdict: right, right as finely as it could be read off, wrong, open.
 fn sign(verdict: Verdict) -> &'static str {
     match verdict {
@@ -75,9 +129,17 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     if let Some(corrected) = judged.corrected() {
         entry("Right", with_unit(&broken(&tex_or_text(&corrected)?), claim.unit)?);
     }
-    let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
-    if !evidence.is_empty() {
-        entry("Evidence", evidence.join(", "));
+    let is_of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
+    if claim.erratum.as_ref().is_some_and(is_of_copy) {
+        entry("Where", "Only in the copy that we had, which has lost or changed a character.".to_owned());
+    }
+    if let Check::Missing { reason } = claim.check {
+        entry("Why", escape(reason));
+    }
+    let mut evidence = claim.check.evidence();
+    evidence.dedup();
+    for (number, kind) in evidence.iter().enumerate() {
+        entry(["Checked by", "and by"][number.min(1)], escape(kind.meaning()));
     }
     out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", address_of_claim(id)));
     Ok(out)
@@ -167,4 +229,29 @@ pub fn with_unit(number: &str, unit: &str) -> anyhow::Result<String> {
         "R" => format!("{number}&nbsp;{}", maths::formula("R", false)?),
         _ => format!("{number}&nbsp;{}", tex_or_text(unit)?.replace("10&#94;-6", "10<sup>−6</sup>")),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mark_stays_with_its_word_and_the_sign_behind_it() {
+        let mark = mark("pin.crank-angle").expect("a claim");
+        let glued_to = |before: &str, behind: &str| glued(&format!("A {before}{mark}{behind}"));
+        for word in ["word", "<math><mi>a</mi></math>", "<span class=\"claim\">5 mm</span>"] {
+            let expected = format!("A {GLUED}{word}{mark}.</span> Then");
+            assert_eq!(glued_to(word, ". Then"), expected);
+            let twice = format!("A {GLUED}{word}{mark}{mark},</span> and");
+            assert_eq!(glued_to(word, &format!("{mark}, and")), twice);
+        }
+        // What would not be closed within it, or is as wide as a line, is left alone.
+        let formulas = "<span class=\"claim\"><math></math><math></math></span>";
+        for (before, behind) in [("*word*", "."), ("[word](pin.md)", "."), (formulas, ".")] {
+            assert_eq!(glued_to(before, behind), format!("A {before}{mark}{behind}"));
+        }
+        assert_eq!(glued("| a cell of a table |"), "| a cell of a table |");
+        let row = format!("| 5 mm{mark} |");
+        assert_eq!(glued(&row), row);
+    }
 }

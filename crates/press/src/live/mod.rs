@@ -102,15 +102,21 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
     } else {
         format!("\n<dl class=\"others\">{}</dl>", told_of(live, live.others, answer)?)
     };
+    let no_file = if live.files.is_empty() { "" } else { " and no files" };
+    let plays = live.controls.iter().any(|control| matches!(control.kind, Kind::Player(_)));
+    let play = if plays {
+        "<button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One step \
+         back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button>"
+    } else {
+        ""
+    };
     Ok(format!(
-        "<div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\" aria-live=\"polite\">{}</dl>\n<div \
-         role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" hidden>There are no numbers for \
-         this setting. The drawing is still that of the last one that was possible.</p></div>\n</div>\n<form hidden>\n<p \
-         class=\"hint\"><strong>Try this.</strong> {}</p>\n<div class=\"moved\">{}</div>\n<p class=\"buttons\"><button \
-         type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One step \
-         back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button><button \
-         type=\"button\" data-do=\"reset\">Reset</button>{} <a data-do=\"link\" href=\"#fig-{}\">Link to this \
-         setting</a>{}</p>\n</form>{others}",
+        "<div class=\"moving\">\n<div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\" \
+         aria-live=\"polite\">{}</dl>\n<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
+         hidden>There are no numbers{no_file} for this setting. The drawing is still that of the last one that was \
+         possible.</p></div>\n</div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
+         class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
+         data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}\n</div>",
         answer.figure.svg.trim_end(),
         told_of(live, live.quantities, answer)?,
         escape(live.hint),
@@ -206,11 +212,12 @@ fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
 /// The linkage of the source's problem; its angle to the degree.
 fn lever() -> anyhow::Result<Arguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
-    let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0).round() - 180.0;
+    let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
     let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
-    let numbers = [("ground", ground), ("radius", radius), ("speed", speed), ("crank", crank)];
+    let numbers = [("ground", ground), ("radius", radius), ("speed", speed)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    Ok(Arguments::of(numbers.into_iter().chain([("unit", "m".to_owned())])))
+    let others = [("crank", format!("{crank:.1}")), ("unit", "m".to_owned())];
+    Ok(Arguments::of(numbers.into_iter().chain(others)))
 }
 
 /// The run that stands for all, its ratio of inertias to three digits.

@@ -1,15 +1,19 @@
 //! The thesis's runs: what explains the printed tables, what does not matter to them, and the correct values.
 
+use crate::computed::runs::{for_reset_and_inertias, for_the_reset};
 use crate::html::{Cells, Table, table};
 use crate::lookup::judged;
 use crate::numbers::{fixed, signed};
 use crate::rows::engagement;
 use anyhow::Context;
+use geneva_dynamics::likelihood::Law;
 use geneva_kinematics::Mechanism;
+use geneva_ledger::Verdict;
 use geneva_ledger::meyer::runs::choice::rows_of;
+use geneva_ledger::meyer::runs::data::freed::{Freed, most_within_one};
 use geneva_ledger::meyer::runs::{
-    Column, Constants, Fit, Hypothesis, Reading, Reset, Row, Score, SixPin, data, delays as all_delays,
-    integrator as integrators, scores, slug,
+    Column, Constants, Fit, Hypothesis, Reading, Reset, Row, Score, SixPin, Weighing, data, delays as all_delays,
+    integrator as integrators, rows as all_rows, scores, series, slug,
 };
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
@@ -46,6 +50,95 @@ pub fn hypotheses() -> anyhow::Result<Table> {
     let says = "Ten hypotheses about the 49 runs, with the number of cells within one unit of the last printed place, and the \
                 log-likelihood";
     table(says, Cells::Numbers, &head, rows)
+}
+
+/// How much likelier the best combination makes the tables than others, by how the errors are taken.
+pub fn weighings() -> anyhow::Result<Table> {
+    let margins = [for_the_reset, for_reset_and_inertias];
+    // The least of the margins that some weighings give, by each law.
+    let least = |weighings: &[Weighing]| {
+        let of = |margin: fn(&Weighing, Law) -> anyhow::Result<f64>, law| {
+            let all = weighings.iter().map(|weighing| margin(weighing, law)).collect::<anyhow::Result<Vec<_>>>()?;
+            Ok(fixed(all.into_iter().fold(f64::INFINITY, f64::min), 0))
+        };
+        margins.into_iter().flat_map(|margin| Law::ALL.map(|law| of(margin, law))).collect::<anyhow::Result<Vec<_>>>()
+    };
+    let one_row: Vec<Weighing> = Weighing::one_row_of_each().collect();
+    let one_row_of_each =
+        format!("and only one row for each mechanism and friction, {} of {}", series().count(), all_rows().len());
+    let ways: [(&str, &[Weighing]); 4] = [
+        ("one spread for each column", &[Weighing::BY_COLUMN]),
+        ("a spread for each column of each table", &[Weighing::BY_TABLE]),
+        ("and no spread below half a unit", &[Weighing::COARSE]),
+        (&one_row_of_each, &one_row),
+    ];
+    let rows = ways.map(|(name, weighings)| Ok([vec![name.to_owned()], least(weighings)?].concat()));
+    let head = [
+        "How the errors are taken",
+        "Another reset, <br>normal",
+        "Another reset, <br>exponential",
+        "Another reset or <br>inertias, normal",
+        "Another reset or <br>inertias, exponential",
+    ];
+    let says = "By how much ln L is greater with the reset after 90° and the inertias of Fig. 11 than with the best other \
+                combination. Each line keeps what the line above it says, and the last one takes the least favourable rows";
+    table(says, Cells::NamedNumbers, &head, rows)
+}
+
+/// What the best inertias could explain with either reset.
+pub fn freed() -> anyhow::Result<Table> {
+    let of = |mechanism: Mechanism, reset: Reset| {
+        let none = "no inertias give a table a motion";
+        let freed = Freed::inertias(reset, mechanism).context(none)?;
+        let [driver, follower] = freed.inertias.map(|inertia| format!("{:.1}", 1e6 * inertia));
+        let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(mechanism).to_degrees();
+        Ok(vec![
+            mechanism.pins().to_string(),
+            format!("{angle:.0}°"),
+            driver,
+            follower,
+            format!("{} of {}", freed.within_one(), freed.misfits.len()),
+            format!("{:.1}", freed.mean_misfit()),
+            most_within_one(reset, mechanism).context(none)?.to_string(),
+        ])
+    };
+    let others = [Mechanism::SIX_PIN, Mechanism::THREE_PIN];
+    let rows = others.into_iter().flat_map(|it| [Reset::OfTheMechanism, Reset::QuarterTurn].map(|reset| of(it, reset)));
+    let head = [
+        "Pins",
+        "Reset <br>after",
+        "Driver, <br>best",
+        "Follower, <br>best",
+        "Within <br>one unit",
+        "Misfit, root <br>mean square",
+        "Most within one <br>unit, any inertias",
+    ];
+    let says = "The inertias that fit a table best with either reset, by least squares, in 10⁻⁶ in lb s²; all frictions and \
+                torques are as printed, and peaks are the true ones";
+    table(says, Cells::Numbers, &head, rows)
+}
+
+/// The peaks that neither the program nor the mechanism gives.
+pub fn unexplained() -> anyhow::Result<Table> {
+    let wrong = |row: &&Row| row.expected(Column::Peak) == Some(Verdict::Corrected);
+    let rows = all_rows().iter().filter(wrong).map(|row| {
+        let id = format!("meyer.app-e.{}.max", row.slug());
+        let judged = judged(&id)?;
+        let printed = judged.printed_number().context("no printed number")?;
+        let mut cells = vec![
+            row.mechanism.pins().to_string(),
+            row.printed(Column::Friction).to_owned(),
+            row.printed(Column::Torque).to_owned(),
+            row.printed(Column::Peak).to_owned(),
+        ];
+        for number in [judged.computed, judged.right_value] {
+            let number = number.context("no computed number")?;
+            cells.extend([format!("{number:.1}"), signed((printed - number) / Column::Peak.unit(), 1)]);
+        }
+        Ok(cells)
+    });
+    let head = ["Pins", "μ", "K", "Printed", "Program's <br>value", "off by, <br>units", "Right", "off by, <br>units"];
+    table("The two peaks that the program does not give, in rad/s", Cells::Numbers, &head, rows)
 }
 
 /// The hypotheses column by column.

@@ -163,6 +163,10 @@ fn vibrates_from([speed, place]: [&str; 2], line: &str) -> Option<bool> {
         let moments: Vec<Moment> = times.map(|time| Moment::of(letters(time))).collect();
         return reading::holds(&as_formula(line), &moments);
     };
+    // Nothing starts from itself.
+    if result.trim() == inside.1.trim() {
+        return None;
+    }
     // d/dt of the result is what is integrated, and at the start the result is what it starts from.
     let moving = |time: f64| {
         Moment::of(letters(time)).moving(|by, step| if by == By::Time { letters(time + step) } else { Letters::new() })

@@ -12,6 +12,7 @@ use super::*;
 use crate::meyer::runs;
 use crate::meyer::spring::no_rate;
 use geneva_kinematics::Mechanism;
+use std::cmp::Ordering;
 
 const PROGRAM: Place = at("Appendix B, program");
 
@@ -198,30 +199,48 @@ fn factors() -> Vec<Claim> {
             || by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))]),
         ),
         PROGRAM
-            .formula("meyer.listing.s", "S FSW(F,-1.,1.,1.)", "S, by the sign of F, and plus one where F is zero")
-            .by(ClosedForm, |stated| by_coefficients(|lines, at| [(switched(lines["F"], stated), at.sign.of(1.0))]))
-            .by(Vectors, |stated| {
-                equal(
-                    |letter| (switched(letter("F"), stated) * letter("F"), letter("F").abs()),
-                    "S F and the size of F",
-                )
+            .equation("meyer.listing.s", "S FSW(F,-1.,1.,1.)", "S, by the sign of F, and plus one where F is zero")
+            .evaluated(ClosedForm, |tex| match switch_of(tex) {
+                Some(card) => {
+                    by_coefficients(|lines, at| [(card.picked(|letter| lines.get(letter).copied()), at.sign.of(1.0))])
+                }
+                None => Finding::of_reading(None),
             })
-            .but_not("minus one where F is positive, and plus one where it is negative"),
+            .read(Vectors, |tex| {
+                let card = switch_of(tex)?;
+                let found = equal(
+                    |letter| (card.picked(|name| Some(letter(name))) * letter("F"), letter("F").abs()),
+                    "S F and the size of F",
+                );
+                Some(found.holds && card.picked(|_| Some(0.0)) == 1.0)
+            }),
     ]
 }
 
-/// What the card of S picks by the sign of a number: one of its three values, for less than nothing, nothing and more.
-fn switched(number: f64, stated: Stated) -> f64 {
-    let values = stated.characters().rsplit(['(', ')', ',']).filter_map(|value| value.trim().parse::<f64>().ok());
-    let [more, nothing, less] = values.collect::<Vec<_>>()[..] else { return f64::NAN };
-    let picked = if number < 0.0 {
-        less
-    } else if number > 0.0 {
-        more
-    } else {
-        nothing
-    };
-    stated.pick(picked, -picked)
+/// The card of S: by the sign of which letter it picks one of three values, for less than zero, zero and more.
+struct Switch<'a> {
+    letter: &'a str,
+    values: [f64; 3],
+}
+
+/// Reads the card; none if it is not one that gives S by the function that switches, and not by S itself.
+fn switch_of(card: &str) -> Option<Switch<'_>> {
+    let (letter, values) = card.strip_prefix("S FSW(")?.strip_suffix(')')?.split_once(',')?;
+    let values: Option<Vec<f64>> = values.split(',').map(|value| value.trim().parse().ok()).collect();
+    (letter != "S").then_some(Switch { letter, values: values?.try_into().ok()? })
+}
+
+impl Switch<'_> {
+    /// What is picked, with a number for the letter; not a number if the letter has none.
+    fn picked(&self, number: impl Fn(&str) -> Option<f64>) -> f64 {
+        let [less, zero, more] = self.values;
+        match number(self.letter).and_then(|number| number.partial_cmp(&0.0)) {
+            Some(Ordering::Less) => less,
+            Some(Ordering::Equal) => zero,
+            Some(Ordering::Greater) => more,
+            None => f64::NAN,
+        }
+    }
 }
 
 fn motion() -> Vec<Claim> {

@@ -194,7 +194,7 @@ fn formulas() -> Vec<Claim> {
                 r"y_{n+1} = y_n + \frac{h}{6} (f_1 + 2f_2 + 2f_3 + f_4)",
                 "the next value, from four slopes",
             )
-            .by(ClosedForm, || reads("meyer.app-b.method.step"))
+            .evaluated(ClosedForm, |tex| Finding::of_reading(holds_in_a_step(tex)))
             .by(LimitCase, thirty_second)
             .read_by(holds_in_a_step),
         stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, taken at the beginning"),
@@ -278,31 +278,29 @@ fn advantages() -> Vec<Claim> {
                 },
             ),
         ADVANTAGES
-            .formula(
+            .equation(
                 "meyer.app-b.method.truncation",
                 "h^5",
                 "order of the error of one step; a run of many steps has an error of order h⁴",
             )
-            .by(ClosedForm, |stated| {
-                let found = halvings();
-                Finding::new(
-                    found.iter().all(|ratio| power_of_two(*ratio) == Some(said_power(stated))),
-                    format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
-                )
+            .evaluated(ClosedForm, |tex| match [2.0, 1.0].map(|h| with_step(tex, h)) {
+                [Some(whole), Some(half)] => {
+                    let found = halvings();
+                    Finding::new(
+                        half > 0.0 && found.iter().all(|ratio| power_of_two(*ratio) == power_of_two(whole / half)),
+                        format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
+                    )
+                }
+                _ => Finding::of_reading(None),
             })
-            .by(LimitCase, |stated| {
+            .read(LimitCase, |tex| {
                 // For growth the step is the exponential series up to h⁴; what is left over a power of h.
-                let left = [STEP / 8.0, STEP / 16.0].map(|h| {
+                let left = |h: f64| {
                     let step = step_of_mimic(|_, y| y, 0.0, 1.0, h);
-                    (libm::exp(h) - step) / libm::pow(h, f64::from(said_power(stated)))
-                });
-                let change = left[1] / left[0];
-                Finding::new(
-                    (change - 1.0).abs() < 0.1,
-                    format!("divided by that power of h, the error changes by a factor of {change:.2}"),
-                )
-            })
-            .but_not("h⁴"),
+                    Some((libm::exp(h) - step) / with_step(tex, h)?)
+                };
+                Some((left(STEP / 16.0)? / left(STEP / 8.0)? - 1.0).abs() < 0.1)
+            }),
         ADVANTAGES
             .statement(
                 "meyer.app-b.method.doubling",
@@ -322,9 +320,10 @@ fn advantages() -> Vec<Claim> {
     ]
 }
 
-/// The power of h that is said, or the one below.
-fn said_power(stated: Stated) -> i32 {
-    stated.count() as i32 - stated.pick(0, 1)
+/// The value of a formula for a step of this length; none if it cannot be read.
+fn with_step(tex: &str, length: f64) -> Option<f64> {
+    let letters = [("h".to_owned(), length)].into();
+    Some(value(tex, &letters)).filter(|value| !value.is_nan())
 }
 
 /// Whether the difference of the two results is nearly all of the full step's error: two half steps have 2/32 of it, so
@@ -343,7 +342,7 @@ fn fifteen_sixteenths(step: impl Fn(f64, f64) -> f64, exact: f64, stated: Stated
 fn stage(id: &'static str, printed: &'static str, meaning: &'static str) -> Claim {
     at("Appendix B, displays of the four slopes")
         .equation(id, printed, meaning)
-        .by(ClosedForm, move || reads(id))
+        .evaluated(ClosedForm, |tex| Finding::of_reading(holds_in_a_step(tex)))
         .by(LimitCase, thirty_second)
         .read_by(holds_in_a_step)
 }

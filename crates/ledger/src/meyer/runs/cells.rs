@@ -116,3 +116,21 @@ fn ideal_by_steps(row: &Row) -> [f64; 4] {
         Some([greatest * unit, least * unit, f64::NAN, time / unit])
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn program_and_mechanism_are_as_far_above_the_unexplained_peaks_as_their_slip_says() {
+        let unexplained = rows().iter().filter(|row| row.expected(Column::Peak) == Some(Verdict::Corrected));
+        let above = unexplained.map(|row| [as_run(row)[0], ideal(row)[0]].map(|peak| peak - row.number(Column::Peak)));
+        let above: Vec<[f64; 2]> = above.collect();
+        assert_eq!(above.len(), 2);
+        let units = above.iter().map(|peaks| peaks.map(|above| above / Column::Peak.unit()));
+        assert!(units.clone().all(|[program, mechanism]| program > 1.5 && mechanism > 2.5), "{above:?}");
+        // They do not agree with each other either, and not all of them differ by more than two units.
+        assert!(units.clone().all(|[program, mechanism]| (program - mechanism).abs() > 0.5), "{above:?}");
+        assert!(units.clone().any(|[program, _]| program < 2.0), "{above:?}");
+    }
+}

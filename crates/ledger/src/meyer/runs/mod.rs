@@ -4,6 +4,8 @@
 //! - `motion`: a row's motion under a [`Hypothesis`], by two routes.
 //! - `scores`: how well computed numbers explain printed ones.
 //! - `hypotheses`: how many cells each hypothesis explains.
+//! - `weighing`: by how much one hypothesis makes the tables likelier than others.
+//! - `chance`: what chance would explain.
 //! - `rise_times`: which definition could be that of the rise times.
 //! - `integrator`: whether the tables depend on what is not known of the integrator.
 //! - `cells`: the claims, one for each printed number.
@@ -15,6 +17,7 @@
 //! - `headings`: the claims of the inertias above the tables.
 
 mod cells;
+pub mod chance;
 pub mod choice;
 pub mod data;
 pub mod deck;
@@ -27,6 +30,7 @@ pub mod rise_times;
 mod scores;
 pub mod steps;
 mod table;
+mod weighing;
 mod words;
 
 pub use cells::claims;
@@ -38,6 +42,7 @@ pub use motion::{
 };
 pub use scores::{Fit, within_one};
 pub use table::{Column, Row, rows, series, slug};
+pub use weighing::Weighing;
 
 use super::*;
 use geneva_dynamics::{Inertias, Parameters};

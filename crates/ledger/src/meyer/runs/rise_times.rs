@@ -115,8 +115,10 @@ pub struct Tried {
 }
 
 /// How a definition does on the printed rise times.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Explained {
+    /// The computed time of each row, in s; not a number if there is none.
+    pub times: Vec<f64>,
     /// Rows within one unit of the last place: with six, four and three pins.
     pub within_one: [usize; 3],
     /// How many would be, were the computed times of each table dealt out to its rows at random: the expectation.
@@ -153,7 +155,8 @@ fn tried(definition: &Definition, part: Option<f64>, starts: &[(&Row, Option<Sta
         time.unwrap_or(f64::NAN)
     };
     let timed: Vec<(&Row, f64)> = starts.iter().map(|(row, start)| (*row, time(start))).collect();
-    let mut found = Explained { within_one: [0; 3], by_chance: 0.0, range: [f64::INFINITY, 0.0] };
+    let times = timed.iter().map(|(_, time)| *time).collect();
+    let mut found = Explained { times, within_one: [0; 3], by_chance: 0.0, range: [f64::INFINITY, 0.0] };
     for (row, time) in &timed {
         let printed = row.number(Column::Rise);
         found.within_one[row.mechanism.index()] += usize::from(near(*time, printed));

@@ -23,7 +23,7 @@ pub struct Found {
 /// The torque with which a row's minimum and period are reproduced best, in in lb.
 pub fn torque(row: &Row) -> Option<Found> {
     let [driver, follower] = printed_inertias(row);
-    let motion = motion(row.mechanism, row.friction(), driver / follower, OF_A_ROW)?;
+    let motion = motion(row.mechanism, row.friction(), driver / follower, reset(row.mechanism), OF_A_ROW)?;
     best(FIRST_TORQUE, |torque| Some(misfits(row, &motion, BUT_FOR_THE_PEAK, torque / follower).collect()))
 }
 
@@ -31,16 +31,17 @@ pub fn torque(row: &Row) -> Option<Found> {
 pub fn friction(row: &Row) -> Option<Found> {
     let [driver, follower] = printed_inertias(row);
     best(FIRST_FRICTION, |friction| {
-        let motion = motion(row.mechanism, friction, driver / follower, OF_A_ROW)?;
+        let motion = motion(row.mechanism, friction, driver / follower, reset(row.mechanism), OF_A_ROW)?;
         Some(misfits(row, &motion, BUT_FOR_THE_PEAK, row.torque() / follower).collect())
     })
 }
 
-/// The inertias of driver and follower that reproduce a mechanism's peaks, minima and periods best, in in lb s².
-pub fn inertias(mechanism: Mechanism) -> Option<[f64; 2]> {
+/// The inertias of driver and follower that reproduce a mechanism's peaks, minima and periods best, in in lb s², and the
+/// misfits that are left, if the driver's angle is reset after `reset` radians.
+pub fn inertias(mechanism: Mechanism, reset: f64) -> Option<([f64; 2], Vec<f64>)> {
     // For each ratio of the two the follower is found that suits it best.
     let with = |ratio: f64| {
-        let of = |own: &'static [Row]| Some((own, motion(mechanism, own[0].friction(), ratio, OF_A_TABLE)?));
+        let of = |own: &'static [Row]| Some((own, motion(mechanism, own[0].friction(), ratio, reset, OF_A_TABLE)?));
         let motions: Vec<_> = series().filter(|own| own[0].mechanism == mechanism).map(of).collect::<Option<_>>()?;
         best(FIRST_FOLLOWER, |follower| {
             let rows = motions.iter().flat_map(|(own, motion)| own.iter().map(move |row| (row, motion)));
@@ -48,8 +49,8 @@ pub fn inertias(mechanism: Mechanism) -> Option<[f64; 2]> {
         })
     };
     let ratio = best(FIRST_RATIO, |ratio| Some(with(ratio)?.misfits))?.value;
-    let follower = with(ratio)?.value;
-    Some([ratio * follower, follower])
+    let Found { value: follower, misfits, .. } = with(ratio)?;
+    Some(([ratio * follower, follower], misfits))
 }
 
 /// How finely two inertias are known, in in lb s².
@@ -59,8 +60,10 @@ pub fn uncertainties(mechanism: Mechanism, [driver, follower]: [f64; 2]) -> Opti
     // The sums of the products of the slopes of all results, in the logarithms of the ratio and of the follower.
     let mut products = Matrix2::zeros();
     for own in series().filter(|own| own[0].mechanism == mechanism) {
-        let with =
-            |change: f64| motion(mechanism, own[0].friction(), driver / follower * libm::exp(change), OF_A_TABLE);
+        let with = |change: f64| {
+            let ratio = driver / follower * libm::exp(change);
+            motion(mechanism, own[0].friction(), ratio, reset(mechanism), OF_A_TABLE)
+        };
         let (less, same, more) = (with(-DIFFERENCE)?, with(0.0)?, with(DIFFERENCE)?);
         let drive = |row: &Row, change: f64| row.torque() / (follower * libm::exp(change));
         for row in own {
@@ -90,9 +93,15 @@ const FIRST_RATIO: f64 = 1.0;
 const FIRST_FRICTION: f64 = 0.1;
 
 /// A result of the motion that repeats itself, for the torque over the follower's inertia.
-fn motion(mechanism: Mechanism, friction: f64, ratio: f64, steps: u32) -> Option<impl Fn(Column, f64) -> f64> {
+fn motion(
+    mechanism: Mechanism,
+    friction: f64,
+    ratio: f64,
+    reset: f64,
+    steps: u32,
+) -> Option<impl Fn(Column, f64) -> f64> {
     let unit = Parameters::new(mechanism, Inertias::new(ratio, 1.0).ok()?, 1.0, friction).ok()?;
-    let [least, time, greatest] = steps::cycle(&unit, reset(mechanism), steps)?;
+    let [least, time, greatest] = steps::cycle(&unit, reset, steps)?;
     Some(move |column, drive: f64| match column {
         Column::Peak => greatest * drive.sqrt(),
         Column::Minimum => least * drive.sqrt(),

@@ -16,7 +16,7 @@ const GREATEST_RATIO: f64 = 10.0;
 /// The torque with which a row's minimum and period are reproduced best, in in lb.
 pub fn torque(row: &Row) -> Option<f64> {
     let [driver, follower] = printed_inertias(row);
-    let steady = Steady::of(row.mechanism, row.friction(), driver / follower)?;
+    let steady = Steady::of(row.mechanism, row.friction(), driver / follower, reset(row.mechanism))?;
     Some(least(TORQUES, |torque| steady.misfit(row, BUT_FOR_THE_PEAK, torque / follower)))
 }
 
@@ -27,32 +27,68 @@ pub fn friction(row: &Row) -> Option<f64> {
     let [driver, follower] = printed_inertias(row);
     let greatest = critical_friction(row.mechanism, driver / follower).ok()?.friction;
     Some(least_between([0.0, greatest], |friction| {
-        let steady = Steady::of(row.mechanism, friction, driver / follower);
+        let steady = Steady::of(row.mechanism, friction, driver / follower, reset(row.mechanism));
         steady.map_or(f64::INFINITY, |steady| steady.misfit(row, BUT_FOR_THE_PEAK, row.torque() / follower))
     }))
 }
 
 /// The inertias of driver and follower that reproduce a mechanism's peaks, minima and periods best, in in lb s².
-pub fn inertias(mechanism: Mechanism) -> Option<[f64; 2]> {
-    let series: Vec<_> = series().filter(|own| own[0].mechanism == mechanism).collect();
-    let most_friction = series.iter().map(|own| own[0].friction()).fold(0.0, f64::max);
-    let ratios = [critical_inertia_ratio(mechanism, most_friction).ok()?, GREATEST_RATIO];
-    // The motions with a ratio, and the follower that suits them best with its sum of squares.
-    let with = |ratio: f64| {
-        let of = |own: &&'static [Row]| Some((*own, Steady::of(mechanism, own[0].friction(), ratio)?));
-        let motions: Vec<_> = series.iter().map(of).collect::<Option<_>>()?;
-        let misfit = |follower: f64| -> f64 {
-            let of = |(own, steady): &(&[Row], Steady)| -> f64 {
-                own.iter().map(|row| steady.misfit(row, RESULTS, row.torque() / follower)).sum()
-            };
-            motions.iter().map(of).sum()
-        };
-        let follower = least(FOLLOWERS, misfit);
-        Some((follower, misfit(follower)))
-    };
-    let ratio = least(ratios, |ratio| with(ratio).map_or(f64::INFINITY, |(_, misfit)| misfit));
-    let (follower, _) = with(ratio)?;
+///
+/// The driver's angle is reset after `reset` radians, and all frictions are `friction` times the printed ones.
+pub fn inertias(mechanism: Mechanism, reset: f64, friction: f64) -> Option<[f64; 2]> {
+    let ratio = least(ratios(mechanism, friction)?, |ratio| {
+        let motions = Motions::of(mechanism, reset, friction, ratio);
+        motions.map_or(f64::INFINITY, |motions| motions.misfit(motions.best_follower()))
+    });
+    let follower = Motions::of(mechanism, reset, friction, ratio)?.best_follower();
     Some([ratio * follower, follower])
+}
+
+/// The inertia of the driver over the follower's, least and greatest: from where the equation of motion has a solution
+/// everywhere.
+pub fn ratios(mechanism: Mechanism, friction: f64) -> Option<[f64; 2]> {
+    let frictions = series().filter(|own| own[0].mechanism == mechanism).map(|own| own[0].friction());
+    let most_friction = friction * frictions.fold(0.0, f64::max);
+    Some([critical_inertia_ratio(mechanism, most_friction).ok()?, GREATEST_RATIO])
+}
+
+/// The steady motions of a table, one for each friction.
+pub struct Motions(Vec<(&'static [Row], Steady)>);
+
+impl Motions {
+    /// The motions with a ratio of the inertias, all frictions so many times the printed ones.
+    pub fn of(mechanism: Mechanism, reset: f64, friction: f64, ratio: f64) -> Option<Self> {
+        let own = series().filter(|own| own[0].mechanism == mechanism);
+        let of = |own: &'static [Row]| Some((own, Steady::of(mechanism, friction * own[0].friction(), ratio, reset)?));
+        own.map(of).collect::<Option<_>>().map(Self)
+    }
+
+    /// Each row with its motion, and its torque over the follower's inertia.
+    fn rows(&self, follower: f64) -> impl Iterator<Item = (&'static Row, &Steady, f64)> {
+        self.0.iter().flat_map(move |(own, steady)| own.iter().map(move |row| (row, steady, row.torque() / follower)))
+    }
+
+    /// Sum of the squares of the misfits of all results.
+    fn misfit(&self, follower: f64) -> f64 {
+        self.rows(follower).map(|(row, steady, drive)| steady.misfit(row, RESULTS, drive)).sum()
+    }
+
+    /// The follower's inertia with which that sum is least.
+    fn best_follower(&self) -> f64 {
+        least(FOLLOWERS, |follower| self.misfit(follower))
+    }
+
+    /// The misfits of all results, in units of the last printed place.
+    pub fn misfits(&self, follower: f64) -> Vec<f64> {
+        let each = self.rows(follower).flat_map(|of| RESULTS.iter().map(move |column| (of, *column)));
+        each.map(|((row, steady, drive), column)| steady.off(row, column, drive)).collect()
+    }
+
+    /// The square roots of the follower's inertia between which each result is within a unit of the printed one.
+    pub fn near(&self) -> Vec<[f64; 2]> {
+        let each = self.rows(1.0).flat_map(|of| RESULTS.iter().map(move |column| (of, *column)));
+        each.map(|((row, steady, torque), column)| steady.near(row, column, torque.sqrt())).collect()
+    }
 }
 
 /// Peak, minimum and period of a steady motion with a torque and a follower of one.
@@ -63,25 +99,41 @@ struct Steady {
 }
 
 impl Steady {
-    fn of(mechanism: Mechanism, friction: f64, ratio: f64) -> Option<Self> {
+    fn of(mechanism: Mechanism, friction: f64, ratio: f64, reset: f64) -> Option<Self> {
         let unit = Parameters::new(mechanism, Inertias::new(ratio, 1.0).ok()?, 1.0, friction).ok()?;
-        let steady = Engagement::reset_after(&unit, reset(mechanism), TOLERANCE).ok()?.steady_state().ok()?;
+        let steady = Engagement::reset_after(&unit, reset, TOLERANCE).ok()?.steady_state().ok()?;
         Some(Self { peak: steady.peak.speed, minimum: steady.minimum.speed, period: steady.period })
+    }
+
+    /// By how many units of its last place a row's result is off, for the torque over the follower's inertia.
+    fn off(&self, row: &Row, column: Column, drive: f64) -> f64 {
+        let unit = drive.sqrt();
+        let computed = match column {
+            Column::Peak => self.peak * unit,
+            Column::Minimum => self.minimum * unit,
+            _ => self.period / unit,
+        };
+        misfit(row, column, computed)
     }
 
     /// Sum of the squares of the misfits of a row's results, for the torque over the follower's inertia.
     fn misfit(&self, row: &Row, results: &[Column], drive: f64) -> f64 {
-        let unit = drive.sqrt();
-        let of = |column: &Column| {
-            let computed = match column {
-                Column::Peak => self.peak * unit,
-                Column::Minimum => self.minimum * unit,
-                _ => self.period / unit,
-            };
-            let off = misfit(row, *column, computed);
+        let squared = |column: &Column| {
+            let off = self.off(row, *column, drive);
             off * off
         };
-        results.iter().map(of).sum()
+        results.iter().map(squared).sum()
+    }
+
+    /// The square roots of the follower's inertia between which a result is within a unit of the printed one; `root` is
+    /// the square root of the torque.
+    fn near(&self, row: &Row, column: Column, root: f64) -> [f64; 2] {
+        let [low, high] = [-1.0, 1.0].map(|side| row.number(column) + side * column.unit());
+        match column {
+            Column::Peak => [self.peak * root / high, self.peak * root / low],
+            Column::Minimum => [self.minimum * root / high, self.minimum * root / low],
+            _ => [low * root / self.period, high * root / self.period],
+        }
     }
 }
 

@@ -11,7 +11,10 @@
 //! routes look for it over all that can be: by golden section over the solution by integrals (`golden_section`), and by
 //! the method of Gauss and Newton over the motion in steps (`gauss_newton`). Both take the steady motion with the
 //! inertias of Fig. 11 for six pins, reset after 90°, as the program has it.
+//!
+//! `freed` asks the opposite: what the right reset angle could explain, whatever the inertias were.
 
+pub mod freed;
 mod gauss_newton;
 mod golden_section;
 
@@ -73,19 +76,32 @@ fn tangents(row: &Row) -> [f64; 3] {
 /// The inertias of driver and follower, in in lb s², with which a mechanism's table is reproduced best, by integrals.
 pub fn inertias(mechanism: Mechanism) -> [f64; 2] {
     static FOUND: [OnceLock<[f64; 2]>; 3] = [const { OnceLock::new() }; 3];
-    *FOUND[mechanism.index()].get_or_init(|| golden_section::inertias(mechanism).unwrap_or([f64::NAN; 2]))
+    *FOUND[mechanism.index()]
+        .get_or_init(|| golden_section::inertias(mechanism, reset(mechanism), 1.0).unwrap_or([f64::NAN; 2]))
 }
 
 /// The inertias with which a mechanism's table is reproduced best, in steps.
 pub(super) fn inertias_in_steps(mechanism: Mechanism) -> [f64; 2] {
     static FOUND: [OnceLock<[f64; 2]>; 3] = [const { OnceLock::new() }; 3];
-    *FOUND[mechanism.index()].get_or_init(|| gauss_newton::inertias(mechanism).unwrap_or([f64::NAN; 2]))
+    let found = || gauss_newton::inertias(mechanism, reset(mechanism)).map_or([f64::NAN; 2], |(inertias, _)| inertias);
+    *FOUND[mechanism.index()].get_or_init(found)
 }
 
 /// How finely the inertias are known: how much they change if each result was misread at random by a unit of its last
 /// place.
 pub fn uncertainties(mechanism: Mechanism) -> Option<[f64; 2]> {
     gauss_newton::uncertainties(mechanism, inertias_in_steps(mechanism))
+}
+
+/// The claims of all inputs of the runs, by id: we know them only from the results.
+pub fn inputs() -> impl Iterator<Item = String> {
+    let of_rows =
+        rows().iter().flat_map(|row| ["friction", "torque"].map(|name| format!("meyer.app-e.{}.{name}", row.slug())));
+    let inertias = ["driver", "follower"].into_iter().flat_map(|member| {
+        let drawn = ["10", "11"].map(|figure| format!("meyer.fig-{figure}.{member}"));
+        Mechanism::ALL.map(|mechanism| motion::heading(mechanism, member)).into_iter().chain(drawn)
+    });
+    of_rows.chain(inertias).chain(["meyer.listing.print-interval".to_owned()])
 }
 
 /// By how many units of its last place a computed result is off.
@@ -126,6 +142,16 @@ mod tests {
                 assert!((otherwise[1 - at] / sections[1 - at] - 1.0).abs() > 0.01, "{column:?}");
             }
         }
+    }
+
+    #[test]
+    fn the_inputs_are_all_the_given_values_of_the_runs() {
+        let mut listed: Vec<String> = inputs().collect();
+        let given = crate::claims().iter().filter(|claim| claim.meaning.contains("a given value"));
+        let mut given: Vec<String> = given.map(|claim| claim.id.to_owned()).collect();
+        listed.sort();
+        given.sort();
+        assert_eq!(listed, given);
     }
 
     #[test]

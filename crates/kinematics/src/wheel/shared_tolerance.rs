@@ -1,0 +1,121 @@
+//! How far all sizes may be wrong together.
+//!
+//! Two gaps are shared by several errors. In the dwell the disc has half the locking play, of which the disc's radius, the
+//! arc's radius and axes that are too near take their parts, and the shafts that are loose in their bores another. At entry
+//! the pin has half the slot's play, of which crank radius, axes, pin, slot and the slot's direction take theirs. Loose shafts
+//! take axes that are already wrong no farther than the play of one bore, in the dwell and at entry. What they leave is
+//! divided into equal parts. The horns that pass the crescent have a third gap, which all these errors share in a way that
+//! depends on the motion. So all parts are made smaller together until a whole turn is clear with all errors at once.
+//!
+//! Notation: `a` crank radius, `c` centre distance, α half the angle between slots, `g` the gap of slot or arc.
+
+use super::clearance::Assembly;
+use super::crescent::Crescent;
+use super::sizes::{LockingDisc, Sizes};
+
+/// How far every size may be wrong while all the others are wrong by as much as they may be, and the shafts as loose as their
+/// bores allow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SharedTolerance {
+    /// How much longer the locking disc's radius may be, and how much shorter the locking arc's, each in millimetres.
+    pub locking: f64,
+    /// How much nearer the axes may be, in millimetres, besides the bores' play.
+    pub nearer: f64,
+    /// How much farther apart the axes may be, in millimetres, besides the bores' play.
+    pub farther: f64,
+    /// How much longer or shorter the crank radius may be, in millimetres.
+    pub crank: f64,
+    /// How much thicker the pin may be, and how much narrower the slot, each in millimetres.
+    pub width: f64,
+    /// By what angle one slot may be off its place between the locking arcs, to either side, in radians.
+    pub direction: f64,
+    /// How much farther from the wheel's axis the slot's end may be, in millimetres.
+    pub slot_end: f64,
+}
+
+/// Sizes that share the gap of the disc in its arc: both radii and the centre distance.
+const IN_DWELL: f64 = 3.0;
+/// Sizes that share the gap of the pin at entry: crank radius, centre distance, pin, slot, and the slot's direction.
+const AT_ENTRY: f64 = 5.0;
+/// The part of the gap at the slot's bottom that is shared; the rest keeps the pin clear of it for certain.
+const OF_BOTTOM: f64 = 0.98;
+/// Parts of the equal shares that are tried.
+const PARTS: u32 = 64;
+
+impl Sizes {
+    /// How far all sizes may be wrong together so that nothing touches. None without a locking disc, and where loose bores alone
+    /// take all clearance.
+    pub fn shared_tolerance(&self) -> Option<SharedTolerance> {
+        let (sine, cosine) = libm::sincos(self.wheel.half_pitch_angle());
+        let (gap, bore) = (self.slot_gap(), self.play.bore);
+        let locking = (self.locking_gap()? - bore) / IN_DWELL;
+        // Axes that are too far apart by e let the pin in later: it is then (e cos α)²/(2 a) more beside the slot's middle.
+        let late = (bore + gap / (AT_ENTRY * sine)) * cosine;
+        let entry = (gap - bore * sine - late * late / (2.0 * self.crank_radius)) / AT_ENTRY;
+        if locking <= 0.0 || entry <= 0.0 {
+            return None;
+        }
+        let (mut runs, mut fails) = (0, PARTS + 1);
+        while fails - runs > 1 {
+            let middle = (runs + fails) / 2;
+            let part = f64::from(middle) / f64::from(PARTS);
+            if self.runs_with(&self.shares(part * locking, part * entry)) { runs = middle } else { fails = middle }
+        }
+        let part = f64::from(runs) / f64::from(PARTS);
+        (runs > 0).then(|| self.shares(part * locking, part * entry))
+    }
+
+    /// The tolerances from the share of a size in the dwell and at entry, in millimetres.
+    fn shares(&self, locking: f64, entry: f64) -> SharedTolerance {
+        let sine = libm::sin(self.wheel.half_pitch_angle());
+        let nearer = locking.min(entry / sine);
+        SharedTolerance {
+            locking,
+            nearer,
+            farther: entry / sine,
+            crank: entry,
+            width: 2.0 * entry,
+            direction: libm::asin(entry / self.wheel_radius),
+            // A pin that is too thick and a slot that is too narrow take half of their errors, and there are two.
+            slot_end: (OF_BOTTOM * self.bottom_gap() - self.play.bore - nearer - 3.0 * entry).max(0.0),
+        }
+    }
+
+    /// Whether a whole turn is clear with all errors at these limits, in both senses of crank radius and centre distance.
+    fn runs_with(&self, limit: &SharedTolerance) -> bool {
+        let errors = [-self.play.bore - limit.nearer, self.play.bore + limit.farther];
+        errors.into_iter().all(|error| {
+            [-1.0, 1.0].into_iter().all(|sense| {
+                let wrong = self.with_errors(limit, sense);
+                let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return false };
+                let tolerance = assembly.tolerance;
+                let least = assembly.within(u32::MAX, 0.0, Assembly::least);
+                least.is_ok_and(|least| least.distance >= tolerance)
+            })
+        })
+    }
+
+    /// The sizes with all errors but those of the axes and of the slot's direction at these limits, the crank longer or shorter
+    /// by its sense of 1 or −1. The cut in the disc stays where it is, so a larger disc has its edges farther out on it.
+    fn with_errors(&self, limit: &SharedTolerance, sense: f64) -> Self {
+        let larger = |disc: LockingDisc| {
+            let (cut, radius) = (disc.crescent, disc.radius + limit.locking);
+            let (far, near) = (cut.centre + radius, cut.centre - radius);
+            // By half the angle: sin²(x/2) = (cut² − (centre − disc)²) / (4 centre disc).
+            let square = (cut.radius - near) * (cut.radius + near) / ((far - near) * (far + near));
+            let half_angle = 2.0 * libm::asin(square.clamp(0.0, 1.0).sqrt());
+            LockingDisc { radius, crescent: Crescent { half_angle, ..cut } }
+        };
+        let slot_width = self.slot_width - limit.width;
+        let mut wrong = *self;
+        wrong.locking_disc = self.locking_disc.map(larger);
+        wrong.locking_arc_radius -= limit.locking;
+        wrong.crank_radius += sense * limit.crank;
+        wrong.pin_diameter += limit.width;
+        wrong.slot_width = slot_width;
+        wrong.play.slot -= 2.0 * limit.width;
+        wrong.slot_end += limit.slot_end;
+        wrong.tip_radius = libm::hypot(self.wheel_radius, slot_width / 2.0);
+        wrong
+    }
+}

@@ -1,0 +1,50 @@
+//! Does a drawing that stays while the controls go by hide what a reader has scrolled to?
+
+use super::{PAGES, browser, of, open};
+use crate::browser::devtools::{Browser, Medium};
+use serde_json::{Value, json};
+
+/// The places of scrolling at which another element is where the caption is, with that element's class.
+const COVERED: &str = "(async () => { const found = []; const caption = f.querySelector('figcaption'); \
+     for (const from of [700, 500, 300, 150]) { scrollTo({ top: caption.getBoundingClientRect().top + scrollY - from, behavior: \
+     'instant' }); await new Promise(requestAnimationFrame); const { left, right, top, bottom } = caption.getBoundingClientRect(); \
+     for (const x of [left + 8, left + (right - left) / 4, (left + right) / 2]) { const hit = document.elementFromPoint(x, (top + bottom) / 2); \
+     if (hit && !caption.contains(hit) && !hit.contains(caption)) { found.push(`${from}: ${hit.className || hit.localName}`) } } } \
+     return found })()";
+
+#[test]
+fn a_drawing_that_stays_leaves_its_caption_in_sight() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Light);
+    for (name, page) in PAGES {
+        open(&mut browser, page, "");
+        let covered = of(&mut browser, name, &format!("await {COVERED}"));
+        assert_eq!(covered, json!([]), "{name}");
+    }
+}
+
+/// A picture of what is before a figure, as far as it is in sight.
+fn picture(browser: &mut Browser, name: &str) -> Value {
+    let place = of(
+        browser,
+        name,
+        "(() => { const { left, right, top, bottom } = f.previousElementSibling.getBoundingClientRect(); return [left, Math.max(top, \
+         80), right - left, bottom - Math.max(top, 80)] })()",
+    );
+    let clip = json!({ "x": place[0], "y": place[1], "width": place[2], "height": place[3], "scale": 1 });
+    browser.command("Page.captureScreenshot", json!({ "format": "png", "clip": clip }))["data"].clone()
+}
+
+#[test]
+fn nothing_of_a_figure_is_painted_over_what_is_before_it() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Dark);
+    for (name, page) in PAGES {
+        open(&mut browser, page, "");
+        of(&mut browser, name, "scrollTo({ top: f.getBoundingClientRect().top + scrollY - 400, behavior: 'instant' })");
+        let with = picture(&mut browser, name);
+        of(&mut browser, name, "f.style.visibility = 'hidden'");
+        assert!(with.as_str().is_some_and(|data| data.len() > 100), "{name}: no picture");
+        assert!(with == picture(&mut browser, name), "{name} is painted over what is before it");
+    }
+}
