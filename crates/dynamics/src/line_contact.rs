@@ -29,8 +29,8 @@ pub struct Material {
 /// Metals: R. G. Budynas and J. K. Nisbett, *Shigley's Mechanical Engineering Design*, table A-5, physical constants of
 /// materials. Acetal: J. M. Margolis (ed.), *Engineering Plastics Handbook*, table 5.5, tensile modulus of the homopolymer
 /// at room temperature; it creeps, and with time and heat its modulus falls. That table has no Poisson's ratio: 0.35 is
-/// assumed, and from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side. Densities: of metals from the unit
-/// weights of the same table, to three digits; of acetal the usual 1.42 g/cm³.
+/// assumed, and from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side. Densities: customary
+/// values, in which textbooks differ by about one per cent.
 pub const MATERIALS: [Material; 5] = [
     Material { name: "steel", modulus: 207e9, poisson: 0.292, density: 7800.0 },
     Material { name: "stainless-steel", modulus: 190e9, poisson: 0.305, density: 7750.0 },
