@@ -90,6 +90,10 @@ pub struct Contact {
     pub after: Answer,
     /// What the reader says.
     pub judgement: Judgement,
+    /// What a second reader says who did not know the first judgement; none in rounds with one reader.
+    pub second_judge: Option<Judgement>,
+    /// Whether the fault of the text behind it is the fault behind a flag above.
+    pub repeats: Answer,
     /// Why, or what should be printed.
     pub why: String,
 }
@@ -191,6 +195,13 @@ mod tests {
     }
 
     #[test]
+    fn two_readers_judge_the_second_round_and_only_it() {
+        for flag in contacts().expect("read") {
+            assert_eq!(flag.second_judge.is_some(), flag.round == "second", "{}: {}", flag.text, flag.why);
+        }
+    }
+
+    #[test]
     fn the_runs_count_the_flags_that_were_judged() {
         let contacts = contacts().expect("read");
         for run in runs().expect("read").iter().filter(|run| ["first", "second"].contains(&run.run.as_str())) {
@@ -198,7 +209,7 @@ mod tests {
             assert_eq!(judged, run.flags as usize, "{}", run.text);
         }
         for run in runs().expect("read").iter().filter(|run| run.run == "again") {
-            let such = |flag: &&Contact| flag.text == run.text && flag.round != "second" && flag.after == Answer::Yes;
+            let such = |flag: &&Contact| flag.text == run.text && flag.after == Answer::Yes;
             assert_eq!(contacts.iter().filter(such).count(), run.flags as usize, "{} after the repairs", run.text);
         }
         let flags = flags().expect("read");

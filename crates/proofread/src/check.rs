@@ -117,6 +117,26 @@ fn opposite(side: &Side) -> Vec<Token> {
     [&[sign('-'), sign('(')], side.tokens.as_slice(), &[sign(')')]].concat()
 }
 
+/// Whether the left side is a printed count, or a printed quantity of another kind than the computed right side, so that it may
+/// belong to the words before it.
+fn names_label(judgement: &Judgement) -> bool {
+    match &judgement.values {
+        Some((left, right)) => {
+            let is_count = left.dimension.is_none() && left.factor == 1.0;
+            let of_other_kinds = left.dimension != right.dimension || is_count;
+            left.is_literal() && left.has_unit && !right.is_literal() && of_other_kinds
+        }
+        None => false,
+    }
+}
+
+/// The integer at a side, whose digits are in another base.
+fn in_decimal(side: &Side, base: u32) -> Option<Vec<Token>> {
+    let [Token { kind: Kind::Number(digits), span }] = side.tokens.as_slice() else { return None };
+    let value = u64::from_str_radix(digits, base).ok()?;
+    Some(vec![Token::new(Kind::Number(value.to_string()), *span)])
+}
+
 /// Documents up to this many bytes are taken for one problem whose names keep their meaning.
 const ONE_PROBLEM: usize = 20_000;
 
@@ -205,6 +225,16 @@ impl Check<'_> {
                 judgement = Judgement { verdict: other.verdict.min(Verdict::Doubtful), ..other };
             }
         }
+        if at == 1 && names_label(&judgement) && surroundings::follows_preposition(self.text, left.span) {
+            judgement.verdict = Verdict::Doubtful;
+        }
+        let base = if ends { surroundings::base_named(self.text, formula.span) } else { None };
+        if let Some(decimal) = base.and_then(|base| in_decimal(right, base)) {
+            let other = judge(&left.tokens, &decimal, relation, bindings);
+            if agrees(&other) {
+                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
+            }
+        }
         let values = judgement.values.as_ref();
         let printed = values.is_some_and(|(left, right)| left.is_literal() && right.is_literal() && left.has_unit);
         if printed && surroundings::speaks_of_scale(self.text, formula.span) {
@@ -257,6 +287,7 @@ impl Check<'_> {
         }
         let wanted = list == List::Numbers && self.report.findings.len() < self.options.hints;
         let hint = wanted.then(|| hint::hint(left, right, relation, &judgement, &mut self.budget)).flatten();
+        let hint = hint.filter(|hint| !hint.stands_in(self.text));
         self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
     }
 }

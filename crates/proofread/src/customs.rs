@@ -2,7 +2,7 @@
 //! between their units is rounded.
 
 use crate::token::{Kind, Token, any};
-use crate::unit::{Dimension, unit};
+use crate::unit::{Dimension, unit, without_prefix};
 use crate::value::{Angle, Value};
 use std::f64::consts::PI;
 
@@ -38,6 +38,34 @@ pub(crate) fn lacks_degrees(left: &Value, right: &Value) -> bool {
     let scaled = |of: &Value| of.scaled(180.0 / PI);
     (bare(left) && in_degrees(right) && left.meets(&scaled(right), 0.0))
         || (bare(right) && in_degrees(left) && right.meets(&scaled(left), 0.0))
+}
+
+/// Whether two sides agree once the unit that one of them leaves to be understood is put in: the electronvolt beside meV, the
+/// centimetre beside μm, the revolution beside a division by 2π, the atomic mass unit.
+pub(crate) fn understood(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
+    let [of_left, of_right] = sides;
+    leaves_unit_out(of_left, left, of_right, right) || leaves_unit_out(of_right, right, of_left, left)
+}
+
+fn leaves_unit_out(bare_side: &[Token], bare: &Value, side: &[Token], other: &Value) -> bool {
+    if bare.has_unit || bare.angle.is_some() || !bare.dimension.is_none() {
+        return false;
+    }
+    let with = |factor: f64| bare.scaled(factor).meets(other, 0.0);
+    if other.has_unit {
+        let mut words = side.iter().filter_map(|token| token.word().filter(|word| unit(word).is_some()));
+        let (Some(word), None, true) = (words.next(), words.next(), other.is_literal()) else { return false };
+        let base = without_prefix(word).and_then(unit).filter(|base| base.dimension == other.dimension);
+        let length = unit("cm").filter(|cm| cm.dimension == other.dimension && word != "cm");
+        return base.is_some_and(|base| with(base.factor) || length.is_some_and(|cm| with(cm.factor)));
+    }
+    if other.angle == Some(Angle::Radians) {
+        let divides = any(bare_side, &|kind| *kind == Kind::Name("π".to_owned()));
+        return divides && !bare.is_literal() && with(2.0 * PI);
+    }
+    // A mass in kilograms over one in atomic mass units.
+    let is_quotient = any(bare_side, &|kind| matches!(kind, Kind::Fraction(..) | Kind::Operator('/')));
+    other.angle.is_none() && is_quotient && unit("u").is_some_and(|dalton| with(1.0 / dalton.factor))
 }
 
 /// Whether one side is said to stand for the other, as on a scale drawing, of a mole or by a law of physics.

@@ -2,7 +2,7 @@
 
 use crate::atom::plain_exponent;
 use crate::evaluate::{Cursor, Evaluator};
-use crate::interval::Interval;
+use crate::interval::{Interval, RESIDUE};
 use crate::reading::Reading;
 use crate::token::{Function, Kind, Token};
 use crate::unit::unit;
@@ -122,14 +122,14 @@ fn on_interval(function: Function, x: Interval) -> Option<Interval> {
         fits.then(|| x.through(|x| x.clamp(-1.0, 1.0)))
     };
     Some(match function {
-        Function::Sin => wave(x, libm::sin, PI / 2.0),
-        Function::Cos => wave(x, libm::cos, 0.0),
+        Function::Sin => wave(x, |x| without_residue(libm::sin(x), x), PI / 2.0),
+        Function::Cos => wave(x, |x| without_residue(libm::cos(x), x), 0.0),
         Function::Tan => {
             let branch = |x: f64| libm::floor((x - PI / 2.0) / PI);
             if branch(x.low) != branch(x.high) {
                 return None;
             }
-            x.through(libm::tan)
+            x.through(|x| without_residue(libm::tan(x), x))
         }
         Function::Cot => on_interval(Function::Tan, x)?.inverse()?,
         Function::Sec => wave(x, libm::cos, 0.0).inverse()?,
@@ -149,6 +149,11 @@ fn on_interval(function: Function, x: Interval) -> Option<Interval> {
             if around_zero { Interval { low: 1.0, ..ends } } else { ends }
         }
     })
+}
+
+/// The value of a function at `x`, zero if no more than the rounding of `x` is left: the sine of 4π in floating point.
+fn without_residue(value: f64, x: f64) -> f64 {
+    if x.abs() > 1.0 && value.abs() <= RESIDUE * x.abs() { 0.0 } else { value }
 }
 
 /// A sine or cosine, whose crests are at `crest` and every 2π from there.

@@ -14,6 +14,16 @@ pub struct Hint {
     pub at: Span,
 }
 
+impl Hint {
+    /// Whether the text has at the place already what the hint offers, so that the text was misread.
+    pub(crate) fn stands_in(&self, text: &str) -> bool {
+        let offered = self.words.strip_prefix('`').and_then(|words| words.split_once('`'));
+        let plain = |text: &str| text.chars().filter(|c| !c.is_whitespace() && !"{}".contains(*c)).collect::<String>();
+        let printed = text.get(self.at.range()).map(plain);
+        offered.is_some_and(|(offered, _)| printed.is_some_and(|printed| printed == plain(offered)))
+    }
+}
+
 /// How near an edit is: a slip of one sign or step is nearer than another digit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Near {
@@ -156,6 +166,11 @@ fn variants(tokens: &[Token], near: Near, out: &mut Vec<Edit>) {
                 }
             }
             Kind::Number(text) => {
+                if let Some(exponent) = without_caret(tokens, at) {
+                    let words = format!("`10^{0}` for `10{0}`", show(exponent));
+                    let power = Token::new(Kind::Power(exponent.to_vec()), exponent[0].span.join(exponent[1].span));
+                    push(with(vec![token.clone(), power], 3), words);
+                }
                 let power = tokens.get(at + 1).filter(|_| text == "10").and_then(exponent_of);
                 for other in shifted(text).into_iter().filter(|_| power.is_none()) {
                     push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"));
@@ -234,6 +249,15 @@ fn nested(tokens: &[Token], at: usize, near: Near, out: &mut Vec<Edit>) {
             out.push(Edit { tokens: all, ..edit });
         }
     }
+}
+
+/// The exponent whose caret is lacking behind the ten of a power of ten: a minus sign and one or two digits.
+fn without_caret(tokens: &[Token], at: usize) -> Option<&[Token]> {
+    let before = tokens[..at].iter().rev().find(|token| !token.is_space())?;
+    let exponent = tokens.get(at + 1..at + 3)?;
+    let digits = exponent[1].number().is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
+    let fits = tokens[at].number() == Some("10") && before.is_one_of("×·") && exponent[0].is('-') && digits;
+    fits.then_some(exponent)
 }
 
 fn exponent_of(token: &Token) -> Option<i32> {
@@ -385,6 +409,18 @@ mod tests {
         ] {
             assert_eq!(hinted(tex).as_deref(), Some(words), "{tex}");
         }
+    }
+
+    #[test]
+    fn a_lacking_caret_is_named() {
+        assert_eq!(hinted(r"2 \times 3.1 \times 10^{-5} = 6.2 \times 10{-5}").as_deref(), Some("`10^−5` for `10−5`"));
+        assert_eq!(hinted(r"2 \times 3.1 = 6.3 \times 10 - 5"), None);
+    }
+
+    #[test]
+    fn what_the_text_has_already_is_not_offered() {
+        let hint = Hint { words: "`6.928` for `6928`".to_owned(), at: Span::new(2, 7) };
+        assert!(hint.stands_in("= 6.928") && !hint.stands_in("= 6928.") && !hint.stands_in("="));
     }
 
     #[test]

@@ -110,11 +110,20 @@ impl Interval {
     }
 }
 
+/// A sum, zero if no more than the rounding of its terms is left.
+fn sum(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if sum.abs() <= RESIDUE * a.abs().max(b.abs()) { 0.0 } else { sum }
+}
+
+/// What the rounding of a few operations leaves, relative to their size.
+pub(crate) const RESIDUE: f64 = 8.0 * f64::EPSILON;
+
 impl std::ops::Add for Interval {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self { low: self.low + other.low, point: self.point + other.point, high: self.high + other.high }
+        Self { low: sum(self.low, other.low), point: sum(self.point, other.point), high: sum(self.high, other.high) }
     }
 }
 
@@ -157,6 +166,14 @@ mod tests {
         assert_eq!(x.power(Interval::exact(0.5)), None);
         assert_eq!(x.power(Interval::exact(-1.0)), None);
         assert_eq!(Interval::exact(10.0).power(Interval::exact(400.0)), None);
+    }
+
+    #[test]
+    fn what_rounding_leaves_of_a_sum_is_zero() {
+        let exact = Interval::exact;
+        assert_ne!(0.1 + 0.2 - 0.3, 0.0);
+        assert!((exact(0.1) + exact(0.2) + exact(-0.3)).is_zero());
+        assert!(!(exact(1.0) + exact(-1.0 + 1e-13)).is_zero());
     }
 
     #[test]

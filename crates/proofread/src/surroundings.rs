@@ -121,6 +121,29 @@ pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
     tokens
 }
 
+/// Whether a preposition stands just before a place, so that the quantity there belongs to the words before it: the mass
+/// after 90 years.
+pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
+    const PREPOSITIONS: [&str; 10] = ["for", "after", "at", "in", "within", "during", "before", "with", "over", "from"];
+    let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
+    let mut before = text.get(..span.start as usize).unwrap_or_default().trim_end_matches(marks);
+    while let Some(open) = before.rfind('<').filter(|_| before.ends_with('>')) {
+        before = before[..open].trim_end_matches(marks);
+    }
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    PREPOSITIONS.contains(&word.to_lowercase().as_str())
+}
+
+/// The base of the number at the end of a formula, if the words just behind it name one.
+pub(crate) fn base_named(text: &str, span: Span) -> Option<u32> {
+    const BASES: [(&str, u32); 4] = [("binary", 2), ("octal", 8), ("hexadecimal", 16), ("hex", 16)];
+    let near: String = behind(text, span).chars().take(30).collect();
+    let near = without_tags(&near);
+    let near = near.split(['.', ';', '=', '?', '!']).next().unwrap_or_default();
+    let mut words = near.split(|c: char| !c.is_alphabetic());
+    words.find_map(|word| BASES.iter().find(|(name, _)| *name == word.to_lowercase()).map(|(_, base)| *base))
+}
+
 /// Words that say which way a quantity points, so that its sign may be left out.
 const DIRECTIONS: [&str; 34] = [
     "left",

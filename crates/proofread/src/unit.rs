@@ -107,7 +107,7 @@ const PREFIXED: &[Row] = &[
     ("G", 1e-4, FIELD),
     ("bar", 1e5, PRESSURE),
     ("cal", 4.186, ENERGY),
-    ("pc", 3.0857e16, LENGTH),
+    ("pc", 3.085_677_581_491_367e16, LENGTH),
 ];
 
 const WHOLE: &[Row] = &[
@@ -173,8 +173,8 @@ const WHOLE: &[Row] = &[
     ("mi mile miles", 1609.344, LENGTH),
     ("nmi", 1852.0, LENGTH),
     ("yd", 0.9144, LENGTH),
-    ("ly", 9.4607e15, LENGTH),
-    ("Mly", 9.4607e21, LENGTH),
+    ("ly", 9.460_730_472_580_8e15, LENGTH),
+    ("Mly", 9.460_730_472_580_8e21, LENGTH),
     ("AU au", 1.495_978_707e11, LENGTH),
     ("acre", 4046.86, AREA),
     ("gal gallon gallons", 3.785_411_784e-3, VOLUME),
@@ -289,6 +289,19 @@ pub fn unit(word: &str) -> Option<Unit> {
 /// Whether the letters are as likely a product of quantities as a unit.
 pub(crate) fn is_ambiguous(word: &str) -> bool {
     listed(AMBIGUOUS, word)
+}
+
+/// The unit without its prefix, if the word is one of those that take a prefix and has one.
+pub(crate) fn without_prefix(word: &str) -> Option<&str> {
+    let first = word.chars().next().filter(|first| PREFIXES.iter().any(|(prefix, _)| prefix == first))?;
+    let rest = &word[first.len_utf8()..];
+    // What stands in the table by itself, such as `min`, has no prefix.
+    let parts = takes_prefix(rest).then(|| unit(rest).zip(unit(word))).flatten();
+    let factor = PREFIXES.iter().find(|(prefix, _)| *prefix == first).map(|(_, factor)| factor)?;
+    parts
+        .filter(|(base, whole)| base.dimension == whole.dimension)
+        .filter(|(base, whole)| (whole.factor / (base.factor * factor) - 1.0).abs() < 1e-9)
+        .map(|_| rest)
 }
 
 /// Whether a sign takes a prefix that stands apart from it.

@@ -232,7 +232,8 @@ impl Pair<'_> {
         if !same && !numbers && !zero {
             // A factor without its unit leaves the number in base units of the SI.
             let [left, right] = self.both(Mode::Strict, literal, reading)?;
-            return Ok(left.meets(&right, 0.0).then(|| judgement(Verdict::Units)).flatten());
+            let agree = left.meets(&right, 0.0) || customs::understood(self.sides, &left, &right);
+            return Ok(agree.then(|| judgement(Verdict::Units)).flatten());
         }
         if numbers && !points.iter().any(|point| point.has_unit) {
             return Ok(None);
@@ -259,6 +260,9 @@ impl Pair<'_> {
         }
         if customs::lacks_degrees(left, right) {
             return Ok(judgement(Verdict::Doubtful));
+        }
+        if customs::understood(self.sides, left, right) {
+            return Ok(judgement(Verdict::Units));
         }
         let loose = customs::looseness(self.sides[0], self.sides[1]);
         if loose > 0.0 && left.meets(right, loose) {

@@ -35,6 +35,36 @@ fn a_text_with_decimal_commas_is_read_as_one() {
 }
 
 #[test]
+fn a_decimal_comma_may_stand_before_an_exponent_or_a_degree_sign() {
+    let commas = r"$0,5 + 0,5 = 1,0$, $1,5 + 1,5 = 3,0$";
+    for tex in [r"\sin^{-1}(\frac{1}{1,25}) = 53,1^{\circ}", r"1,5^2 = 2,25", r"\sqrt{1,5^2 + 2^2} = 2,5"] {
+        assert_eq!(compared(&format!("{commas}, ${tex}$"), Format::Latex), (3, Vec::new()), "{tex}");
+    }
+    let other = r"\sin^{-1}(\frac{1}{1,25}) = 54,1^{\circ}";
+    assert_eq!(compared(&format!("{commas}, ${other}$"), Format::Latex).1.len(), 1);
+}
+
+#[test]
+fn points_beside_decimal_commas_part_thousands_or_decimals() {
+    let commas = "$0,5 + 0,5 = 1,0$, $1,5 + 1,5 = 3,0$, $2,5 + 2,5 = 5,0$, $3,5 + 3,5 = 7,0$, $4,5 + 4,5 = 9,0$";
+    for (text, pairs) in [
+        // Points of decimals show themselves elsewhere in the text, or as the factor of a power of ten.
+        (r"$\sqrt{4.242^2 + 4^2} = 5.83$", 1),
+        (r"$2 \times 3.125 = 6.25$", 1),
+        (r"$\frac{1}{32} = 3.125\times10^{-2}$", 1),
+        (r"$\frac{1}{32} = 3.125 \times 10^{-2}$", 1),
+        // Without such a point they are thousands, and a decimal comma behind one leaves no doubt.
+        (r"$1.250 + 0,5 = 1.250,5$", 1),
+        (r"$1.250 + 1.250 = 2500$", 1),
+        (r"$1.250 + 0,5 = 1.250,5$ in section $2.3$", 1),
+    ] {
+        assert_eq!(compared(&format!("{commas}, {text}"), Format::Latex), (5 + pairs, Vec::new()), "{text}");
+    }
+    let changed = r"$\sqrt{4.242^2 + 4^2} = 5.93$";
+    assert_eq!(compared(&format!("{commas}, {changed}"), Format::Latex).1.len(), 1);
+}
+
+#[test]
 fn commas_of_lists_pairs_and_thousands_stay() {
     for text in [
         "$x = 3, y = 4$ and $3 + 4 = 7$",

@@ -118,3 +118,80 @@ fn behind_approximately_equal_three_digits_are_meant() {
         (r"\frac{22}{7} \approx 3.18", &["last-digit"]),
     ]);
 }
+
+#[test]
+fn a_unit_that_is_understood_is_for_the_list_of_units() {
+    all(&[
+        (r"\frac{0.026}{2}(-0.5) = -6.5\,\text{meV}", &["units"]),
+        (r"\frac{0.026}{2}(-0.5) = -7.5\,\text{meV}", &["inconsistent"]),
+        (r"\sqrt{(16)(4\times10^{-6})} = 80\,\mu\text{m}", &["units"]),
+        (r"\sqrt{(16)(4\times10^{-6})} = 90\,\mu\text{m}", &["inconsistent"]),
+        // A centimetre is not understood beside metres, nor any unit beside one that is computed.
+        (r"3 \times 40 = 1.2\,\text{m}", &["inconsistent"]),
+        (r"0.2 \times 3 = 200\,\text{meV} \times 4", &["inconsistent"]),
+        (r"62.8\,\text{rad} = \frac{62.8}{2\pi}", &["units"]),
+        (r"62.8\,\text{rad} = \frac{63.8}{2\pi}", &["inconsistent"]),
+        (r"62.8\,\text{rad} = 9.995", &["inconsistent"]),
+        (r"\frac{2.0\times10^{-9}}{24.0} = 5.0\times10^{16}", &["units"]),
+        (r"\frac{2.0\times10^{-9}}{24.0} = 6.0\times10^{16}", &["inconsistent"]),
+    ]);
+}
+
+#[test]
+fn a_quantity_behind_a_preposition_may_belong_to_the_words() {
+    for text in [
+        r"The mass left after $60\,\text{days} = (\frac12)^2\times80\,\text{g} = 20\,\text{g}$",
+        r"$$P(2<X<3)\text{ for 10 events}=0.9^{10}$$",
+        r"<p>The mass left after <em>$60\,\text{days} = (\frac12)^2\times80\,\text{g}$</em></p>",
+    ] {
+        let found = lists(text);
+        assert!(!found.is_empty() && found.iter().all(|(list, _)| *list == "agreeing"), "{text}: {found:?}");
+    }
+    for text in [
+        // No preposition, a quantity of one kind on both sides, and the next pair of the chain.
+        r"The mass $60\,\text{days} = (\frac12)^2\times80\,\text{g}$",
+        r"The time for $60\,\text{s} = 2 \times 40\,\text{s}$",
+        r"The time for $1\,\text{gallon} = 3.9\,\text{liters}$",
+        r"The mass left after $60\,\text{days} = (\frac12)^2\times80\,\text{g} = 30\,\text{g}$",
+    ] {
+        assert!(lists(text).iter().any(|(list, _)| *list == "numbers"), "{text}");
+    }
+}
+
+#[test]
+fn the_words_behind_a_number_may_name_its_base() {
+    for text in [
+        r"$1 \times 4 + 0 \times 2 + 1 \times 1 = 101$ in binary",
+        r"$8 + 2 = 12$ in octal",
+        r"$2 \times 16 + 3 = 23$ (hexadecimal)",
+    ] {
+        assert_eq!(lists(text), [("agreeing", "doubtful")], "{text}");
+    }
+    for text in [
+        r"$1 \times 4 + 0 \times 2 + 1 \times 1 = 111$ in binary",
+        r"$1 \times 4 + 0 \times 2 + 1 \times 1 = 201$ in binary",
+        r"$1 \times 4 + 0 \times 2 + 1 \times 1 = 101$. In binary it is shorter.",
+    ] {
+        assert_eq!(lists(text), [("numbers", "inconsistent")], "{text}");
+    }
+}
+
+#[test]
+fn what_rounding_leaves_is_no_difference() {
+    all(&[
+        (r"\sin(6\pi) = \sin(0) = 0", &["consistent", "consistent"]),
+        (r"\cos(\frac{5\pi}{2}) = \cos(\frac{\pi}{2})", &["consistent"]),
+        (r"\tan(3\pi) = \sin(2\pi)", &["consistent"]),
+        (r"0.1 + 0.2 - 0.3 = \sin(0)", &["consistent"]),
+        (r"\sin(6.1\pi) = \sin(0)", &["inconsistent"]),
+    ]);
+}
+
+#[test]
+fn a_parsec_has_206265_astronomical_units() {
+    all(&[
+        (r"1\,\text{pc} = 206265\,\text{AU}", &["consistent"]),
+        (r"1\,\text{pc} = 206256\,\text{AU}", &["inconsistent"]),
+        (r"1\,\text{ly} = 9.4607\times10^{15}\,\text{m}", &["consistent"]),
+    ]);
+}

@@ -16,13 +16,17 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.old.precision", || Ok(precision(real(&old()?), old()?.len()))),
     ("found.new.flags", || Ok(new()?.len().to_string())),
     ("found.new.real", || Ok(real(&new()?).to_string())),
-    ("found.new.places", || places(&new()?)),
+    ("found.new.places", || Ok(places(&new()?)?.to_string())),
+    ("found.new.checkable", || Ok(thousands(run("new")?.checkable))),
+    ("found.new.checked", || Ok(thousands(run("new")?.checked))),
+    ("found.new.rate", || rate()),
     ("found.new.units", || unit_misprints()),
     ("found.new.hints", || hints(&new()?)),
     ("found.hints", || hints_judged(|_| true)),
     ("found.hints-right", || hints_judged(|right| right == Answer::Yes)),
     ("found.errata", || Ok(errata()?.len().to_string())),
-    ("found.errata-found", || Ok(errata()?.iter().filter(|erratum| erratum.found != "no").count().to_string())),
+    ("found.errata-found", || Ok(errata_found()?.to_string())),
+    ("found.recall", || Ok(precision(errata_found()?, errata()?.len()))),
     ("found.errata-numbers", || errata_of("number")),
     ("found.errata-units", || errata_of("unit")),
     ("found.results", || planted(|run| (run.results, run.results_noticed))),
@@ -31,13 +35,28 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.first.flags", || Ok(round("first")?.len().to_string())),
     ("found.first.real", || Ok(right(&round("first")?).to_string())),
     ("found.first.precision", || Ok(precision(right(&round("first")?), round("first")?.len()))),
+    ("found.first.faults", || Ok(faults("first")?.to_string())),
+    ("found.first.with-fault", || with_fault("first")),
+    ("found.first.rest", || rest("first")),
     ("found.first.commas", || commas()),
-    ("found.after.flags", || Ok(after()?.len().to_string())),
-    ("found.after.real", || Ok(right(&after()?).to_string())),
+    ("found.after.flags", || Ok(after("first")?.len().to_string())),
+    ("found.after.real", || Ok(right(&after("first")?).to_string())),
     ("found.after.new", || {
-        Ok(right(&after()?.into_iter().filter(|flag| flag.round == "again").collect::<Vec<_>>()).to_string())
+        let again: Vec<_> = after("first")?.into_iter().filter(|flag| flag.round == "again").collect();
+        Ok(right(&again).to_string())
     }),
-    ("found.after.precision", || Ok(precision(right(&after()?), after()?.len()))),
+    ("found.after.precision", || Ok(precision(right(&after("first")?), after("first")?.len()))),
+    ("found.after-second.flags", || Ok(after("second")?.len().to_string())),
+    ("found.after-second.real", || Ok(right(&after("second")?).to_string())),
+    ("found.second.texts", || texts("second")),
+    ("found.second.flags", || Ok(round("second")?.len().to_string())),
+    ("found.second.real", || Ok(right(&round("second")?).to_string())),
+    ("found.second.precision", || Ok(precision(right(&round("second")?), round("second")?.len()))),
+    ("found.second.agreed", || agreed()),
+    ("found.second.other-real", || other_real()),
+    ("found.second.faults", || Ok(faults("second")?.to_string())),
+    ("found.second.with-fault", || with_fault("second")),
+    ("found.second.rest", || rest("second")),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {
@@ -57,13 +76,13 @@ fn real(flags: &[Flag]) -> usize {
 }
 
 /// In how many elements there is a misprint on the number.
-fn places(flags: &[Flag]) -> anyhow::Result<String> {
+fn places(flags: &[Flag]) -> anyhow::Result<usize> {
     let places: std::collections::BTreeSet<_> = flags
         .iter()
         .filter(|flag| flag.judgement == Judgement::Real)
         .map(|flag| (&flag.module, &flag.element))
         .collect();
-    Ok(places.len().to_string())
+    Ok(places.len())
 }
 
 fn unit_misprints() -> anyhow::Result<String> {
@@ -74,6 +93,22 @@ fn unit_misprints() -> anyhow::Result<String> {
 fn hints(flags: &[Flag]) -> anyhow::Result<String> {
     let with = flags.iter().filter(|flag| flag.judgement == Judgement::Real && !flag.hint.is_empty());
     Ok(with.count().to_string())
+}
+
+/// The share of checked chains of the newest state that are wrong.
+fn rate() -> anyhow::Result<String> {
+    let (wrong, checked) = (places(&new()?)?, f64::from(run("new")?.checked));
+    let (low, high) = wilson(wrong, checked as usize);
+    Ok(format!(
+        "{:.1}&nbsp;% (95&nbsp;% interval {:.1} to {:.1}&nbsp;%)",
+        100.0 * wrong as f64 / checked,
+        100.0 * low,
+        100.0 * high
+    ))
+}
+
+fn errata_found() -> anyhow::Result<usize> {
+    Ok(errata()?.iter().filter(|erratum| erratum.found != "no").count())
 }
 
 /// How many hints of misprints in all texts are such.
@@ -95,10 +130,44 @@ fn round(name: &str) -> anyhow::Result<Vec<Contact>> {
     Ok(contacts()?.into_iter().filter(|flag| flag.round == name).collect())
 }
 
-/// The flags that remain in the texts of the first round after the repairs, and those that came with them.
-fn after() -> anyhow::Result<Vec<Contact>> {
-    let such = |flag: &Contact| flag.after == Answer::Yes && flag.round != "second";
+/// The flags that the program raises after the repairs in the texts of a round.
+fn after(name: &str) -> anyhow::Result<Vec<Contact>> {
+    let texts: Vec<String> = runs()?.into_iter().filter(|run| run.run == name).map(|run| run.text).collect();
+    let such = |flag: &Contact| flag.after == Answer::Yes && texts.contains(&flag.text);
     Ok(contacts()?.into_iter().filter(such).collect())
+}
+
+/// How many faults of the texts the confirmed flags of a round come from.
+fn faults(name: &str) -> anyhow::Result<usize> {
+    let is_fault = |flag: &&Contact| flag.judgement == Judgement::Real && flag.repeats == Answer::No;
+    Ok(round(name)?.iter().filter(is_fault).count())
+}
+
+/// In how many texts of a round at least one flag was confirmed.
+fn with_fault(name: &str) -> anyhow::Result<String> {
+    let flags = round(name)?;
+    let texts: std::collections::BTreeSet<&str> =
+        flags.iter().filter(|flag| flag.judgement == Judgement::Real).map(|flag| flag.text.as_str()).collect();
+    Ok(texts.len().to_string())
+}
+
+/// The confirmed flags of a round among all, without the text that has the most flags.
+fn rest(name: &str) -> anyhow::Result<String> {
+    let mut flags = round(name)?;
+    let most = runs()?.into_iter().filter(|run| run.run == name).max_by_key(|run| run.flags);
+    flags.retain(|flag| most.as_ref().is_none_or(|most| flag.text != most.text));
+    Ok(format!("{} of {}, {}", right(&flags), flags.len(), precision(right(&flags), flags.len())))
+}
+
+/// On how many flags of the second round the two readers agree.
+fn agreed() -> anyhow::Result<String> {
+    Ok(round("second")?.iter().filter(|flag| flag.second_judge == Some(flag.judgement)).count().to_string())
+}
+
+/// How many flags of the second round its second reader confirms.
+fn other_real() -> anyhow::Result<String> {
+    let confirmed = |flag: &&Contact| flag.second_judge == Some(Judgement::Real);
+    Ok(round("second")?.iter().filter(confirmed).count().to_string())
 }
 
 fn right(flags: &[Contact]) -> usize {

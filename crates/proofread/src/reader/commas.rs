@@ -1,7 +1,7 @@
 //! Texts in which a comma parts the decimals: whether a text is one, and its numbers.
 //!
-//! In one that is, `3,5` is three and a half and `1.000` a thousand; in any other, `3,5` are two numbers and `1,000` is a
-//! thousand.
+//! In one that is, `3,5` is three and a half and `1.000` a thousand, unless it has decimal points, too; in any other, `3,5`
+//! are two numbers and `1,000` is a thousand.
 
 use super::{Format, formulas};
 use crate::token::{Kind, Token};
@@ -15,17 +15,32 @@ struct Seen {
     either: usize,
     /// With a point.
     points: usize,
+    /// With a point that cannot part thousands.
+    decimal_points: usize,
+    /// With points before groups of three and a comma behind them.
+    thousands: usize,
 }
 
-/// Whether commas part the decimals in a text.
-pub(crate) fn are_decimal(text: &str, format: Format) -> bool {
+/// What a point is in a text in which commas part the decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Points {
+    /// It parts thousands: `1.000` is a thousand.
+    Thousands,
+    /// It parts decimals, too: the text has both.
+    Decimals,
+}
+
+/// Whether commas part the decimals in a text, and what its points do then.
+pub(crate) fn are_decimal(text: &str, format: Format) -> Option<Points> {
     if !may_be(text) {
-        return false;
+        return None;
     }
     let mut seen = Seen::default();
     // A text that cannot be read says so when it is read.
     let _ = formulas(text, format, &mut |formula| count(&formula.tokens, text, &mut seen));
-    seen.commas > 3 * seen.points && 2 * seen.commas >= seen.either
+    let both = seen.decimal_points > 0 && seen.thousands == 0;
+    let points = if both { Points::Decimals } else { Points::Thousands };
+    (seen.commas > 3 * seen.points && 2 * seen.commas >= seen.either).then_some(points)
 }
 
 /// Whether a digit, a comma and a digit that are no thousands follow each other anywhere.
@@ -42,14 +57,25 @@ fn may_be(text: &str) -> bool {
     })
 }
 
+/// The digits of a number, which may have an exponent or a degree sign behind it.
+fn digits(token: &Token) -> Option<&str> {
+    match &token.kind {
+        Kind::Scripts(base, sub, _) if sub.is_empty() => match base.as_slice() {
+            [number] => number.number(),
+            _ => None,
+        },
+        _ => token.number(),
+    }
+}
+
 /// The two numbers around the comma at `at`, if they touch it.
 fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
     let (before, behind) = (tokens.get(at.checked_sub(1)?)?, tokens.get(at + 1)?);
-    let (whole, decimals) = (before.number()?, behind.number()?);
+    let (whole, decimals) = (before.number()?, digits(behind)?);
     // Between them is no more than a comma, or one in braces.
     let near = behind.span.start.saturating_sub(before.span.end) <= 3;
     let follows = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is(','));
-    let number = |at: usize| tokens.get(at).is_some_and(|token| token.number().is_some());
+    let number = |at: usize| tokens.get(at).is_some_and(|token| digits(token).is_some());
     // A list, unless the next comma is followed by space.
     let listed = follows(at.checked_sub(2)) && at > 2 && number(at - 3) || follows(Some(at + 2)) && number(at + 3);
     let plain = |text: &str| text.chars().all(|c| c.is_ascii_digit());
@@ -75,10 +101,21 @@ fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
                 let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}"));
                 // A pair in brackets may be a point of the plane.
                 seen.commas += usize::from(!(opens && closes));
+                seen.thousands += usize::from(tokens[at - 1].number().is_some_and(|whole| whole.contains('.')));
             }
             Kind::Number(number) if number.contains('.') => {
                 let braced = text.get(token.span.range()).is_some_and(|source| source.contains(','));
-                if braced { seen.commas += 1 } else { seen.points += 1 }
+                if braced {
+                    seen.commas += 1
+                } else {
+                    seen.points += 1
+                }
+                let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is(','));
+                let mut behind = tokens[at + 1..].iter().filter(|token| !token.is_space());
+                let is_mantissa = behind.next().is_some_and(|token| token.is_one_of("×·"))
+                    && behind.next().is_some_and(|token| digits(token) == Some("10"));
+                let is_decimal = thousands(number).is_none() || is_mantissa;
+                seen.decimal_points += usize::from(!braced && !next_is_comma && is_decimal);
             }
             Kind::Number(number) if number.matches(',').count() == 1 => seen.either += 1,
             Kind::Scripts(base, _, power) => [base, power].into_iter().for_each(|part| count(part, text, seen)),
@@ -88,7 +125,7 @@ fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
 }
 
 /// Makes decimals of what is behind commas.
-pub(crate) fn understood(tokens: &mut Vec<Token>) {
+pub(crate) fn understood(tokens: &mut Vec<Token>, points: Points) {
     let mut at = 0;
     while at < tokens.len() {
         if let Some((whole, decimals)) = parted(tokens, at)
@@ -96,7 +133,14 @@ pub(crate) fn understood(tokens: &mut Vec<Token>) {
         {
             let number = Kind::Number(format!("{whole}.{decimals}"));
             let span = tokens[at - 1].span.join(tokens[at + 1].span);
-            tokens.splice(at - 1..at + 2, [Token::new(number, span)]);
+            let joint = match tokens[at + 1].kind.clone() {
+                Kind::Scripts(base, sub, sup) => {
+                    let inner = base.first().map_or(span, |digits| tokens[at - 1].span.join(digits.span));
+                    Kind::Scripts(vec![Token::new(number, inner)], sub, sup)
+                }
+                _ => number,
+            };
+            tokens.splice(at - 1..at + 2, [Token::new(joint, span)]);
             continue;
         }
         let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is(','));
@@ -104,12 +148,12 @@ pub(crate) fn understood(tokens: &mut Vec<Token>) {
             Kind::Number(number) if number.matches(',').count() == 1 && !number.contains('.') => {
                 *number = number.replace(',', ".");
             }
-            Kind::Number(number) if number.contains('.') && !next_is_comma => {
+            Kind::Number(number) if points == Points::Thousands && number.contains('.') && !next_is_comma => {
                 if let Some(whole) = thousands(number) {
                     *number = whole;
                 }
             }
-            kind => kind.lists().into_iter().for_each(understood),
+            kind => kind.lists().into_iter().for_each(|inner| understood(inner, points)),
         }
         at += 1;
     }

@@ -142,9 +142,9 @@ pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
     if text.len() > LONGEST {
         return Err(Unreadable::TooLong);
     }
-    if commas::are_decimal(text, format) {
+    if let Some(points) = commas::are_decimal(text, format) {
         return formulas(text, format, &mut |mut formula| {
-            commas::understood(&mut formula.tokens);
+            commas::understood(&mut formula.tokens, points);
             each(formula);
         });
     }
