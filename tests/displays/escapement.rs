@@ -11,7 +11,7 @@ use geneva_ledger::tex::{By, Moment};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
 pub fn states() -> Vec<Moment> {
-    (0..45).map(|number| state(number)).collect()
+    (0..45).map(state).collect()
 }
 
 /// The escapement at many instants, with the square of the speed as a function of the angle: u' is twice the acceleration.
