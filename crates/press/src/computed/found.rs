@@ -17,7 +17,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.new.flags", || Ok(new()?.len().to_string())),
     ("found.new.real", || Ok(real(&new()?).to_string())),
     ("found.new.places", || Ok(places(&new()?)?.to_string())),
-    ("found.new.checkable", || Ok(thousands(run("new")?.checkable))),
     ("found.new.checked", || Ok(thousands(run("new")?.checked))),
     ("found.new.rate", || rate()),
     ("found.new.units", || unit_misprints()),
