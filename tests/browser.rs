@@ -114,7 +114,9 @@ fn reported(events: &[Value], folder: &str) -> Vec<(&'static str, String)> {
             "Network.requestWillBeSent" => {
                 let url = told["request"]["url"].as_str().unwrap_or_default();
                 let is_inside = url.strip_prefix(folder).is_some_and(|path| path.starts_with('/'));
-                if !is_inside && !url.starts_with("data:") && !url.ends_with(AXE) {
+                // What the page itself has made, as the script of a thread, comes from nowhere else.
+                let is_own = ["data:", "blob:"].iter().any(|scheme| url.starts_with(scheme));
+                if !is_inside && !is_own && !url.ends_with(AXE) {
                     found.push(("request", format!("asks for {url}")));
                 }
             }

@@ -105,5 +105,5 @@ impl Identity<1> for WithPole {
 fn a_pole_on_the_grid_is_told() {
     let refutation = prove(&WithPole).expect_err("a pole at three");
     assert_eq!((&refutation.at[..], &refutation.difference), (&[RBig::from(3)][..], &None));
-    assert_eq!(refutation.to_string(), "has no value at (3): something is divided by zero there");
+    assert_eq!(refutation.to_string(), "with the variable set to 3, something is divided by zero");
 }
