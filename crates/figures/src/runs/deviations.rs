@@ -88,8 +88,8 @@ fn words(hypotheses: &[Compared]) -> Words {
              differs from the computed one. {}.",
             said.collect::<Vec<_>>().join("; ")
         ),
-        "Every mark is a printed peak, minimum or period of the 49 runs. Marks to the left of the line are within one unit of the last printed digit of the computed number \
-             (1 rad/s or 1 ms). Marks nearer than a hundredth of a unit are at the left edge. The hypotheses are \
+        "Every mark is a printed peak, minimum or period of the 49 runs. Marks to the left of the line differ from the \
+        computed number by at most one unit of the last printed digit (1 rad/s or 1 ms). Marks nearer than a hundredth of a unit are at the left edge. The hypotheses are \
              numbered as in the table.",
     )
 }

@@ -205,8 +205,8 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
             if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) }
         ),
         format!(
-            "{pins} pins and {} slots: above, lines of equal mean speed in the steady state, in roots of the spring's \
-             torque over the follower's moment of inertia; below, lines of equal number of engagements until a difference of speeds is down to a hundredth. Marks: the runs of the \
+            "{pins} pins and {} slots: above, lines of equal mean speed in the steady state, in units of the square root of the spring's torque over the follower's moment of inertia; below, lines of equal rise: the number of \
+            engagements after which a deviation from the steady speed has shrunk to a hundredth. Marks: the runs of the \
              thesis.",
             mechanism.slots()
         ),

@@ -90,7 +90,7 @@ fn small_variations() -> Claim {
             "small changes of the parameters change the motion little",
         )
         .missing(
-            "The thesis does not say what would be serious, and three measures that suggest themselves disagree. In \
+            "The thesis does not say what it would call serious, and the three obvious measures disagree. In \
              all runs, one per cent of torque, friction or an inertia changes peak, minimum and period of the steady \
              motion by less than one per cent. In some runs it changes the rise time, by the velocity at each angle, \
              by more. By the average of peak and minimum it does so in none, but a few per cent can take off a whole \

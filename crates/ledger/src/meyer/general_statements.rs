@@ -119,7 +119,7 @@ fn graphs() -> Vec<Claim> {
             .missing(
                 "The copy we had does not contain the curves, and the thesis does not say of which velocity it is 99 \
                  per cent. If it means the velocity at each angle, you get one rise time, and if it means the average of \
-                 peak and minimum, you get another. No definition that we tried gives more than a minority of the rise times of Appendix E, of which the \
+                 peak and minimum, you get another. No definition that we tried reproduces even half of the rise times of Appendix E, of which the \
                  figures are the summary",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),

@@ -33,9 +33,9 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "To work means to reach a terminal velocity, as in the first conclusion. A configuration is one in \
-                   which one pin takes over from the next without a gap, as chapter I requires. We tried the terminal \
-                   velocity for all pairs up to eight pins and slots, with the frictions of the runs and the inertias \
+    let reading = "To work means to reach a terminal velocity, as in the first conclusion. We count a pair of pins and \
+    slots as a configuration if each pin takes over from the one before without a gap, as chapter I requires. We \
+    tested whether the motion reaches a terminal velocity for all pairs of up to eight pins and eight slots, with the frictions of the runs and the inertias \
                    of the runs with six pins. (With other inertias and more friction some pairs have none, and this \
                    goes for the three as well.)";
     vec![

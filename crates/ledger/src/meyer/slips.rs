@@ -140,7 +140,8 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
               acceleration that these laws require.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "The program does not need its sign S, its old acceleration or its delay line.",
+    changes: "With this formula the program could do without the sign S, and so without the earlier acceleration and \
+    the delay line that supplies it.",
 };
 
 /// A number in a row that nothing explains, because neither the mechanism nor the program gives it.

@@ -269,7 +269,8 @@ fn freecad_arcs() -> Claim {
                  driver's axis. The program makes the disc's radius the radius of the arcs less the tolerance.",
                 "We checked places all along an arc, by coordinates.",
                 "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
-                 loose while it should rest. The version with a window puts the centre on the axis.",
+                 loose while it should rest. The edition of the macro that opens a dialog puts this centre on the \
+                 wheel's axis.",
             ),
         )
 }

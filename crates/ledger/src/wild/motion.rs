@@ -125,7 +125,8 @@ fn formulas() -> Vec<Claim> {
                  Both go with the cosine of the angle from the line of centres. The printed ratio is another quantity, \
                  because it has no zero where the pin enters.",
                 TWICE,
-                "On the line of centres the ratio is too small: less than one half at six slots, where it is one. At \
+                "On the line of centres the printed formula gives too small a ratio: with six slots less than one \
+                half, although the true ratio is one. At \
                  entry the ratio is not zero, as if the wheel were struck. Another module of the same library has the \
                  right formula.",
             ),

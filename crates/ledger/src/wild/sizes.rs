@@ -3,8 +3,8 @@
 use super::fit::ANY;
 use super::*;
 
-const TWICE: &str =
-    "By coordinates, the foot of the driver's axis on the slot's line gives the corrected form for 3 to 60 slots.";
+const TWICE: &str = "The foot of the perpendicular from the driver's axis on the slot's line confirms the corrected form for 3 to 60 \
+    slots.";
 
 pub fn claims() -> Vec<Claim> {
     [wrong(), oxiphysics(), right(), generators(), both_ways(), slots(), of_four()].concat()

@@ -32,8 +32,8 @@ pub fn claims() -> Vec<Claim> {
                     origin: Origin::Misprint,
                     ..slip(
                         "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
-                         of steps in a turn of the wheel. A turn of the driver makes one step for each pin, and there \
-                         is room for at most six pins, with three slots. That gives 1 to 6 steps.",
+                         of steps in a turn of the wheel. A turn of the driver makes one step for each pin. The most \
+                         pins that fit are six, and only on a wheel of three slots. That gives 1 to 6 steps.",
                         "Each move takes its part of a turn of the driver, and one turn has no room for so many \
                          parts.",
                         "A reader expects up to eighteen steps for a turn of the input shaft.",

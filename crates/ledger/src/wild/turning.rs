@@ -4,7 +4,7 @@ use super::fit::ANY;
 use super::*;
 use crate::Decimal;
 
-const TWICE: &str = "By coordinates, the pin's place at entry gives the corrected form for 3 to 60 slots.";
+const TWICE: &str = "The pin's place at entry, by coordinates, confirms the corrected form for 3 to 60 slots.";
 
 /// The page takes the wheel's turn for the driver's turn.
 const TURNED: &str = "While the wheel turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because its crank \
@@ -149,7 +149,7 @@ fn oxiphysics() -> Vec<Claim> {
                  end of the line of centres. In the right-angled triangle of the two axes and the pin, the driver's \
                  angle is a right angle less the wheel's angle.",
                 TWICE,
-                "The formula makes the part of the cycle in which the wheel moves 1/n, which is right for four slots \
+                "By this formula the wheel moves during 1/n of the cycle, which is right for four slots \
                  only. Another module of the same library has the right formula.",
             ),
         ),

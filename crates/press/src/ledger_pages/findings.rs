@@ -13,8 +13,14 @@ pub fn how(judged: &Judged) -> String {
     let reading = judged.claim.reading.map(str::to_owned);
     let reading = reading.filter(|_| !judged.claim.check.evidence().is_empty());
     let all: Vec<_> = reading.into_iter().chain(sentences).collect();
-    let all: Vec<_> = all.iter().map(|sentence| in_words(sentence.trim_end_matches('.'))).collect();
-    if all.is_empty() { String::new() } else { all.join(".<br>") + "." }
+    let all: Vec<_> = all.iter().map(|sentence| in_words(&ended(sentence))).collect();
+    all.join("<br>")
+}
+
+/// A sentence with a full stop at its end, or within the brackets around it.
+fn ended(sentence: &str) -> String {
+    let has_end = [".", ".)"].iter().any(|end| sentence.ends_with(end));
+    if has_end { sentence.to_owned() } else { format!("{sentence}.") }
 }
 
 /// What was found, as a page has it: with a minus sign before negative numbers.

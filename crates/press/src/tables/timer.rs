@@ -107,7 +107,7 @@ pub fn sensitivity() -> anyhow::Result<Table> {
     let caption = "What changes the rate: the seconds that the timer gains in a day (or loses, with a minus) if the torque, \
                    the friction, or the inertia of driver or follower is one per cent larger, to first order; the power of the friction to \
                    which the mean speed is proportional; and how much half the friction speeds it up. The mechanisms are \
-                   ideal, with the inertias of the thesis's runs; the strength of the spring does not matter";
+                   ideal, with the inertias of the thesis's runs. The values are the same for a spring of any strength";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
