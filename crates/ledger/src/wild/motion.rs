@@ -126,8 +126,8 @@ fn formulas() -> Vec<Claim> {
                  because it has no zero where the pin enters.",
                 TWICE,
                 "On the line of centres the printed formula gives too small a ratio: with six slots less than one \
-                half, although the true ratio is one. At \
-                 entry the ratio is not zero, as if the wheel were struck. Another module of the same library has the \
+                 half, although the true ratio is one. At entry the ratio is not zero, as if the wheel were struck. \
+                 Another module of the same library has the \
                  right formula.",
             ),
         ),
