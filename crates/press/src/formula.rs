@@ -104,8 +104,8 @@ fn places(inner: &str) -> Vec<usize> {
         if tag.starts_with("</") {
             depth -= 1;
         } else if tag.ends_with('/') {
-            if depth == 0 && tag.starts_with("<mspace width=\"2em\"") {
-                places.push(at + tag.len() + 1);
+            if depth == 0 && inner[at..].starts_with(WIDE_SPACE) {
+                places.push(at + WIDE_SPACE.len());
             }
         } else {
             // A sign of a number says that it has no space before it.

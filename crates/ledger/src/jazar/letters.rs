@@ -231,18 +231,6 @@ const NUMBERS: [u32; 5] = [3, 4, 6, 9, 18];
 const STATES: [[f64; 4]; 4] =
     [[-0.9, 0.8, 1.1, 1.3], [-0.35, 2.1, -0.7, 0.7], [0.2, 1.3, 2.3, 2.1], [0.7, 0.6, -1.9, 1.6]];
 
-/// Angle, velocity, acceleration and its rate of a wheel with its axes `ratio` crank radii apart.
-fn rates(ratio: f64, angle: f64, [speed, gain]: [f64; 2]) -> [f64; 4] {
-    let rates = num_dual::third_derivative(
-        |time| {
-            let (sine, cosine) = (time * speed + time * time * (gain / 2.0) + angle).sin_cos();
-            (sine / (-cosine + ratio)).atan()
-        },
-        0.0,
-    );
-    rates.into()
-}
-
 /// The wheel that stands still with its slots half a pitch from the line of centres: centre distance in crank radii, and
 /// the angle of the crank then.
 fn made(stations: u32) -> [f64; 2] {

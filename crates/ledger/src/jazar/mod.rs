@@ -158,31 +158,30 @@ fn at_speed(wheel: &Wheel, crank: f64, speed: f64) -> [f64; 4] {
     [angle, derivative(0), derivative(1), derivative(2)]
 }
 
-/// Wheel angle and its first three derivatives by the crank angle, by another library's dual numbers: it differentiates
-/// Eq. (5.30) and shares no code with [`by_series`]. Its sines are the platform's, so nothing of it is printed.
-fn by_duals(wheel: &Wheel, crank: f64) -> [f64; 4] {
-    let sine = libm::sin(wheel.half_pitch_angle());
-    let (angle, first, second, third) = num_dual::third_derivative(
-        |theta| {
-            let (s, c) = theta.sin_cos();
-            (s * sine / (-c * sine + 1.0)).atan()
+/// Angle of a wheel with its axes `ratio` crank radii apart and its first three derivatives by time, for a driver of this
+/// angle, speed and angular acceleration, by another library's dual numbers: it differentiates Eq. (5.30) and shares no code
+/// with [`by_series`]. Its sines are the platform's, so nothing of it is printed.
+fn rates(ratio: f64, crank: f64, [speed, angular_acceleration]: [f64; 2]) -> [f64; 4] {
+    let rates = num_dual::third_derivative(
+        |time| {
+            let (s, c) = (time * speed + time * time * (angular_acceleration / 2.0) + crank).sin_cos();
+            (s / (-c + ratio)).atan()
         },
-        crank,
+        0.0,
     );
-    [angle, first, second, third]
+    rates.into()
+}
+
+/// Wheel angle and its first three derivatives by the crank angle, by dual numbers.
+fn by_duals(wheel: &Wheel, crank: f64) -> [f64; 4] {
+    rates(libm::sin(wheel.half_pitch_angle()).recip(), crank, [1.0, 0.0])
 }
 
 /// Angular acceleration of the wheel and its rate of change by dual numbers, for a driver of this speed and angular
 /// acceleration.
 fn unsteady_by_duals(wheel: &Wheel, crank: f64, speed: f64, angular_acceleration: f64) -> [f64; 2] {
-    let sine = libm::sin(wheel.half_pitch_angle());
-    let (_, _, acceleration, rate) = num_dual::third_derivative(
-        |time| {
-            let (s, c) = (time * speed + time * time * (angular_acceleration / 2.0) + crank).sin_cos();
-            (s * sine / (-c * sine + 1.0)).atan()
-        },
-        0.0,
-    );
+    let ratio = libm::sin(wheel.half_pitch_angle()).recip();
+    let [_, _, acceleration, rate] = rates(ratio, crank, [speed, angular_acceleration]);
     [acceleration, rate]
 }
 

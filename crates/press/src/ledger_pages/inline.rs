@@ -38,27 +38,28 @@ pub fn claim(id: &str) -> anyhow::Result<String> {
 pub fn mark(id: &str) -> anyhow::Result<String> {
     let verdict = lookup::judged(id)?.verdict;
     Ok(format!(
-        "&#8288;<button type=\"button\" class=\"mark verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how \
-         this was checked\">{}</button>&#8288;",
+        "{MARK}verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how this was checked\">{}{MARKED}",
         sign(verdict)
     ))
 }
+
+/// How the markup of a mark begins and ends.
+const MARK: &str = "&#8288;<button type=\"button\" class=\"mark ";
+const MARKED: &str = "</button>&#8288;";
 
 /// A page whose marks stay on one line with the word before them and the punctuation behind them.
 ///
 /// A joiner of words does not keep a browser from breaking a line beside a button. A word with markup of its own other than a
 /// formula or a claim's number is left alone, and so are tables, whose cells would grow.
 pub fn glued(page: &str) -> String {
-    const MARK: &str = "&#8288;<button type=\"button\" class=\"mark ";
-    const END: &str = "</button>&#8288;";
     let mut out = String::with_capacity(page.len());
     let mut rest = page;
     while let Some(at) = rest.find(MARK) {
         let (before, marks) = rest.split_at(at);
         out.push_str(before);
         let mut end = 0;
-        while let Some(length) = marks[end..].strip_prefix(MARK).and_then(|mark| mark.find(END)) {
-            end += MARK.len() + length + END.len();
+        while let Some(length) = marks[end..].strip_prefix(MARK).and_then(|mark| mark.find(MARKED)) {
+            end += MARK.len() + length + MARKED.len();
         }
         if end == 0 {
             rest = marks;
