@@ -36,6 +36,20 @@ pub struct TriangleSolution {
 }
 
 /// Solves the triangle at crank angle θ (`from_line_of_centres`) for a driver of the given angular speed.
+///
+/// ```
+/// use geneva_kinematics::Turn;
+/// use geneva_kinematics::pin_slot::PinSlot;
+/// use geneva_kinematics::pin_triangle::solve;
+///
+/// // 60° from the line of centres the pin of this mechanism moves along the slot.
+/// let mechanism = PinSlot::new(0.05, 0.1)?; // m
+/// let motion = solve(&mechanism, &Turn::from_degrees(60.0), 10.0); // rad/s
+/// assert!((motion.radius_ratio - 3_f64.sqrt()).abs() < 1e-15);
+/// assert!((motion.sliding_speed - motion.pin_speed).abs() < 1e-15); // m/s
+/// assert!(motion.follower_speed.abs() < 1e-14); // rad/s
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 pub fn solve(mechanism: &PinSlot, from_line_of_centres: &Turn<f64>, driver_speed: f64) -> TriangleSolution {
     let radius_squared_ratio = slot_radius_squared(&mechanism.ratio(), from_line_of_centres);
     let radius_ratio = radius_squared_ratio.sqrt();

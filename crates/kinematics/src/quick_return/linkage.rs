@@ -12,6 +12,17 @@ const ON_PIVOT: f64 = 4.0 * f64::EPSILON;
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A crank and a slotted lever on a common ground.
+///
+/// ```
+/// use geneva_kinematics::quick_return::QuickReturn;
+/// use std::f64::consts::FRAC_PI_6;
+///
+/// let mechanism = QuickReturn::new(200.0, 100.0)?; // distance of the axes and crank in mm
+/// let strokes = mechanism.strokes();
+/// assert!(strokes.swing_limit.is_some_and(|limit| (limit - FRAC_PI_6).abs() < 1e-15)); // sin 30° = 100 / 200
+/// assert!((strokes.time_ratio() - 2.0).abs() < 1e-14); // 240° out, 120° back
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuickReturn {
     ground: f64,
@@ -111,6 +122,17 @@ impl QuickReturn {
 
     /// The position at a crank angle in degrees, of any size and sign.
     ///
+    /// ```
+    /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
+    ///
+    /// let mechanism = QuickReturn::new(200.0, 100.0)?; // mm
+    /// let far = mechanism.at_crank_degrees(0.0)?;
+    /// assert_eq!((far.pin_distance, far.branch()), (300.0, Branch::Far)); // mm: 200 + 100
+    /// let near = mechanism.at_crank_degrees(180.0)?;
+    /// assert!((near.pin_distance - 100.0).abs() < 1e-12 && near.branch() == Branch::Near); // mm: 200 − 100
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`KinematicsError::Angle`] if it is not finite, [`KinematicsError::PinOnPivot`] as before.
@@ -125,6 +147,16 @@ impl QuickReturn {
     ///
     /// By the law of sines R sin β = l sin ψ, with β the angle at the pin between lever and crank: acute on the far
     /// branch, obtuse on the near one.
+    ///
+    /// ```
+    /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
+    ///
+    /// let mechanism = QuickReturn::new(200.0, 100.0)?; // mm: the lever swings by 30° to either side
+    /// let near = mechanism.at_lever_degrees(0.0, Branch::Near)?;
+    /// assert!((near.crank.degrees().abs() - 180.0).abs() < 1e-12); // the crank points to the lever's pivot
+    /// assert!(mechanism.at_lever_degrees(31.0, Branch::Near).is_err());
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -26,6 +26,19 @@ pub struct PolarRates<S> {
 }
 
 /// Differentiates the loop closure at crank angle φ. `None` if the pin is on the lever's pivot.
+///
+/// ```
+/// use geneva_kinematics::quick_return::Drive;
+/// use geneva_kinematics::quick_return::series::polar_rates;
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // Axes 2 apart, crank 1, at crank angle zero, where r = 3 is greatest: ṙ = 0 and r̈ = −2 · 1 / 3.
+/// let along = Turn { cos: rational(1, 1), sin: rational(0, 1) };
+/// let drive = Drive::steady(rational(1, 1));
+/// let rates = polar_rates(&rational(2, 1), &rational(1, 1), &along, &drive).expect("off the pivot");
+/// assert_eq!((rates.turning, rates.sliding), (rational(1, 3), rational(0, 1)));
+/// assert_eq!(rates.sliding_rate, rational(-2, 9)); // r̈ / r
+/// ```
 pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<PolarRates<S>> {
     let path = path(radius, ground, &crank.speeding_up(drive.speed.clone(), drive.acceleration.clone()));
     let turning = angular_velocity(&path)?;

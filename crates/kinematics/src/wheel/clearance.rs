@@ -53,6 +53,19 @@ pub struct Nearest {
 }
 
 /// The least distances of driver and wheel over a whole turn of the driver.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+///
+/// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+/// let clearance = sizes.clearance();
+/// assert!((clearance.pin_in_slot.distance - 0.1).abs() < 1e-12); // mm: half of the play on either side
+/// assert!(clearance.least().distance > clearance.tolerance); // nothing touches anything over the whole turn
+/// let near = sizes.clearance_at(sizes.centre_distance - 10.0)?; // with the axes 10 mm too near
+/// assert!(near.least().distance < 0.0); // the parts would overlap
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
     /// Of a pin in its slot.

@@ -19,6 +19,20 @@
 use super::sizes::Sizes;
 
 /// How far the wheel turns loosely in the dwell.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+///
+/// let with_play = |play: f64| { // in mm
+///     let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+///     Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)
+/// };
+/// let loose = with_play(0.2)?.dwell_play().expect("one pin leaves a dwell");
+/// assert!(0.0 < loose.middle && loose.middle <= loose.greatest); // rad to either side
+/// let tight = with_play(0.0)?.dwell_play().expect("one pin leaves a dwell");
+/// assert!(tight.middle < 1e-7); // rad: without play the wheel cannot turn
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DwellPlay {
     /// Angle to either side in the middle of the dwell, in radians.
