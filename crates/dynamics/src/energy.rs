@@ -12,6 +12,13 @@ use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity
 /// squared.
 ///
 /// Meyer 1973, Eq. (1-16).
+///
+/// ```
+/// use geneva_dynamics::energy::kinetic_energy;
+///
+/// // Both members at 2 rad/s, I_D = 3 I_f: (3 + 1) · 2² / 2, times I_f.
+/// assert_eq!(kinetic_energy(&1.0, &2.0, &3.0), 8.0);
+/// ```
 pub fn kinetic_energy<S: Field>(velocity_ratio: &S, speed: &S, inertia_ratio: &S) -> S {
     let follower = velocity_ratio.clone() * speed.clone();
     (inertia_ratio.clone() * speed.clone() * speed.clone() + follower.clone() * follower) / S::integer(2)

@@ -54,6 +54,19 @@ pub struct Peak {
 }
 
 /// A load's greatest, and its least if it reverses: the greatest of the other sign.
+///
+/// ```
+/// use geneva_dynamics::wheel_loads::WheelLoads;
+/// use geneva_kinematics::wheel::Wheel;
+///
+/// // Without friction the pin brakes the wheel as hard as it drove it, and from the line of centres on.
+/// let wheel = Wheel::new(6)?;
+/// let loads = WheelLoads::new(&wheel, 1e-3, 0.0, 10.0)?; // kg m², N m, rad/s
+/// let torque = loads.wheel_torque(); // N m
+/// assert!(torque.braking.is_some_and(|braking| braking.value == -torque.driving.value));
+/// assert_eq!(loads.reversal(), Some((0.0, wheel.engagement_half_angle()))); // rad
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peaks {
     /// While the pin drives the wheel.
@@ -63,6 +76,23 @@ pub struct Peaks {
 }
 
 /// A wheel with what it carries, and its driver's speed.
+///
+/// ```
+/// use geneva_dynamics::wheel_loads::WheelLoads;
+/// use geneva_kinematics::wheel::Wheel;
+/// use std::f64::consts::PI;
+///
+/// let wheel = Wheel::new(4)?;
+/// let loads = WheelLoads::new(&wheel, 1e-3, 0.5, 10.0)?; // kg m², N m, rad/s
+/// // As the pin enters: the inertia asks for J ω² tan 45°, the friction for 0.5 N m.
+/// let entry = loads.at(-wheel.engagement_half_angle())?;
+/// assert!((entry.wheel_torque - (1e-3 * 10.0 * 10.0 + 0.5)).abs() < 1e-12); // N m
+/// assert!(entry.power.abs() < 1e-12); // N m/s: the wheel is still at rest
+/// // Over an index the inertia gives back what it took; friction takes its torque times a quarter of a turn.
+/// assert!((loads.work() - 0.5 * PI / 2.0).abs() < 1e-12); // N m
+/// assert_eq!(loads.mean_crank_torque(), 0.5 / 4.0); // N m
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct WheelLoads<'w, W: Indexing + ?Sized> {
     wheel: &'w W,

@@ -12,6 +12,21 @@ use crate::{Error, Parameters};
 use geneva_kinematics::{Turn, pin_slot};
 
 /// The free flight of the pin from one flank to the other, and the blow at its end.
+///
+/// ```
+/// use geneva_dynamics::timer::Crossing;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = |torque| Parameters::new(Mechanism::FOUR_PIN, Inertias::new(0.1, 1.0)?, torque, 0.2);
+/// let play = 0.01; // crank radii
+/// let [weak, strong] = [1.0, 4.0].map(|torque| Crossing::new(&timer(torque)?, play));
+/// let (weak, strong) = (weak?.expect("it crosses"), strong?.expect("it crosses"));
+/// // Four times the torque: the crossing is at the same angles, in half the time, with the same share of energy.
+/// assert!((strong.to - weak.to).abs() < 1e-9 && (strong.duration / weak.duration - 0.5).abs() < 1e-9);
+/// assert!((strong.share / weak.share - 1.0).abs() < 1e-9);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Crank angle in radians from the line of centres where the pin leaves the leading flank.
@@ -80,6 +95,18 @@ impl Crossing {
 }
 
 /// The blow with which a pin enters: the follower is at rest in the middle of its play, and nothing holds it.
+///
+/// ```
+/// use geneva_dynamics::timer::EntryBlow;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let blow = EntryBlow::new(&timer, 0.02)?; // play in crank radii
+/// assert!((blow.late.cos() - 0.99).abs() < 1e-12); // half the play is crossed when 1 − cos τ is 0.01
+/// assert!(EntryBlow::new(&timer, 0.01)?.share < blow.share); // less play, a softer blow
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EntryBlow {
     /// How far the crank has turned past the entry when the pin meets the leading flank, in radians.

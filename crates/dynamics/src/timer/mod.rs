@@ -23,6 +23,22 @@ pub struct Strongest {
 
 /// Accelerations and forces of a steady cycle. Angular accelerations in radians per square of the unit of time; moments
 /// in the unit of the torque.
+///
+/// ```
+/// use geneva_dynamics::timer::Accelerations;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// // Twice the torque doubles all accelerations and forces, by the law of similarity.
+/// let of = |torque| {
+///     let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, torque, 0.2)?;
+///     Accelerations::new(&timer)
+/// };
+/// let (weak, strong) = (of(1.0)?, of(2.0)?);
+/// assert!((strong.driver.value / weak.driver.value - 2.0).abs() < 1e-9);
+/// assert!((strong.normal_moment.value / weak.normal_moment.value - 2.0).abs() < 1e-9);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerations {
     /// Strongest acceleration of the driver, θ''.
@@ -96,6 +112,20 @@ impl Strongest {
 ///
 /// d ln(mean speed) / d ln(quantity), all others kept. A timer that runs for a given angle loses as much time as its
 /// mean speed gains.
+///
+/// ```
+/// use geneva_dynamics::timer::Sensitivities;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let powers = Sensitivities::new(&timer)?;
+/// assert_eq!(powers.torque, 0.5); // speeds go as the root of the torque
+/// assert!(powers.friction < 0.0); // friction brakes
+/// // Torque and both inertias times one factor change nothing.
+/// assert!((powers.torque + powers.driver_inertia + powers.follower_inertia).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivities {
     /// To the torque K, dimensionless: one half, by the law of similarity.
@@ -145,6 +175,18 @@ fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
 }
 
 /// Settling: how an escapement forgets the way it was started.
+///
+/// ```
+/// use geneva_dynamics::timer::Settling;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let settling = Settling::new(&timer)?;
+/// assert!((settling.engagements(settling.multiplier) - 1.0).abs() < 1e-12); // that is what a multiplier is
+/// assert!((settling.engagements(0.01) / settling.engagements(0.1) - 2.0).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settling {
     /// Factor by which one engagement reduces a small difference of two speeds, dimensionless.
