@@ -189,7 +189,7 @@ pub struct Acceleration {
 }
 
 impl Coefficients<f64> {
-    /// The unique acceleration at this speed of the driver (≥ 0, radians per unit of time), with the sign of the bars.
+    /// The driver's unique acceleration at a speed (≥ 0, radians per unit of time), with the sign of the bars.
     ///
     /// ```
     /// use geneva_dynamics::{Coefficients, Error};

@@ -28,7 +28,7 @@ pub struct ContactForces {
     /// Torque of friction about the driver's axis, in the unit of the torque, never negative; it acts against the
     /// driver's motion.
     pub friction_torque: f64,
-    /// Where the pin bears.
+    /// Flank of the slot that the pin bears on.
     pub flank: Flank,
 }
 

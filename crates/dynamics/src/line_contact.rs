@@ -60,7 +60,7 @@ pub struct LineContact {
     modulus: f64,
 }
 
-/// 1/E* solved for E*, in Pa: the modulus of the contact of two materials.
+/// Modulus E* of the contact of two materials, in Pa: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
 ///
 /// ```
 /// use geneva_dynamics::line_contact::{MATERIALS, contact_modulus};

@@ -42,10 +42,11 @@ impl<S: Field> Pose<S> {
         }
     }
 
-    /// The pose from R² / r², a cos θ − 1 and a sin θ; the law of cosines gives the fourth, 1 − a² = −(R²/r² + 2 lead).
+    /// The pose from R² / r², a cos θ − 1 and a sin θ. The law of cosines gives the fourth number, `shape` = 1 − a², which is
+    /// −(`square` + 2 `numerator`).
     ///
     /// For exact proofs: with the square as a variable of its own, degrees stay low. The three are bound by
-    /// square = lead² + cross²; what is proven without using that holds all the more with it.
+    /// `square` = `numerator`² + `cross`²; what is proven without using that holds all the more with it.
     pub fn from_square(square: &S, numerator: &S, cross: &S) -> Self {
         Self {
             numerator: numerator.clone(),

@@ -69,9 +69,9 @@ pub struct Peak {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peaks {
-    /// While the pin drives the wheel.
+    /// The greatest load while the pin drives the wheel.
     pub driving: Peak,
-    /// While it holds the wheel back.
+    /// The greatest load while the pin holds the wheel back; none if it never does.
     pub braking: Option<Peak>,
 }
 
@@ -133,7 +133,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         Ok(Load { wheel_torque, pin_moment, crank_torque, power })
     }
 
-    /// Torque on the wheel, in N m.
+    /// Greatest torque on the wheel while the pin drives it, and while it holds it back, in N m.
     pub fn wheel_torque(&self) -> Peaks {
         let peak = self.wheel.acceleration_peak();
         let of = |sense: f64| Peak {
@@ -143,12 +143,12 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         Peaks { driving: of(-1.0), braking: Some(of(1.0)).filter(|least| least.value < 0.0) }
     }
 
-    /// The pin's force times the crank radius, in N m: see [`Load::pin_moment`].
+    /// Greatest force of the pin times the crank radius, driving and braking, in N m: see [`Load::pin_moment`].
     pub fn pin_moment(&self) -> Peaks {
         self.peaks(|load| load.pin_moment, |crank| self.pin_moment_rate(crank))
     }
 
-    /// Torque at the crank, in N m. Times the driver speed it is the power.
+    /// Greatest torque at the crank, driving and braking, in N m. Times the driver speed it is the power.
     pub fn crank_torque(&self) -> Peaks {
         self.peaks(|load| load.crank_torque, |crank| self.crank_torque_rate(crank))
     }

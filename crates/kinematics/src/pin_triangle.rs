@@ -35,7 +35,8 @@ pub struct TriangleSolution {
     pub follower_speed: f64,
 }
 
-/// Solves the triangle at crank angle θ (`from_line_of_centres`) for a driver of the given angular speed.
+/// Solves the triangle at crank angle θ (`from_line_of_centres`) for a driver of this angular speed, in radians per any
+/// unit of time. Lengths are in the unit of the mechanism.
 ///
 /// ```
 /// use geneva_kinematics::Turn;

@@ -23,11 +23,11 @@ use num_traits::Zero;
 pub struct PinMotion<S> {
     /// Position of the pin from the follower's pivot, in the caller's unit of length.
     pub position: Vector2<S>,
-    /// Absolute velocity of the pin, in that unit over the unit of time of the driver's speed; so are the others.
+    /// Absolute velocity of the pin, in the unit of length over the unit of time of the driver's speed.
     pub pin_velocity: Vector2<S>,
-    /// Velocity of the follower's point under the pin.
+    /// Velocity of the follower's point under the pin, in the unit of the pin's velocity.
     pub slot_point_velocity: Vector2<S>,
-    /// Velocity of the pin relative to the follower, along the slot.
+    /// Velocity of the pin relative to the follower, along the slot, in the unit of the pin's velocity.
     pub sliding_velocity: Vector2<S>,
     /// Angular velocity of the follower in the unit of the driver's, counter-clockwise positive.
     pub follower_speed: S,
@@ -66,7 +66,8 @@ pub fn path<S: Field, const N: usize>(
         + Vector2::new(Jet::constant(centre_distance.clone()), Jet::zero())
 }
 
-/// The pin's motion for a crank of radius R at centre distance l, angle φ and angular velocity (counter-clockwise).
+/// The pin's motion for a crank of radius R at centre distance l, both in one unit of length, at an angle φ and an
+/// angular velocity, both counter-clockwise.
 ///
 /// `None` if the pin is on the follower's pivot, where the slot has no direction. The pin's place as a power series
 /// in time gives its velocity and, as the rate of its direction, the follower's angular velocity.

@@ -14,13 +14,13 @@ use nalgebra::Vector2;
 /// pin = follower normal + follower tangential + sliding normal + sliding tangential + Coriolis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlotAccelerations<S> {
-    /// Of the follower's point under the pin, towards the follower's pivot: −ω² r, a vector.
+    /// Acceleration of the follower's point under the pin, towards the follower's pivot: −ω² r, a vector.
     pub follower_normal: Vector2<S>,
-    /// Of the follower's point under the pin, across the slot: α × r.
+    /// Acceleration of the follower's point under the pin, across the slot: α × r.
     pub follower_tangential: Vector2<S>,
-    /// Of the pin relative to the follower, across its path there. The path is a straight slot: zero.
+    /// Acceleration of the pin relative to the follower, across its path there. The path is a straight slot: zero.
     pub sliding_normal: Vector2<S>,
-    /// Of the pin relative to the follower, along the slot.
+    /// Acceleration of the pin relative to the follower, along the slot.
     pub sliding_tangential: Vector2<S>,
     /// Coriolis acceleration, 2 ω × v with v the sliding velocity: v turned by a quarter with the follower, 2 ω times.
     pub coriolis: Vector2<S>,
@@ -31,6 +31,7 @@ pub struct SlotAccelerations<S> {
 
 /// Closes the velocity diagram: the pin's velocity is the slot's, across, plus the sliding, along.
 ///
+/// Position and velocity are vectors from the follower's pivot, in any units of length and time that fit together.
 /// `None` if the pin is on the follower's pivot, where the slot has no direction.
 ///
 /// ```
@@ -52,7 +53,7 @@ pub fn velocities<S: Field>(position: &Vector2<S>, pin_velocity: &Vector2<S>) ->
     Some(PinMotion::carried(position.clone(), pin_velocity.clone(), follower_speed))
 }
 
-/// Closes the acceleration diagram of a motion whose velocities are known.
+/// Closes the acceleration diagram of a motion whose velocities are known, in the units of that motion.
 ///
 /// Normal and Coriolis terms follow from the velocities; of the two tangential terms the directions are known, along
 /// the slot and across it, and what is left of the pin's acceleration has one component in each.

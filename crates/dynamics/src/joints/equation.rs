@@ -74,7 +74,7 @@ impl<S: Field> Terms<S> {
 pub struct Motion {
     /// θ'', in radians per square of the unit of time.
     pub angular_acceleration: f64,
-    /// φ'', the same of the follower, in radians per square of the unit of time.
+    /// φ'', acceleration of the follower, in radians per square of the unit of time.
     pub follower_acceleration: f64,
     /// N r, normal force times crank radius, in the unit of torque; positive on the leading flank.
     pub normal_moment: f64,

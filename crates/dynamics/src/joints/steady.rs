@@ -24,7 +24,7 @@ use crate::Error;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
-    /// With the finer steps.
+    /// The passage that repeats itself, with the finer steps.
     pub state: Passage,
     /// Steps that an engagement was divided into at last.
     pub steps: u32,

@@ -57,7 +57,7 @@ impl Passage<'_> {
         self.extreme(&self.spots(), |new, old| new < old)
     }
 
-    /// Both, for the price of one.
+    /// The greatest and the least speed of the driver in this passage, in this order, for the price of one.
     pub fn extremes(&self) -> [Extreme; 2] {
         let spots = self.spots();
         [self.extreme(&spots, |new, old| new > old), self.extreme(&spots, |new, old| new < old)]

@@ -18,9 +18,9 @@ pub struct Cycle {
     pub entry_speed: f64,
     /// Speed at its end, in radians per unit of time.
     pub end_speed: f64,
-    /// Greatest speed, with the time from the start of the run.
+    /// Greatest speed in the engagement, with the time from the start of the run.
     pub peak: Extreme,
-    /// Least speed, with the time from the start of the run.
+    /// Least speed in the engagement, with the time from the start of the run.
     pub minimum: Extreme,
     /// Reset angle over duration, in radians per unit of time.
     pub mean_speed: f64,

@@ -110,7 +110,7 @@ pub(super) struct FixedPoint {
 }
 
 impl Engagement {
-    /// The steady state.
+    /// The steady state of this engagement: the motion that the return map leaves unchanged.
     ///
     /// # Errors
     ///

@@ -1,8 +1,8 @@
 //! What a clockmaker asks of an escapement.
 //!
-//! How exact the timer is, in [`Sensitivities`]; how hard its members are accelerated, in [`Accelerations`]; and how
-//! fast it settles, in [`Settling`]; how hard the pin strikes where it has play, in [`Crossing`]. All of it is drawn from the steady motion, [`steady`](crate::steady). The escapements
-//! with which it is compared are in [`runaway`].
+//! How exact is the timer ([`Sensitivities`])? How hard are its members accelerated ([`Accelerations`])? How fast does it
+//! settle ([`Settling`])? How hard does the pin strike where it has play ([`Crossing`], [`EntryBlow`])? All answers come
+//! from the steady motion, [`steady`](crate::steady). The escapements with which it is compared are in [`runaway`].
 
 mod crossing;
 pub mod runaway;
@@ -212,7 +212,8 @@ impl Settling {
         libm::log(part) / libm::log(self.multiplier)
     }
 
-    /// Time until then, in units of time, counted as if each engagement took a period.
+    /// Time until a small difference is down to this part of itself, in units of time, counted as if each engagement took a
+    /// period.
     ///
     /// A start from rest lasts longer than its first engagement, however small the number is here.
     pub fn time(&self, part: f64) -> f64 {

@@ -126,7 +126,7 @@ impl Runaway {
         (end, step / 6.0 * (first + 4.0 * middle + last))
     }
 
-    /// The steady motion under a constant torque.
+    /// The steady motion under a constant torque (> 0), in any unit that fits the inertias.
     ///
     /// ```
     /// use geneva_dynamics::timer::runaway::{Drag, Runaway};
@@ -140,9 +140,9 @@ impl Runaway {
     ///
     /// # Errors
     ///
-    /// [`Error::DragTorque`] if the constant drag is not below the torque, [`Error::NoTerminalSpeed`] if neither blows nor
-    /// drag grow with the speed, and [`Error::TooMany`] if the motion is not steady after a hundred thousand blows, or the drag is too strong for
-    /// the four hundred steps of a beat.
+    /// [`Error::NotPositive`] for a torque that is not positive, [`Error::DragTorque`] if the constant drag is not below the
+    /// torque, [`Error::NoTerminalSpeed`] if neither blows nor drag grow with the speed, and [`Error::TooMany`] if the motion
+    /// is not steady after a hundred thousand blows, or the drag is too strong for the four hundred steps of a beat.
     pub fn steady(&self, torque: f64) -> Result<Steady, Error> {
         let torque = positive("torque", torque)?;
         let Drag { constant, linear, square } = self.drag;
@@ -179,7 +179,8 @@ impl Runaway {
         Err(Error::TooMany { name: "blows", limit: BLOWS })
     }
 
-    /// The power of the torque to which the mean speed goes near this torque, dimensionless: d ln(mean speed) / d ln(torque).
+    /// Power of the torque to which the mean speed goes near this torque, dimensionless:
+    /// d ln(mean speed) / d ln(torque).
     ///
     /// # Errors
     ///

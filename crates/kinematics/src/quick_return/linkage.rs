@@ -38,7 +38,7 @@ pub enum Branch {
     Far,
 }
 
-/// Where the parts are.
+/// Position of crank, lever and pin at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Position {
     /// Crank angle φ.
@@ -81,7 +81,7 @@ impl QuickReturn {
         self.ground
     }
 
-    /// R, radius of the crank, in the same unit.
+    /// R, radius of the crank, in the unit of the mechanism.
     pub fn crank(&self) -> f64 {
         self.crank
     }
@@ -103,7 +103,7 @@ impl QuickReturn {
         Strokes { swing_limit, slow: 2.0 * PI - fast, fast }
     }
 
-    /// Where the lever is at a crank angle.
+    /// Position of the parts at a crank angle.
     ///
     /// # Errors
     ///
@@ -120,7 +120,7 @@ impl QuickReturn {
         Ok(Position { crank: *crank, lever, pin_distance: distance * self.crank })
     }
 
-    /// The position at a crank angle in degrees, of any size and sign.
+    /// Position of the parts at a crank angle in degrees, of any size and sign.
     ///
     /// ```
     /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
@@ -135,7 +135,7 @@ impl QuickReturn {
     ///
     /// # Errors
     ///
-    /// [`KinematicsError::Angle`] if it is not finite, [`KinematicsError::PinOnPivot`] as before.
+    /// [`KinematicsError::Angle`] if it is not finite, [`KinematicsError::PinOnPivot`] if the pin is on the lever's pivot.
     pub fn at_crank_degrees(&self, degrees: f64) -> Result<Position, KinematicsError> {
         if !degrees.is_finite() {
             return Err(KinematicsError::Angle { name: "crank angle", asked: degrees });
@@ -143,7 +143,7 @@ impl QuickReturn {
         self.at_crank(&Turn::from_degrees(degrees % 360.0))
     }
 
-    /// Where the crank is at a lever angle in degrees, on one of the two branches.
+    /// Position of the parts at a lever angle in degrees, on one of the two branches.
     ///
     /// By the law of sines R sin β = l sin ψ, with β the angle at the pin between lever and crank: acute on the far
     /// branch, obtuse on the near one.

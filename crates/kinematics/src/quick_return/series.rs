@@ -1,4 +1,4 @@
-//! The same motion by differentiating the loop closure twice: no vector diagram, no relative velocity.
+//! Motion of the lever by differentiating the loop closure twice: no vector diagram, no relative velocity.
 //!
 //! Around the loop, l + R e(φ) = r e(ψ) with e a unit vector in that direction. The left side is known as a power
 //! series in time; so is the polar angle's rate of the right side, and r² = |l + R e(φ)|². In polar coordinates the
@@ -25,7 +25,8 @@ pub struct PolarRates<S> {
     pub sliding_rate: S,
 }
 
-/// Differentiates the loop closure at crank angle φ. `None` if the pin is on the lever's pivot.
+/// Rates of the lever by differentiating the loop closure at crank angle φ, for ground distance l and crank radius R in
+/// one unit of length. `None` if the pin is on the lever's pivot.
 ///
 /// ```
 /// use geneva_kinematics::quick_return::Drive;

@@ -30,7 +30,7 @@ impl<S: Field, const D: u32> Surd<S, D> {
         Self { plain: S::zero(), rooted: S::one() }
     }
 
-    /// `plain`, without a root.
+    /// The number `plain`, which has no part with the root.
     pub fn from_plain(plain: S) -> Self {
         Self { plain, rooted: S::zero() }
     }

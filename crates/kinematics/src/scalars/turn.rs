@@ -108,7 +108,7 @@ impl Turn<f64> {
         Self { cos, sin }
     }
 
-    /// The angle of `degrees`.
+    /// The angle of so many degrees, by way of radians.
     pub fn from_degrees(degrees: f64) -> Self {
         Self::from_radians(degrees.to_radians())
     }

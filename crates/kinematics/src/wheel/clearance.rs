@@ -68,20 +68,20 @@ pub struct Nearest {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
-    /// Of a pin in its slot.
+    /// Least distance of a pin from the slot that it is in.
     pub pin_in_slot: Nearest,
-    /// Of a pin in no slot from the wheel; none where every pin is always in a slot.
+    /// Least distance of a pin in no slot from the wheel; none where every pin is always in a slot.
     pub pin_outside: Option<Nearest>,
-    /// Of the locking disc in its arc; none without one.
+    /// Least distance of the locking disc from the arc that it is in; none without a disc.
     pub locking_disc: Option<Nearest>,
-    /// Of the locking disc from the wheel during the engagement; none without a disc.
+    /// Least distance of the locking disc from the wheel during the engagement; none without a disc.
     pub crescent: Option<Nearest>,
     /// How much less, in millimetres, any of these distances may be somewhere than is said here.
     pub tolerance: f64,
 }
 
 impl Clearance {
-    /// The least of all.
+    /// The least of all distances, and where it is.
     pub fn least(&self) -> Nearest {
         let others = [self.pin_outside, self.locking_disc, self.crescent];
         others.into_iter().flatten().fold(self.pin_in_slot, Nearest::or)

@@ -100,8 +100,9 @@ impl Sizes {
         Ok(Vector2::new(y * sin - x * cos, y * cos + x * sin))
     }
 
-    /// How far that tip is from a locking disc, this one or another, in millimetres: from its cut, or from its edge where
-    /// that is the shorter way; below zero how deep it is in the disc. The crank angle is in radians.
+    /// Distance of the [tip of a horn](Self::horn_tip) from a locking disc, the one of these sizes or another, in millimetres:
+    /// from its cut, or from its edge where that is the shorter way; below zero how deep the tip is in the disc. The crank
+    /// angle is in radians.
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};

@@ -17,7 +17,7 @@ pub enum Phase {
 /// The wheel at one crank angle, for a driver of constant speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
-    /// Advance or dwell.
+    /// Whether a pin moves the wheel, or the wheel dwells.
     pub phase: Phase,
     /// Whole stations that the wheel has passed: the middle of the last advance begun, or the dwell behind it.
     pub stations: i64,

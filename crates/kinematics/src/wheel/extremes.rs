@@ -5,7 +5,7 @@ use super::Wheel;
 /// Where the acceleration is greatest, and how great.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AccelerationPeak {
-    /// Crank angle of the peak of deceleration, in radians; that of acceleration is its negative.
+    /// Crank angle of the peak of deceleration, in radians; the acceleration has its peak at minus this angle.
     pub angle: f64,
     /// Size of the acceleration over the square of the driver's speed, dimensionless.
     pub ratio: f64,

@@ -52,12 +52,12 @@ impl Misplaced {
         Ok(Self { wheel: *wheel, error, ratio, half: libm::acos(cosine) })
     }
 
-    /// The wheel.
+    /// The wheel as it is at the right distance.
     pub fn wheel(&self) -> &Wheel {
         &self.wheel
     }
 
-    /// By which part of the right distance the axes are too far apart, dimensionless; below zero too near.
+    /// Part of the right distance by which the axes are too far apart, dimensionless; below zero they are too near.
     pub fn error(&self) -> f64 {
         self.error
     }

@@ -43,7 +43,7 @@ pub enum Edge {
 }
 
 impl Edge {
-    /// Where it begins.
+    /// Point at which the edge begins, in millimetres.
     pub fn from(&self) -> Vector2<f64> {
         match *self {
             Self::Line { from, .. } => from,
@@ -51,7 +51,7 @@ impl Edge {
         }
     }
 
-    /// Where it ends.
+    /// Point at which the edge ends, in millimetres.
     pub fn to(&self) -> Vector2<f64> {
         match *self {
             Self::Line { to, .. } => to,
@@ -194,7 +194,7 @@ pub struct Face {
 }
 
 impl Face {
-    /// All its loops, the outer one first.
+    /// All loops of the face, the outer one first.
     pub fn loops(&self) -> impl Iterator<Item = &Loop> {
         std::iter::once(&self.outer).chain(&self.holes)
     }
@@ -205,12 +205,12 @@ impl Face {
         Self { outer: self.outer.placed(angle, by), holes }
     }
 
-    /// Its area in square millimetres, exact but for rounding.
+    /// Area of the face in square millimetres, exact but for rounding.
     pub fn area(&self) -> f64 {
         self.loops().map(Loop::area).sum()
     }
 
-    /// Its polar second moment of area about the origin, in the fourth power of millimetres, exact but for rounding.
+    /// Polar second moment of the face's area about the origin, in the fourth power of millimetres, exact but for rounding.
     pub fn second_moment(&self) -> f64 {
         self.loops().map(Loop::second_moment).sum()
     }
@@ -254,7 +254,7 @@ pub struct Outline {
 }
 
 impl Sizes {
-    /// The outlines of both parts.
+    /// The outlines of wheel, disc, plate and pins, in millimetres, each part about its own axis.
     pub fn outline(&self) -> Outline {
         let bore = |diameter: f64| {
             let hole = |diameter| Loop::circle(Vector2::zeros(), diameter / 2.0, true);

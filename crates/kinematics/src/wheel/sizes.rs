@@ -83,9 +83,9 @@ pub struct Choices {
 /// The driver's locking disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LockingDisc {
-    /// Its radius, in millimetres.
+    /// Radius of the disc, in millimetres.
     pub radius: f64,
-    /// What is cut out of it before each pin.
+    /// The arc that is cut out of the disc before each pin.
     pub crescent: Crescent,
 }
 
@@ -155,7 +155,7 @@ pub struct Sizes {
 const SHORTEST_DWELL: f64 = 1e-9;
 
 impl Sizes {
-    /// The sizes of a wheel of this scale.
+    /// The sizes of a wheel from one length and the designer's choices.
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Remedy, Scale, Sizes, SizesError, Wheel};
@@ -236,7 +236,7 @@ impl Sizes {
         Ok(sizes)
     }
 
-    /// Radius of a pin, in millimetres.
+    /// Radius of a pin, in millimetres: half its diameter.
     pub fn pin_radius(&self) -> f64 {
         self.pin_diameter / 2.0
     }

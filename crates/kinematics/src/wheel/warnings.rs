@@ -46,7 +46,7 @@ impl fmt::Display for Warning {
 }
 
 impl Sizes {
-    /// Warnings to a maker of these parts; none for most sizes.
+    /// Warnings to someone who makes these parts: no play, a wheel that can miss its pin, thin walls. Most sizes have none.
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Warning, Wheel};
