@@ -4,6 +4,14 @@
 //! slides; what is left goes into the kinetic energy of the two members. The normal force follows from the moments on
 //! the follower, N R = I_f φ'', and the sliding speed is |dR/dt|. Everything comes from the pin's place as a power
 //! series.
+//!
+//! ```
+//! use geneva_dynamics::energy::{GrowthOfKineticEnergy, SquareOfTheSlot};
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&SquareOfTheSlot).is_ok()); // the law of cosines
+//! assert!(prove(&GrowthOfKineticEnergy).is_ok());
+//! ```
 
 use crate::{Coefficients, Pose, Sign};
 use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity, pin_slot};

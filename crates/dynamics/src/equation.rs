@@ -104,13 +104,13 @@ pub fn coefficient_d<S: Field>(pose: &Pose<S>, friction: &S) -> S {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coefficients<S> {
-    /// A, times θ''; dimensionless.
+    /// A, the factor of θ''; dimensionless.
     pub a: S,
-    /// B, times θ'²; dimensionless.
+    /// B, the factor of θ'²; dimensionless.
     pub b: S,
-    /// C, times θ'² between the bars; dimensionless.
+    /// C, the factor of θ'² between the bars; dimensionless.
     pub c: S,
-    /// D, times θ'' between the bars; dimensionless.
+    /// D, the factor of θ'' between the bars; dimensionless.
     pub d: S,
     /// E, the torque over the follower's inertia, per square of the unit of time.
     pub e: S,

@@ -21,7 +21,7 @@ use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 pub struct Pose<S> {
     /// a cos θ − 1, dimensionless: zero as the pin enters and leaves, positive between.
     pub numerator: S,
-    /// a sin θ, dimensionless: half the rate of change of the square below with θ.
+    /// a sin θ, dimensionless: half the rate of change of `square` with θ.
     pub cross: S,
     /// 1 + a² − 2 a cos θ, the square of the pin's distance from the follower's pivot over that of the crank radius,
     /// dimensionless.

@@ -23,7 +23,7 @@ pub struct JerkPeak {
 pub struct PinInSlot {
     /// Distance of the pin's centre from the wheel's axis, in crank radii.
     pub radius: f64,
-    /// Rate of change of that distance with the crank angle, in crank radii per radian.
+    /// Rate of change of the pin's distance from the wheel's axis with the crank angle, in crank radii per radian.
     pub radius_rate: f64,
     /// Velocity of the pin along the slot over its speed on the crank circle, dimensionless. Negative while it goes in,
     /// positive while it comes out.
@@ -67,7 +67,7 @@ pub trait Indexing {
     /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
     fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError>;
 
-    /// The pin in its slot.
+    /// The pin in its slot: its distance from the wheel's axis, its sliding and its Coriolis acceleration.
     ///
     /// ```
     /// use geneva_kinematics::indexing::Indexing;

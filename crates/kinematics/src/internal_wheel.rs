@@ -175,7 +175,7 @@ impl Indexing for InternalWheel {
         1
     }
 
-    /// π/2 + α.
+    /// Crank angle at which a pin enters and leaves: π/2 + α.
     fn engagement_half_angle(&self) -> f64 {
         FRAC_PI_2 + self.half_pitch_angle()
     }
@@ -227,12 +227,12 @@ impl Indexing for InternalWheel {
         Ok((libm::asin(sine) + angle).clamp(-most, most))
     }
 
-    /// sin α / (1 + sin α).
+    /// Greatest velocity ratio: sin α / (1 + sin α).
     fn peak_velocity(&self) -> f64 {
         self.sine / (1.0 + self.sine)
     }
 
-    /// tan α.
+    /// Size of the acceleration ratio as the pin enters: tan α.
     fn entry_acceleration(&self) -> f64 {
         self.sine / self.cosine
     }

@@ -33,8 +33,8 @@
 //!   [`pin_vectors`] and [`quick_return`] measure angles counter-clockwise from the line of centres instead.
 //! - **Rates** are ratios: the wheel's velocity over the driver's speed, its acceleration over the square of that speed,
 //!   its jerk over the cube.
-//! - **Lengths** are in crank radii, so names of lengths end in `_ratio`. [`wheel::Sizes`] and everything made from it are in
-//!   millimetres. Where you give several lengths, as in [`pin_slot::PinSlot`], any one unit will do.
+//! - **Lengths** of a wheel or an escapement are in crank radii. [`wheel::Sizes`] and everything made from it are in
+//!   millimetres. Where you give several lengths, as to [`pin_slot::PinSlot`], any one unit will do.
 //! - **Errors** name the value, the allowed range and what to change. No length, angle or count makes a
 //!   function panic; only exact numbers do, when they are divided by zero.
 //!

@@ -1,4 +1,11 @@
 //! At which ratio of lengths a four-slot follower is at rest as the pin enters, as an identity that can be proven exactly.
+//!
+//! ```
+//! use geneva_kinematics::pin_proofs::StandstillOfFourSlots;
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&StandstillOfFourSlots).is_ok());
+//! ```
 
 use crate::{Expression, Field, Identity};
 

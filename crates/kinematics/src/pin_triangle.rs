@@ -11,17 +11,17 @@ use crate::pin_slot::{PinSlot, slot_radius_squared};
 /// The signs hold for a driver that turns so that θ decreases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleSolution {
-    /// r² / R², dimensionless.
+    /// Square of the pin's distance from the follower's pivot over that of the crank radius, r² / R², dimensionless.
     pub radius_squared_ratio: f64,
-    /// r / R, dimensionless.
+    /// Distance of the pin from the follower's pivot over the crank radius, r / R, dimensionless.
     pub radius_ratio: f64,
-    /// r, distance of the pin from the follower's pivot, in the unit of the mechanism.
+    /// Distance of the pin from the follower's pivot, r, in the unit of the mechanism.
     pub slot_radius: f64,
-    /// sin β, by the law of sines, dimensionless.
+    /// Sine of the slot's angle at the pivot, sin β, by the law of sines, dimensionless.
     pub sine_at_pivot: f64,
-    /// β, angle of the slot from the line of centres, in radians.
+    /// Angle of the slot from the line of centres, β, in radians.
     pub angle_at_pivot: f64,
-    /// γ = 90° − β − θ, in radians.
+    /// Angle between the slot and the pin's velocity, γ = 90° − β − θ, in radians.
     pub velocity_angle: f64,
     /// Speed of the pin, R ω, in the unit of length times that of the driver's angular speed.
     pub pin_speed: f64,

@@ -169,7 +169,7 @@ impl Indexing for SphericalWheel {
         self.pins
     }
 
-    /// π/2, whatever N is.
+    /// Crank angle at which a pin enters and leaves: π/2, whatever N is.
     fn engagement_half_angle(&self) -> f64 {
         FRAC_PI_2
     }
@@ -214,12 +214,12 @@ impl Indexing for SphericalWheel {
         Ok(libm::asin((libm::tan(angle) / self.tangent()).clamp(-1.0, 1.0)))
     }
 
-    /// tan α.
+    /// Greatest velocity ratio: tan α.
     fn peak_velocity(&self) -> f64 {
         self.tangent()
     }
 
-    /// sin α cos α.
+    /// Size of the acceleration ratio as a pin enters: sin α cos α.
     fn entry_acceleration(&self) -> f64 {
         self.sine * self.cosine
     }

@@ -128,13 +128,13 @@ impl Strongest {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivities {
-    /// To the torque K, dimensionless: one half, by the law of similarity.
+    /// Power of the mean speed in the torque K, dimensionless: one half, by the law of similarity.
     pub torque: f64,
-    /// To the friction μ, dimensionless.
+    /// Power of the mean speed in the friction μ, dimensionless.
     pub friction: f64,
-    /// To the driver's moment of inertia I_D, dimensionless.
+    /// Power of the mean speed in the driver's moment of inertia I_D, dimensionless.
     pub driver_inertia: f64,
-    /// To the follower's moment of inertia I_f, dimensionless.
+    /// Power of the mean speed in the follower's moment of inertia I_f, dimensionless.
     pub follower_inertia: f64,
 }
 

@@ -29,7 +29,7 @@ pub type Roots = Surd<Surd<Rational, 2>, 3>;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Configuration<S> {
-    /// The follower's axis; the driver's is the origin.
+    /// The follower's axis, in crank radii from the driver's axis.
     pub follower_axis: Vector2<S>,
     /// Centres of all m pins, counter-clockwise.
     pub pins: Vec<Vector2<S>>,
@@ -46,7 +46,7 @@ pub struct Configuration<S> {
 pub struct Slot<S> {
     /// Unit vector from the follower's axis outwards.
     pub direction: Vector2<S>,
-    /// Where the pin's centre enters, on the follower's rim.
+    /// Point at which the pin's centre enters, on the follower's rim.
     pub mouth: Vector2<S>,
     /// The place of the pin's centre nearest to the follower's axis.
     pub bottom: Vector2<S>,
@@ -57,11 +57,11 @@ pub struct Slot<S> {
 pub struct RelativePosition<S> {
     /// How far out the pin is along the slot's centre line, from the follower's axis, in crank radii.
     pub out: S,
-    /// How far beside the slot's centre line it is, in crank radii; positive is counter-clockwise from it.
+    /// How far beside the slot's centre line the pin is, in crank radii; positive is counter-clockwise from it.
     pub beside: S,
-    /// Its velocity along the slot, outwards, in crank radii per radian of the driver.
+    /// Velocity of the pin along the slot, outwards, in crank radii per radian of the driver.
     pub outward: S,
-    /// Its velocity across the slot, counter-clockwise, in crank radii per radian of the driver.
+    /// Velocity of the pin across the slot, counter-clockwise, in crank radii per radian of the driver.
     pub across: S,
 }
 

@@ -150,13 +150,14 @@ impl Mechanism {
         }
     }
 
-    /// θ₀ = π/m, the crank angle in radians at which a pin leaves its slot; it enters at minus this angle. Meyer 1973,
-    /// display before Eq. (1-1).
+    /// Crank angle at which a pin leaves its slot, θ₀ = π/m, in radians from the line of centres; it enters at minus this
+    /// angle. Meyer 1973, display before Eq. (1-1).
     pub fn engagement_half_angle(self) -> f64 {
         PI / f64::from(self.pins)
     }
 
-    /// φ₀ = π/n, the follower angle in radians at which a pin leaves. Meyer 1973, display before Eq. (1-1).
+    /// Follower angle at which a pin leaves, φ₀ = π/n, in radians from the line of centres. Meyer 1973, display before
+    /// Eq. (1-1).
     pub fn follower_half_angle(self) -> f64 {
         self.wheel().half_pitch_angle()
     }
@@ -181,14 +182,13 @@ impl Mechanism {
         self.centre_distance_ratio_squared().sqrt()
     }
 
-    /// a², a fraction, dimensionless: 4/3, 2 and 4.
+    /// Square of centre distance over crank radius, a², dimensionless: 4/3, 2 or 4.
     pub fn centre_distance_ratio_squared(self) -> f64 {
         let [numerator, denominator] = self.square.map(f64::from);
         numerator / denominator
     }
 
-    /// R at entry and exit in crank radii, cot(π/n) = √(a² − 1): there the slots begin, so it is the radius of the
-    /// follower's rim.
+    /// Radius of the follower's rim, cot(π/n) = √(a² − 1), in crank radii: R at entry and exit, where the slots begin.
     ///
     /// The source writes it r sin θ₀ / sin φ₀. Meyer 1973, Eq. (1-5) and appendix A.
     pub fn rim_radius(self) -> f64 {
@@ -196,7 +196,7 @@ impl Mechanism {
         ((numerator - denominator) / denominator).sqrt()
     }
 
-    /// R = √(1 + a² − 2 a cos θ) at any driver angle: distance of a pin from the follower's axis, in crank radii.
+    /// Distance of a pin from the follower's axis at any driver angle, R = √(1 + a² − 2 a cos θ), in crank radii.
     ///
     /// Meyer 1973, display after Eq. (1-12).
     pub fn pin_distance(self, crank: &Turn<f64>) -> f64 {

@@ -45,7 +45,7 @@ pub struct Position {
     pub crank: Turn<f64>,
     /// Lever angle ψ: the direction from the lever's pivot to the pin.
     pub lever: Turn<f64>,
-    /// r, distance of the pin from the lever's pivot, in the unit of the mechanism.
+    /// Distance of the pin from the lever's pivot, r, in the unit of the mechanism.
     pub pin_distance: f64,
 }
 
@@ -76,17 +76,17 @@ impl QuickReturn {
         Ok(Self { ground, crank })
     }
 
-    /// l, distance of the two axes, in the unit of the mechanism.
+    /// Distance of the two axes, l, in the unit of the mechanism.
     pub fn ground(&self) -> f64 {
         self.ground
     }
 
-    /// R, radius of the crank, in the unit of the mechanism.
+    /// Radius of the crank, R, in the unit of the mechanism.
     pub fn crank(&self) -> f64 {
         self.crank
     }
 
-    /// l / R, dimensionless. Above one the lever swings, below one it turns.
+    /// Distance of the axes over the crank's radius, l / R, dimensionless. Above one the lever swings, below one it turns.
     pub fn ratio(&self) -> f64 {
         self.ground / self.crank
     }
@@ -211,7 +211,7 @@ impl Position {
         if cosine < 0.0 { Branch::Near } else { Branch::Far }
     }
 
-    /// β, the angle at the pin between lever and crank, in radians.
+    /// Angle at the pin between lever and crank, β, in radians.
     pub fn angle_at_pin(&self) -> f64 {
         self.lever.reversed().plus(&self.crank).radians().abs()
     }

@@ -15,13 +15,13 @@ use nalgebra::Vector2;
 pub struct PolarRates<S> {
     /// From the lever's pivot to the pin, in the unit of the ground distance: r e(ψ).
     pub position: Vector2<S>,
-    /// ψ̇ in the unit of the crank's speed, counter-clockwise positive.
+    /// Angular velocity of the lever, ψ̇, in the unit of the crank's speed, counter-clockwise positive.
     pub turning: S,
-    /// ψ̈ in the unit of the crank's acceleration.
+    /// Angular acceleration of the lever, ψ̈, in the unit of the crank's acceleration, counter-clockwise positive.
     pub turning_rate: S,
-    /// ṙ / r in the unit of the crank's speed, outwards positive.
+    /// Sliding speed of the pin over its distance, ṙ / r, in the unit of the crank's speed, outwards positive.
     pub sliding: S,
-    /// r̈ / r in the unit of the crank's acceleration.
+    /// Rate of the sliding speed over the pin's distance, r̈ / r, in the unit of the crank's acceleration.
     pub sliding_rate: S,
 }
 

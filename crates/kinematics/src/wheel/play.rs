@@ -23,9 +23,9 @@ pub enum EntryContact {
 /// The first contact of a pin that comes to the wheel at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// What it meets.
+    /// Part of the wheel that the pin meets first.
     pub contact: EntryContact,
-    /// Crank angle from the line of centres, in radians.
+    /// Crank angle from the line of centres at which they meet, in radians.
     pub crank_angle: f64,
     /// Speed with which pin and wheel close in on each other, across their faces, over the pin's speed, dimensionless.
     pub closing_speed: f64,
