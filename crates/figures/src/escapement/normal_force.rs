@@ -76,10 +76,10 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
         ),
         format!(
             "One engagement of the steady state. At first the pin drives the follower (F positive). Then the follower runs \
-             ahead and drives the pin, and F changes its sign with the flank. The friction opposes the motion on either \
-             flank, so its torque τ₂ is never positive, and the dashed curve shows its size, −τ₂. The quantity between \
-             the bars of (1-19) changes its sign with the flank too, and also on the line of centres, where the sliding \
-             reverses. {}",
+             ahead and drives the pin, and F changes its sign with the flank. The friction opposes the motion on \
+             either flank, so its torque τ₂ is never positive. The dashed curve shows the size of this torque, −τ₂. \
+             The quantity between the bars of (1-19) changes its sign with the flank, and also on the line of centres, \
+             where the sliding reverses. {}",
             shown(parameters)
         ),
     );

@@ -62,8 +62,9 @@ pub fn order() -> Figure {
              the smooth problem lie along a line of slope 4 (observed: {smooth}), those of the problem with a switch, \
              far above, along one of slope 1 (observed: {switched})."
         ),
-        "While the right-hand side is smooth (ẍ = −x), half the step gives a sixteenth of the error. Where \
-             it switches within a step (ẋ = 1, then 2), the error is proportional to the step, whatever the \
+        "Where the right-hand side of the differential equation is \
+         smooth (ẍ = −x), half the step gives a sixteenth of the error. Where the \
+         right-hand side jumps within a step (ẋ = 1, then 2), the error is proportional to the step, whatever the \
              order of the method.",
     );
     Chart::new([panel]).figure(words, series)
