@@ -57,7 +57,7 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
             "At the left the driver, a disc with {m} pins all round, turning counter-clockwise about B. At the right \
              the follower, a star with {n} slots, turning clockwise about O, {} crank radii from B; its rim has a \
              radius of {}. Lines from B and O to the places where a pin enters and leaves make angles of {} \
-             and {} with the line of centres. The engaged pin stands at θ = {}, its slot at φ = {}.",
+             and {} with the line of centres. The engaged pin is at θ = {}, its slot at φ = {}.",
             significant(ratio, 4),
             significant(rim, 4),
             degrees(escapement.engagement_half_angle()),

@@ -62,8 +62,8 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
         format!("Force between pin and slot over one engagement, {} slots", parameters.mechanism().slots()),
         format!(
             "Over the driver angle from entry, {}, to exit, {}: the normal force F, as F R / K, at most {} and at \
-             least {}, and the size of the friction's torque over K, at most {}. {} Under the plot, strips tell the flank \
-             and the sign of the quantity between the bars of the equation of motion.",
+             least {}, and the size of the friction's torque over K, at most {}. {} Under the plot, strips show the \
+             flank and the sign of the quantity between the bars of the equation of motion.",
             degrees(-half),
             degrees(half),
             short(greatest(|at| at.normal), 3),

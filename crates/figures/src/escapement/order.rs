@@ -59,8 +59,8 @@ pub fn order() -> Figure {
         "Error over step length, for a smooth problem and for one with a switch",
         format!(
             "Two rows of points on logarithmic axes, the step length to the right, the error upwards. The errors of \
-             the smooth problem lie along a line of slope 4 (observed: {smooth}), those of the problem with a switch, \
-             far above, along one of slope 1 (observed: {switched})."
+             the smooth problem follow a line of slope 4 (observed: {smooth}). The errors of the problem with a switch \
+             are far above and follow a line of slope 1 (observed: {switched})."
         ),
         "Where the right-hand side of the differential equation is \
          smooth (ẍ = −x), half the step gives a sixteenth of the error. Where the \
