@@ -67,8 +67,8 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
         ),
         format!(
             "The escapement with {m} pins and {n} slots, to scale. The driver, at the left, turns counter-clockwise, the \
-             follower clockwise. A pin enters where the lower dashed lines cross and leaves where the upper ones \
-             cross. The driver is then π/{m} short of the line of centres, or π/{m} past it."
+             follower clockwise. A pin enters where the lower dashed lines cross, π/{m} before the line of centres, \
+             and leaves where the upper ones cross, π/{m} past it."
         ),
     );
     Ok(words.figure(canvas, Kind::Mechanism, series))
