@@ -81,8 +81,9 @@ pub fn acceleration_diagram(
             turning(alpha_4)
         ),
         format!(
-            "The acceleration diagram at φ = {}, in five steps. The normal and the Coriolis terms follow from the velocities. Of the last two terms we know only the \
-             directions, but two directions are enough to close the polygon. The pole is o.",
+            "The acceleration diagram at φ = {}, in five steps. The normal and the Coriolis terms follow from the velocities. \
+             Of the last two terms we know only the directions, but two directions are enough to close the polygon. The pole o \
+             is where the vectors start.",
             degrees(instant.lever_angle)
         ),
     );

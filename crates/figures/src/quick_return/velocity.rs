@@ -92,8 +92,8 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
             turning(omega_4)
         ),
         format!(
-            "The velocity diagram at φ = {phi}, in three steps. We know one vector completely and only the directions of the other two, but two directions are \
-             enough to close the triangle. The pole is o."
+            "The velocity diagram at φ = {phi}, in three steps. We know one vector completely and only the directions of the \
+             other two, but two directions are enough to close the triangle. The pole o is where the vectors start."
         ),
     );
     words.figure(diagram.draw(), Kind::Diagram, Series::new(columns, rows))

@@ -56,8 +56,8 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
             significant(l, 4),
             significant(radius, 4)
         ),
-        "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at \
-                  the pin; crank 1, centre distance 1 / sin α and the wheel's radius 1 / tan α follow.",
+        "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at the pin. In crank \
+         radii, the centre distance is 1 / sin α and the wheel's radius 1 / tan α.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }
