@@ -46,8 +46,8 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
         "wheel-dwell-play",
         format!("Backlash in the dwell, {} stations", sizes.wheel.stations()),
         format!(
-            "Two curves over the dwell. Each is flat in the middle. The one backwards has a peak of {}° shortly after the pin \
-             has left, the one forwards has as high a peak shortly before the next pin enters.",
+            "Two curves over the dwell, each flat in the middle. The backlash backwards has a peak of {}° shortly after the \
+             pin has left, and the backlash forwards has as high a peak shortly before the next pin enters.",
             fixed(most, 2)
         ),
         "How far the wheel can turn to each side in the dwell. In the middle an end of the locking arc stops the wheel on \
