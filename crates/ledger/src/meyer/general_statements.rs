@@ -83,26 +83,27 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series().count(),
                 format!(
-                    "with a million times the torque of the tables and four times as much, the rise time goes as the \
+                    "from a million times the torque of the tables to four million times, the rise time goes as the \
                      power {:.6} of the torque, with every mechanism and friction of the runs",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as("From some torque on, more torque does not shorten the rise.")
+        .read_as("We read it in this way: from some torque on, more torque does not shorten the rise.")
         .corrected(
             "fall without end, as the inverse of the root of the torque, so that every increase reduces it",
             Slip {
                 id: "",
-                reason: "Eq. (1-19) stays the same for a larger torque if all times are shortened by the root of the \
-                         torque. The inertias set the scale of the times, √(I_f/K), which falls as far as we like as \
-                         K grows. So there is no least time.",
-                witness: "We prove the law of similarity for the equation, and we refute it when the times are not \
-                          changed.",
+                reason: "If the torque grows and all times shrink as the inverse of its root, Eq. (1-19) stays the \
+                         same. All times are in proportion to √(I_f/K), which falls as far as we like as K grows. So \
+                         there is no least time.",
+                witness: "We prove the law of similarity for the equation. We also show that the law fails if the \
+                          times are not changed.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,
-                changes: "A stronger spring always shortens the rise. With four times the torque it halves.",
+                changes: "A stronger spring always shortens the rise. With four times the torque, the rise is half as \
+                          long.",
             },
         )
 }

@@ -62,8 +62,8 @@ fn solved() -> Vec<Claim> {
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
                 "To solve means to find a formula for the acceleration from the other letters. The text goes on to \
-                 open the bars with a sign, and it takes that sign from an older acceleration. Other sentences say \
-                 whether the computer needed this, and we leave those open.",
+                 replace the bars by a sign, which it takes from an older acceleration. Whether the computer needed \
+                 this is a question of other sentences, and we leave those open.",
             ),
         PROGRAM
             .statement(
