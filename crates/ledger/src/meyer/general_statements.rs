@@ -118,10 +118,10 @@ fn graphs() -> Vec<Claim> {
                 "the rise time that is drawn ends at 99 per cent of the terminal velocity",
             )
             .missing(
-                "The copy we had does not contain the curves, and the thesis does not say of which velocity it is 99 \
-                 per cent. If it means the velocity at each angle, you get one rise time, and if it means the average of \
-                 peak and minimum, you get another. No definition that we tried reproduces even half of the rise times of Appendix E, of which the \
-                 figures are the summary",
+                "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \
+                 cent refer to. If it means the velocity at each angle, you get one rise time, and if it means the \
+                 average of peak and minimum, you get another. No definition that we tried reproduces even half of \
+                 the rise times of Appendix E, of which the figures are the summary",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),
