@@ -75,7 +75,8 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
         "joints-losses",
         "What the size of the joints costs",
         format!(
-            "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the multiplier. {}.",
+            "Two panels over the {size}: the mean speed over the mean speed of the ideal mechanism, and the \
+             multiplier. {}.",
             said.join("; ")
         ),
         format!(

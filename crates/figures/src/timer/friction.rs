@@ -80,8 +80,8 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         "timer-friction",
         "What the escapement gains or loses in a day as the friction changes",
         format!(
-            "Three falling curves over the coefficient of friction, which cross at μ = {}, where the escapements were set. \
-             The gain a day falls {}. Three upright lines stand at the frictions of a pair of materials.",
+            "Three falling curves over the coefficient of friction, which cross at μ = {}, where the escapements were \
+             set. The gain a day falls {}. Three vertical lines mark the frictions of a pair of materials.",
             trimmed(set, 2),
             said.collect::<Vec<_>>().join(", ")
         ),

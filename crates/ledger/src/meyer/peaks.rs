@@ -48,7 +48,8 @@ const EXTREMES_ON_CENTRES: Slip = Slip {
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "The follower goes on to gain speed past the line of centres, and the driver gains some speed before it.",
+    changes: "The follower goes on to gain speed past the line of centres, and the driver already gains some speed \
+              before that line.",
 };
 
 pub fn claims() -> Vec<Claim> {

@@ -133,8 +133,8 @@ fn first_minimum() -> Claim {
         Slip {
             id: "",
             reason: "The first minimum belongs to an engagement that begins at rest. It is too low in every run, and \
-                     the less the friction, the lower it is. In a few runs it differs from the steady minimum by one \
-                     unit of the tables or less, because the tables' speeds have no decimals.",
+                     the less the friction, the lower it is. In a few runs the difference is one unit of the tables \
+                     or less, so the tables, whose speeds have no decimals, hardly show it.",
             witness: "We computed the motions in steps of the angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,

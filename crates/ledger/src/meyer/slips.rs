@@ -46,7 +46,7 @@ pub const HALF_POWERS: Slip = Slip {
     reason: "R has the power 1/2, and two whole powers and a half make 5/2. Three displays in a row print 3/2 in \
              place of both powers. We cannot tell whether the typist or the copy put it there. We count it as the \
              copy's mistake, because 1/2 is right in the two displays of R just before, and because Eq. (1-14), just \
-             after, has the powers that only the right ones give.",
+             after, has powers that only the right powers give.",
     witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members, but the \
               printed ones do not.",
     origin: Origin::Copy,
@@ -69,7 +69,7 @@ pub const DRIVER_INDEX: Slip = Slip {
 /// The square of a cos θ − 1 is missing twice in a row.
 pub const MISSING_SQUARE: Slip = Slip {
     id: "meyer.eq-1-17",
-    reason: "The factor of the driver's acceleration is the factor of the line before, where the bracket is squared, \
+    reason: "The factor of the driver's acceleration is the same as in the line before, where the bracket is squared, \
              and Eq. (1-18) has the square again. The square is missing in two displays, and the second of them is \
              put together from the first. We cannot tell whether the typist or the copy lost it. We count it as the \
              copy's mistake, because the square is right in the displays before and after these.",
@@ -112,8 +112,8 @@ pub const LOST_DOTS: Slip = Slip {
     reason: "A second derivative has lost one of its two dots. In the example, the text asks for the derivative of \
              the highest order, which the program computes as a second derivative. In Appendix D the factor D belongs \
              to the acceleration, as in Eq. (1-19), and the speed is zero.",
-    witness: "The corrected characters, read and evaluated, hold for a vibration, and those of Appendix D agree with \
-              Eq. (1-19). The printed characters do not.",
+    witness: "We read and evaluated the corrected characters. The example holds for a vibration, and Appendix D \
+              agrees with Eq. (1-19). With the printed characters neither does.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",

@@ -144,10 +144,10 @@ pub fn accelerations() -> anyhow::Result<Table> {
         "follower's <br>jump",
         "pin force, <small>× spring’s</small>",
     ];
-    let caption = "Greatest accelerations by size, in 1000 rad/s², each with the driver angle from the line of centres; the \
-                   jump of the follower's acceleration when the next pin takes over; and the greatest force on the pin over \
-                   the force of the spring at the crank radius. The mechanisms are ideal; for each friction the table shows \
-                   the run of the thesis with the strongest spring";
+    let caption = "Greatest accelerations by size, in 1000 rad/s², each with the driver angle from the line of \
+                   centres. Then follow the jump of the follower's acceleration when the next pin takes over, and the \
+                   greatest force on the pin over the force of the spring at the crank radius. The mechanisms are \
+                   ideal. For each friction the table shows the run of the thesis with the strongest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -166,9 +166,10 @@ pub fn mean_speed() -> anyhow::Result<Table> {
     });
     let head =
         ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
-    let caption = "Two meanings of an average speed, in rad/s: the mean of peak and minimum, from the numbers that the thesis \
-                   prints and from the right ones; and the mean over a revolution. The factor compares the last two. For \
-                   each mechanism and friction the table shows the run with the weakest spring";
+    let caption = "Two meanings of an average speed, in rad/s. One is the mean of peak and minimum, from the numbers \
+                   that the thesis prints and from the right numbers. The other is the mean over a revolution. The \
+                   factor compares the last two columns of speeds. For each mechanism and friction the table shows \
+                   the run with the weakest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
