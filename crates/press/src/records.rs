@@ -16,8 +16,10 @@ pub const OF_A_CLAIM: &[Field] = &[
         "source",
         "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere).",
     ),
-    ("locator", "Where in the source the claim is. For a page elsewhere, this is its address and the day on which we \
-                 read it."),
+    (
+        "locator",
+        "Where in the source the claim is. For a page elsewhere, this is its address and the day on which we read it.",
+    ),
     (
         "kind",
         "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",

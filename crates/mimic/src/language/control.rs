@@ -49,8 +49,12 @@ pub static CARDS: [Card; 17] = [
     ),
     card("HDR", "(words)", Both, "heads the columns of the OUT card with the same number, one word for each"),
     card("OUT", "(names)", Both, "prints the values of the names at each printed point"),
-    card("PLO", "(X, Y, ...)", Both, "plots Y and the names after it against X, with one line of print for each step \
-                                      of X"),
+    card(
+        "PLO",
+        "(X, Y, ...)",
+        Both,
+        "plots Y and the names after it against X, with one line of print for each step of X",
+    ),
     card(
         "SCA",
         "(A, B, ...)",

@@ -36,35 +36,23 @@ fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
     table(caption, Cells::Wide, &["As printed", "Right, and what the mistake does"], rows)
 }
 
-/// Whether it is the \
-                                              sizes of an example, which nobody says are right.
-fn is_example(judged: \
-                                              &Judged) -> bool {
+/// Whether it is the sizes of an example, which nobody says are right.
+fn is_example(judged: &Judged) -> bool {
     judged.claim.kind == Kind::Example
 }
 
-/// Each \
-                                              address, how much of it was taken, and how many of its statements and \
-                                              of its examples are right and wrong.
-pub fn addresses() -> \
-                                              anyhow::Result<Table> {
-    let mut all: Vec<(&str, [usize; 4])> = \
-                                              Vec::new();
+/// Each address, how much of it was taken, and how many of its statements and of its examples are right and wrong.
+pub fn addresses() -> anyhow::Result<Table> {
+    let mut all: Vec<(&str, [usize; 4])> = Vec::new();
     for judged in lookup::of_work(Work::Wild) {
-        let \
-                                              (address, _) = read(judged)?;
-        let at = \
-                                              all.iter().position(|(known, _)| *known == address).unwrap_or_else(|| \
-                                              {
+        let (address, _) = read(judged)?;
+        let at = all.iter().position(|(known, _)| *known == address).unwrap_or_else(|| {
             all.push((address, [0; 4]));
             all.len() - 1
-   \
-                                                   });
-        all[at].1[2 * usize::from(is_example(judged)) + \
-                                              usize::from(judged.truth() == Truth::Wrong)] += 1;
+        });
+        all[at].1[2 * usize::from(is_example(judged)) + usize::from(judged.truth() == Truth::Wrong)] += 1;
     }
-    let count \
-                                              = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
+    let count = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
     let rows = all.into_iter().map(|(address, counts)| {
         let taken = if wild::is_taken_whole(address) { "every formula" } else { "single statements" };
         Ok([vec![linked_page(address), taken.to_owned()], counts.map(count).into()].concat())

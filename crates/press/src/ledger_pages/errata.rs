@@ -52,18 +52,12 @@ pub fn grave() -> anyhow::Result<Table> {
         let (work, locator, meaning) = (claim.work, escape(claim.locator), escape(claim.meaning));
         Ok(vec![
             format!("<a href=\"#slip-{}\">{work}, {locator}</a>: {meaning}", slip.id),
-            \
-                                                                           with_unit(&tex_or_text(&in_full(claim))?, \
-                                                                           claim.unit)?,
-            \
-                                                                           right(places.main())?,
-            \
-                                                                           escape(slip.changes) + &numbers(places),
-  \
-                                                                                 ])
+            with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
+            right(places.main())?,
+            escape(slip.changes) + &numbers(places),
+        ])
     });
-    let head = ["Place, \
-                                                                           and what it says", "Printed", "Right", "What it does"];
+    let head = ["Place, and what it says", "Printed", "Right", "What it does"];
     table("What changes a result or a conclusion", Cells::Words, &head, rows)
 }
 
@@ -82,11 +76,8 @@ pub fn summary() -> anyhow::Result<Table> {
     )
 }
 
-/// How many slips \
-                                                    of the documents there are of a consequence, or of all but those \
-                                                    of the copy.
-pub fn count(of_what: &str) -> \
-                                                    anyhow::Result<String> {
+/// How many slips of the documents there are of a consequence, or of all but those of the copy.
+pub fn count(of_what: &str) -> anyhow::Result<String> {
     let number = match of_what {
         "all" => {
             let told = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy);
@@ -175,7 +166,7 @@ fn numbers(places: &Places) -> String {
     let of = if number == 1 { "one printed number".to_owned() } else { format!("{number} printed numbers") };
     places.greatest_change().map_or_else(String::new, |change| {
         let decimals = if change < 0.1 { 1 } else { 0 };
-        format!("  ({of}, wrong by {:.decimals$}&nbsp;% at most)", 100.0 * change)
+        format!(" ({of}, wrong by {:.decimals$}&nbsp;% at most)", 100.0 * change)
     })
 }
 

@@ -63,23 +63,15 @@ fn forms(judged: &Judged) -> Vec<String> {
         ),
         _ => format!("By a second way{second}, {} {}: {}", lowered(right), says(again), again.how),
     });
-    let \
-                                                         told = refused.filter(|refused| refused.how != again.how && \
-                                                         Some(*refused) != printed);
-    \
-                                                         sentences.extend(told.map(|refused| format!("By this second \
-                                                         way, the printed form {}: {}", says(refused), \
-                                                         refused.how)));
+    let told = refused.filter(|refused| refused.how != again.how && Some(*refused) != printed);
+    sentences
+        .extend(told.map(|refused| format!("By this second way, the printed form {}: {}", says(refused), refused.how)));
     sentences
 }
 
-/// The sentences on a \
-                                                         statement that is right as printed and on a false version of \
-                                                         it, by both routes.
-fn statement(judged: &Judged, neighbour: \
-                                                         &str) -> Vec<String> {
-    let [first, second] = \
-                                                         routes(judged);
+/// The sentences on a statement that is right as printed and on a false version of it, by both routes.
+fn statement(judged: &Judged, neighbour: &str) -> Vec<String> {
+    let [first, second] = routes(judged);
     let all = ["as printed", "neighbour", "witness", "neighbour by the witness"].map(|form| of(judged, form));
     let [Some(printed), Some(wrong), Some(again), Some(refused)] = all else { return Vec::new() };
     let mut sentences = vec![format!("What is printed {}{first}: {}", says(printed), printed.how)];
@@ -90,13 +82,8 @@ fn statement(judged: &Judged, neighbour: \
         return sentences;
     }
     sentences.push(format!("By a second way{second}, what is printed {}: {}", says(again), again.how));
-    let \
-                                                                            version = format!("By this second way, \
-                                                                            too, the false version {}", \
-                                                                            says(refused));
-    sentences.push(if \
-                                                                            refused.how == again.how { version } else \
-                                                                            { format!("{version}: {}", refused.how) });
+    let version = format!("By this second way, too, the false version {}", says(refused));
+    sentences.push(if refused.how == again.how { version } else { format!("{version}: {}", refused.how) });
     sentences
 }
 
