@@ -155,7 +155,8 @@ fn by_quotient() -> Vec<Claim> {
                     "By the rule for quotients the term is subtracted. The minus sign has moved into the bracket, but \
                      the next display has it in its place. The brackets of the line do not match either.",
                 ),
-            ),
+            )
+            .in_places(3),
     ]
 }
 

@@ -110,7 +110,8 @@ fn normal_force() -> Vec<Claim> {
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
-            .corrected(r"NR = I_f \ddot{\phi}", PHI_AS_THETA),
+            .corrected(r"NR = I_f \ddot{\phi}", PHI_AS_THETA)
+            .in_places(2),
         at("1st display of R after Fig. 7")
             .equation(
                 "meyer.slot-radius.by-sines",
@@ -138,7 +139,8 @@ fn normal_force() -> Vec<Claim> {
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
-            .corrected(r"N = \frac{I_f \ddot{\phi}}{R}", PHI_AS_THETA),
+            .corrected(r"N = \frac{I_f \ddot{\phi}}{R}", PHI_AS_THETA)
+            .in_places(2),
         at("2nd display of N before Eq. (1-13)")
             .equation("meyer.normal-force.substituted", SUBSTITUTED, "normal force with Eq. (1-8) and R substituted")
             .proven_by(mechanism)
@@ -162,7 +164,7 @@ fn substituted() -> Vec<Claim> {
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
-            .corrected(FRICTION_SUBSTITUTED_CORRECTED, HALF_POWERS),
+            .corrected(FRICTION_SUBSTITUTED_CORRECTED, HALF_POWERS).in_places(2),
         at("Eq. (1-14)")
             .equation("meyer.eq-1-14", FRICTION_OF_MOTION, "friction torque from the motion of the driver alone")
             .proven_by(mechanism)

@@ -22,7 +22,7 @@ pub fn claims() -> Vec<Claim> {
         gears(MECHA_EXTERNAL, "wild.mecha-external.gears", LEAST[0], |fit| fit.moving),
         reach(MECHA_EXTERNAL, "wild.mecha-external.reach"),
         // An internal wheel is driven on the rest of the turn.
-        gears(MECHA_INTERNAL, "wild.mecha-internal.gears", LEAST[1], |fit| fit.resting),
+        gears(MECHA_INTERNAL, "wild.mecha-internal.gears", LEAST[1], |fit| fit.resting).in_places(2),
         MECHA_INTERNAL
             .value(
                 "wild.mecha-internal.teeth",

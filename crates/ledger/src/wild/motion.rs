@@ -129,7 +129,8 @@ fn formulas() -> Vec<Claim> {
                  Another module of the same library has the \
                  right formula.",
             ),
-        ),
+        )
+        .in_places(4),
         motion(
             CONSTRAINTS,
             "wild.oxiphysics.right-speed",

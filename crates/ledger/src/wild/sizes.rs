@@ -119,7 +119,8 @@ fn wrong() -> Vec<Claim> {
                 "The pin's circle touches the wheel's rim from outside. So the pin never enters a slot, and the wheel \
                  is not moved.",
             ),
-        ),
+        )
+        .in_places(2),
         formula(
             INDEXING,
             "wild.firgelli-indexing.centres",
@@ -143,7 +144,8 @@ fn wrong() -> Vec<Claim> {
                  more. With four slots the distance should be 1.41 crank radii, but the formula gives 1.85, so the pin \
                  does not reach the slot.",
             ),
-        ),
+        )
+        .in_places(3),
     ]
 }
 

@@ -55,7 +55,8 @@ fn calculator() -> Vec<Claim> {
             ANY,
             resting,
         )
-        .corrected(r"\theta_{dwell} = 360^{\circ} \frac{n + 2}{2 n}", DWELL),
+        .corrected(r"\theta_{dwell} = 360^{\circ} \frac{n + 2}{2 n}", DWELL)
+        .in_places(2),
         formula(
             CALCULATOR,
             "wild.firgelli-time.index",

@@ -27,7 +27,8 @@ fn solved() -> Vec<Claim> {
             )
             .proven_by(factors)
             .read(ClosedForm, holds)
-            .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS),
+            .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS)
+            .in_places(5),
         at("Appendix B, line after Eq. (1-19) repeated")
             .statement(
                 "meyer.app-b.cannot-be-solved",
