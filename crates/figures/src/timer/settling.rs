@@ -62,8 +62,8 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
         "timer-settling",
         "How long the escapement takes to settle with a lighter follower",
         format!(
-            "Three panels over the follower's inertia. From the lightest follower to that of the run the number of engagements \
-             falls, the time of each rises, and their product stays between {} and {} ms.",
+            "Three panels over the follower's inertia. From the lightest follower to the run's follower the number of \
+             engagements falls, the time of each engagement rises, and their product stays between {} and {} ms.",
             significant(quickest, 3),
             significant(slowest, 3)
         ),
