@@ -50,7 +50,7 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
         let most = points().map(|point| point.1).fold(0.0, f64::max);
         let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).shade(marker.shade));
         let x = if column == 3 {
-            x.clone().titled(Label::words("follower's inertia over that of the run"))
+            x.clone().titled(Label::words("follower's inertia over the run's inertia"))
         } else {
             x.clone().unnumbered()
         };
