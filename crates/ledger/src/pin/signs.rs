@@ -311,7 +311,7 @@ mod tests {
         ] {
             let right = claim().right_characters();
             let holds = |corrected: &&&'static str| {
-                let erratum = Erratum { corrected, slip: ARROWS };
+                let erratum = Erratum { corrected, places: 1, slip: ARROWS };
                 let judged = judge(Box::leak(Box::new(Claim { erratum: Some(erratum), ..claim() })));
                 judged.verdict == Verdict::Corrected && judged.faults.is_empty()
             };
