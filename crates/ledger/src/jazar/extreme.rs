@@ -84,8 +84,9 @@ fn alpha_range() -> Claim {
             Slip {
                 id: "",
                 reason: "Three stations, the least number that the text allows, have α = 60° exactly, and what the \
-                         text says of the root holds there too. The copy may have lost a stroke of the sign. But the \
-                         text has the right sign nowhere else, so we put this mistake down to the handout.",
+                         text says about the choice of the root holds there too. The copy may have lost a stroke of \
+                         the sign. But the text has the right sign nowhere else, so we put this mistake down to the \
+                         handout.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
                 origin: Origin::Misprint,

@@ -15,10 +15,10 @@ const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
     reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because it is \
              larger than the largest value that the equation takes for six stations. We can only suggest a possible \
-             origin: the equation gives the printed digits if the angle, in the denominator alone, has a 5 in place of \
-             the 9. The answer is this ratio times the square of the right speed.",
-    witness: "We took the pin's position as a power series and brought its third derivative to zero by halving \
-              intervals.",
+             origin. If the angle has a 5 in place of the 9, and only in the denominator, the equation gives the \
+             printed digits. The answer to (e) is this ratio times the square of the right speed.",
+    witness: "We took the pin's position as a power series. By halving intervals, we found where the third derivative \
+              of its angle is zero.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
     changes: "The peak of the wheel's angular acceleration, which is the answer to (e), becomes smaller.",

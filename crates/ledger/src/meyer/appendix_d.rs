@@ -32,8 +32,9 @@ fn needed() -> Claim {
         )
         .missing(
             "The thesis does not say what the delay gives before there is a value. If it gives nothing, F has no sign \
-             at the start, so a value is required. If it gives zero, the line of the motion begins by itself, with \
-             the same first acceleration, because a pin enters along its slot, where the friction has no arm",
+             at the start, so a value is required. If it gives zero, the line that computes the acceleration begins \
+             by itself, with the same first value. The reason is that a pin enters along its slot, where the friction \
+             has no moment arm",
         )
 }
 

@@ -33,11 +33,12 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "To work means to reach a terminal velocity, as in the first conclusion. We count a pair of pins and \
-    slots as a configuration if each pin takes over from the one before without a gap, as chapter I requires. We \
-    tested whether the motion reaches a terminal velocity for all pairs of up to eight pins and eight slots, with the frictions of the runs and the inertias \
-                   of the runs with six pins. (With other inertias and more friction some pairs have none, and this \
-                   goes for the three as well.)";
+    let reading = "To work means to reach a terminal velocity, as in the first conclusion. We count a pair of pins \
+                   and slots as a configuration if each pin takes over from the one before without a gap, as chapter \
+                   I requires. We tested whether the motion reaches a terminal velocity for all pairs of up to eight \
+                   pins and eight slots, with the frictions of the runs and the inertias of the runs with six pins. \
+                   (With other inertias and more friction, some pairs have no terminal velocity, and this is true of \
+                   the three as well.)";
     vec![
         at(locator)
             .statement(
@@ -240,11 +241,12 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     let other = pairs().find(|&(pins, slots)| works(pins, slots) != said(pins, slots));
     let resting = pairs().filter(|(pins, slots)| 2 * (pins + slots) == pins * slots).count();
     let but = other
-        .map_or(String::new(), |(pins, slots)| format!("; the claim is wrong about {pins} pins and {slots} slots"));
+        .map_or(String::new(), |(pins, slots)| format!("; the claim is wrong about {pins} pins with {slots} slots"));
     Finding::new(
         other.is_none(),
         format!(
-            "of the pairs up to {most} pins and slots {working} work, and {resting} have the follower at rest{but}"
+            "of the pairs with up to {most} pins and {most} slots, {working} work, and {resting} have the follower at \
+             rest at the hand-over{but}"
         ),
     )
 }

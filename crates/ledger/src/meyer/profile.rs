@@ -30,9 +30,9 @@ pub fn claims() -> Vec<Claim> {
         scales(),
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
             "The text does not name the run. In the four-pin runs of the tables the velocity is steady only after 29 \
-             ms or more, by either reading, and no row has this time. The first minima of two of these runs round to \
-             it, but the rise times of the two are longer by half or more. Besides, the run that is drawn need not be \
-             one of the runs of the tables",
+             ms or more, by either reading, and no row has the rise time of the text. The first minima of two of \
+             these runs are at times that round to it, but the rise times of these two runs are longer by half or \
+             more. Besides, the run that is drawn need not be one of the runs of the tables",
         ),
         first_minimum(),
     ]
@@ -59,9 +59,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "As printed, we ask only that with each mechanism the curve goes up and down equally often in all runs, \
-             as far as one unit of the tables lets us see. That is the least that a shape can mean. In the \
-             correction, the shape is how deep the minimum is, and how high the speed at entry, relative to the peak.",
+            "Of the printed sentence, we ask only that with each mechanism the curve goes up and down equally often \
+             in all runs, as far as one unit of the tables lets us see. That is the least that a shape can mean. In \
+             the correction, the shape is how deep the minimum is, and how high the speed at entry is, both relative \
+             to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",
@@ -72,9 +73,9 @@ fn shape() -> Claim {
                          change how often the curve goes up and down in an engagement. With six pins and little \
                          friction the second rise after an entry is too small to be seen in the tables' units, but \
                          with more friction it is not. The tables themselves have curves that are no copies of each \
-                         other, because with four pins a least speed of 25 goes with a peak of 206 and also with a \
-                         peak of 163.",
-                witness: "Motions computed in steps of the angle.",
+                         other: with four pins, one run has a least speed of 25 and a peak of 206, and another has \
+                         the same least speed but a peak of 163.",
+                witness: "We computed the motions in steps of the angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
                 changes: "Only curves of different torques are copies of one another.",
@@ -132,13 +133,13 @@ fn first_minimum() -> Claim {
         Slip {
             id: "",
             reason: "The first minimum belongs to an engagement that begins at rest. It is too low in every run, and \
-                     the less the friction, the lower it is. In a few runs it is within a unit of the tables of the \
-                     steady minimum, because the speeds have no decimals.",
-            witness: "Motions computed in steps of the angle.",
+                     the less the friction, the lower it is. In a few runs the difference is one unit of the tables \
+                     or less, so the tables, whose speeds have no decimals, hardly show it.",
+            witness: "We computed the motions in steps of the angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
-            changes: "The first minimum is no measure of the rise time. The text takes a rise time from it, which is \
-                      the time of a first minimum. We leave that rise time open, because its run is not named.",
+            changes: "The time of the first minimum is no measure of the rise time, although the text takes a rise \
+                      time from it. We leave that rise time open, because its run is not named.",
         },
     )
 }
@@ -201,7 +202,8 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
     Finding::new(
         counts.iter().all(same),
         format!(
-            "with six, four and three pins the driver's speed turns from rising to falling, or back, {} times",
+            "in a cycle, the driver's speed turns from rising to falling, or back, {} times with six, four and three \
+             pins, in this order",
             ranges.join(", ")
         ),
     )

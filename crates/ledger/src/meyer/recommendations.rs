@@ -98,9 +98,10 @@ fn cyclic_oscillations() -> Claim {
         })
         .read_as(
             "Excessively high means ten times the greatest torque that the tables have for a mechanism and a \
-             friction. Significant means that the greatest and the least peak differ by one unit of the tables' \
-             peaks, 1 rad/s, or more once the rise is over. By this reading the printed velocities of all groups \
-             swing from about five times that torque on. With three times that torque, not all of them do.",
+             friction. Significant means that, once the rise is over, the greatest and the least peak differ by 1 \
+             rad/s or more, which is one unit of the tables' peaks. By this reading the printed velocities of all \
+             groups of runs swing from about five times that greatest torque on. With three times that torque, not \
+             all groups swing.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \
@@ -139,7 +140,7 @@ fn swinging(lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
     Finding::new(
         swings.len() == series().count() && least >= 1.0,
         format!(
-            "from line to line the peaks differ by {least:.2} to {most:.2} rad/s in {} groups of runs",
+            "the greatest and the least peak of a run differ by {least:.2} to {most:.2} rad/s in {} groups of runs",
             swings.len()
         ),
     )

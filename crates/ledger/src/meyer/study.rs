@@ -82,7 +82,7 @@ pub fn of_parameters() -> Vec<Claim> {
                     ),
                 )
             })
-            .read_as("Somewhat means by less than a power of ten.")
+            .read_as("We read somewhat as by less than a factor of ten.")
             .corrected(
                 "were 6 to 100 times this figure",
                 Slip {
@@ -90,12 +90,12 @@ pub fn of_parameters() -> Vec<Claim> {
                     reason: "The least inertia of the tables is several times the estimate, and the greatest is a \
                              hundred times the estimate. We do not know how the estimate came to be printed beside \
                              them.",
-                    witness: "Only inertias of about the tables' size give the printed periods of the four-pin \
-                              table, to a unit of their last place.",
+                    witness: "To within a unit of the last place, only inertias of about the tables' size give the \
+                              printed periods of the four-pin table.",
                     origin: Origin::Concept,
                     consequence: Consequence::Remark,
-                    changes: "The parts in the tables are not like the parts described, because discs as thick would \
-                              have to be more than three times as wide for the greatest inertia.",
+                    changes: "The parts behind the tables are not like the parts described. For the greatest inertia, \
+                              discs of the described thickness would have to be more than three times as wide.",
                 },
             ),
     ]

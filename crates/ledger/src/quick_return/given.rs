@@ -76,9 +76,9 @@ pub fn claims() -> Vec<Claim> {
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
                 "The copy we had does not include the drawing. The lengths, the angle and the branch follow from the \
-                 solution, but the side of the line of centres on which the lever stands does not. Without that side, \
-                 we do not know the senses of the sliding, of the Coriolis acceleration and of the lever's angular \
-                 acceleration",
+                 solution. But the solution does not show on which side of the line of centres the lever is. Without \
+                 that side, we do not know the senses of the sliding, of the Coriolis acceleration and of the lever's \
+                 angular acceleration",
             ),
     ]
 }

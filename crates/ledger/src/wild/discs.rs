@@ -199,9 +199,10 @@ fn towards_the_wheel(characters: &str, y: f64, b: f64) -> f64 {
 }
 
 /// How the macro's wheels are read.
-const MACRO_WHEELS: &str = "We checked the program's own lines for both wheels that the sizes of its comment give with \
-                            the example's pin and tolerance. One keeps the example's crank, and the other keeps its \
-                            wheel radius. With both sizes as shipped, the wheel cannot turn.";
+const MACRO_WHEELS: &str = "With the example's pin and tolerance, the formulas in the program's comment give two \
+                            wheels. One keeps the example's crank radius, and the other keeps its wheel radius. We \
+                            checked the program's own lines for both wheels. With both radii as shipped, the wheel \
+                            cannot turn.";
 
 fn freecad() -> Claim {
     let clear = |stated: Stated, depth: fn(&Drawn) -> f64| {
@@ -226,8 +227,8 @@ fn freecad() -> Claim {
             "m = c z/a, R = b z/a",
             cut_in_the_middle(
                 "The tips of the horns run into the disc by 0.17 mm, although the play is 0.01 mm. The program \
-                 computes the radius b z/a, which clears them, but does not use it. The version with a window uses \
-                 it.",
+                 computes the radius b z/a, which would clear the horns, but it does not use this radius. The version \
+                 with a window does.",
             ),
         )
 }
@@ -266,10 +267,10 @@ fn freecad_arcs() -> Claim {
             "x = 0",
             slip(
                 "While the wheel rests, the disc turns in one of the wheel's arcs, so the arc's centre must be the \
-                 driver's axis. The program makes the disc's radius the radius of the arcs less the tolerance.",
+                 driver's axis. In the program, the disc's radius is the radius of the arcs less the tolerance.",
                 "We checked places all along an arc, by coordinates.",
                 "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
-                 loose while it should rest. The edition of the macro that opens a dialog puts this centre on the \
+                 loose while it should rest. The version of the macro that opens a window puts this centre on the \
                  wheel's axis.",
             ),
         )
@@ -345,8 +346,8 @@ fn sdfx() -> Claim {
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as(
-            "We put the pin where the program puts it, although the wheel then starts with a jump. The horns must \
-             clear the disc.",
+            "We put the pin where the program puts it, although the wheel then starts with a jump of its speed. The \
+             horns must clear the disc.",
         )
         .corrected(
             "a cut whose edges stand where the pin enters and leaves",
@@ -358,8 +359,9 @@ fn sdfx() -> Claim {
 /// The slip of a program that cuts its locking disc along the rim as the rim stands in the middle of a move.
 const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
-        "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. But the \
-         disc turns on, so the horns come inside it on both sides of the middle.",
+        "The program cuts out the circle of the wheel's radius about the wheel's axis, which is where the rim is in \
+         the middle of a move. But the disc turns on together with its cut, so before and after the middle the horns \
+         run into the disc.",
         "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )

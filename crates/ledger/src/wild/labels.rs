@@ -14,8 +14,8 @@ pub fn claims() -> Vec<Claim> {
             WINDOW,
             "wild.freecad-window.slot-width",
             SHIPPED,
-            "We take the pin and the tolerance of the macro that this version is based on, because it has none of its \
-             own. With any others the result is the same.",
+            "This version has no pin and no tolerance of its own, so we take both from the macro on which it is \
+             based. With any others the result is the same.",
         ),
         half_slot_width(
             WORKBENCH,
@@ -97,9 +97,9 @@ fn pin_diameter() -> Claim {
         .corrected(
             r"p = \text{Drive Pin Radius}",
             word(
-                "The program makes a cylinder with p for its radius. It also cuts the slot w to either side, so by the \
-                 words of its list it draws both twice as wide.",
-                "The version with a window says radius.",
+                "The program makes the pin a cylinder of radius p, and it cuts the slot by w to either side of its \
+                 middle. So it draws both twice as wide as its list of sizes says.",
+                "The version with a window calls p the radius.",
                 "If you enter the diameter, the pin and the slot are twice as wide as you want them.",
             ),
         )
@@ -223,7 +223,7 @@ fn stop_arc() -> Claim {
             let said = stated.number() * stated.pick(p, p / 2.0);
             Finding::new(
                 agrees(said, 1.5 * p),
-                format!("it is {:.1} for a pin of diameter {p:.1} and is said to be {said:.1}", 1.5 * p),
+                format!("the difference is {:.1} for a pin of diameter {p:.1} and is said to be {said:.1}", 1.5 * p),
             )
         })
         .by(Evidence::OtherPlaceInSource, |stated| {
@@ -364,8 +364,8 @@ fn from_entry() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "at the start, the scalar product of arm and slot is {:.2} of crank times centre distance, but a \
-                     right angle makes it zero",
+                    "at the start, the scalar product of crank and slot is {:.2} of crank radius times centre \
+                     distance, and a right angle between the two would make it zero",
                     aside(4)
                 ),
             )
@@ -374,8 +374,8 @@ fn from_entry() -> Claim {
             "from the line of centres",
             remark(
                 "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. But \
-                 the driving phase starts half a move before. The wheel's speed, beside it, counts the angle from the \
-                 line of centres, too.",
+                 the driving phase starts half a move earlier. The formula for the wheel's speed, printed beside this \
+                 one, counts the angle from the line of centres, too.",
                 "Coordinates give the pin, and the direction of the slot as the pin enters.",
                 "If you pass an angle counted from the entry, the wheel moves by only half a step.",
             ),

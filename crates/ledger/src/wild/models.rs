@@ -93,7 +93,7 @@ impl Drawn {
         } else {
             format!(
                 "the pin comes to the rim at {place:.3} half pitches from the line of centres, and the wheel starts \
-                 with {speed:.3} of the driver's speed"
+                 with {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -152,12 +152,12 @@ fn freecad() -> Claim {
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
-                "The program makes the triangle of the two axes and the pin right-angled for any two radii. Then the \
-                 angle at the wheel's axis is half a pitch for at most one number of slots. A comment of the program \
-                 gives the formulas that leave one radius free.",
+                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. The \
+                 angle at the wheel's axis is then half a pitch for at most one number of slots. A comment of the \
+                 program gives formulas in which you can choose only one radius.",
                 TWICE,
-                "The pin's circle stays clear of the line on which the slot waits, by more than the pin's radius. So \
-                 the pin strikes a horn beside the slot, and the example cannot turn.",
+                "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
+                 strikes a horn beside the slot, and the example cannot turn.",
             ),
         ),
     )
@@ -204,8 +204,8 @@ fn freecad_count() -> Claim {
                 "The loops that cut slots and arcs contain the number and the angle of six slots, not the number that \
                  you ask for.",
                 "We went through the directions of all slots, one by one.",
-                "A wheel of any other number of slots gets six. The version with a window cuts as many as you ask \
-                 for.",
+                "If you ask for any other number of slots, the wheel still gets six. The version with a window cuts \
+                 as many as you ask for.",
             ),
         )
 }
@@ -227,8 +227,8 @@ fn model3d() -> Claim {
                 "The rim is cut short, so when the pin comes to it, it has passed the place where it would slide in \
                  along the slot.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed, although the page says that a \
-                 printed one works.",
+                "A pin without thickness or play starts the wheel with a jump of speed, although the page says that a \
+                 3D-printed mechanism works.",
             ),
         ),
     )
@@ -250,7 +250,7 @@ fn cadbuildr() -> Claim {
                 "The rim is cut short, so when the pin comes to it, it has passed the place where it would slide in \
                  along the slot.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed.",
+                "A pin without thickness or play starts the wheel with a jump of speed.",
             ),
         ),
     )
@@ -271,10 +271,11 @@ fn sdfx() -> Claim {
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
-                "With any other radius the pin meets the mouth of the slot, but not along the slot.",
+                "With any other radius the pin still meets the mouth of the slot, but it does not move along the slot \
+                 there.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed. In the second example of the \
-                 program, with ten slots, the wheel is pushed back first.",
+                "A pin without thickness or play starts the wheel with a jump of speed. In the second example of the \
+                 program, with ten slots, the pin first pushes the wheel back.",
             ),
         ),
     )
@@ -297,7 +298,7 @@ fn counter() -> Claim {
             slip(
                 "The pin's centre comes to the rim late, when it is no longer where the slot points.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed.",
+                "A pin without thickness or play starts the wheel with a jump of speed.",
             ),
         ),
     )
@@ -358,7 +359,8 @@ fn pitter_cam() -> Claim {
         .corrected(
             "cam radius 22.0, cut width 22 √3",
             slip(
-                "The cut must reach to where the pin enters, 60° to either side of the pin, but the box is narrower.",
+                "The cut must reach to where the pin enters, 60° to either side of the pin, but the box that makes \
+                 the cut is narrower.",
                 "We checked places all along the cam's rim, by coordinates.",
                 "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
                  centres and holds the wheel.",

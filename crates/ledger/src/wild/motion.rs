@@ -95,8 +95,7 @@ fn formulas() -> Vec<Claim> {
             Slip {
                 origin: Origin::Misprint,
                 ..slip(
-                    "A factor r is lost before the bracket, although it is there in any derivation from the wheel's \
-                     angle.",
+                    "A factor r is missing before the bracket, but any derivation from the wheel's angle gives it.",
                     TWICE,
                     "The speed is too high by the centre distance over the crank radius: 1.4 times at four slots, and \
                      twice at six. Loads that go with the square of the speed are four times too high at six.",
@@ -116,7 +115,7 @@ fn formulas() -> Vec<Claim> {
         )
         .read_as(
             "The page counts the driver's angle from the line of centres. No other origin makes the formula right, \
-             because with the best one the ratio of six slots still differs by up to 0.50.",
+             because even with the best one the ratio for six slots differs from the right one by up to 0.50.",
         )
         .corrected(
             r"\omega_g/\omega_d = \frac{r (d \cos\phi - r)}{d^2 + r^2 - 2 d r \cos\phi}",

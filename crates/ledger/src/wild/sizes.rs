@@ -106,8 +106,8 @@ fn wrong() -> Vec<Claim> {
             driver,
         )
         .read_as(
-            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the centre \
-             distance of the same page, the pin fits for six slots alone, and the rim does not.",
+            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the \
+             page's own centre distance, the pin fits for six slots alone, and the rim does not fit.",
         )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",
@@ -136,8 +136,9 @@ fn wrong() -> Vec<Claim> {
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
             slip(
-                "The root is the length of the sum of two arms of one radius, 180°/n apart. But in a Geneva mechanism \
-                 the two arms, crank and wheel radius, are at right angles, and they are equal only for four slots.",
+                "The printed root is the length of the sum of two arms of equal radius, 180°/n apart. But in a Geneva \
+                 mechanism the two arms, crank and wheel radius, are at right angles, and they are equal only for \
+                 four slots.",
                 TWICE,
                 "The formula puts the axes too far apart for three, four and five slots, and too close together for \
                  more. With four slots the distance should be 1.41 crank radii, but the formula gives 1.85, so the pin \
@@ -168,16 +169,16 @@ fn oxiphysics() -> Vec<Claim> {
         )
         .read_as(
             "The page explains the outer radius as the distance from the centre to the bottom of a slot. But the \
-             bottom is d − r from the wheel's axis, so the formula is wrong for that as well.",
+             bottom is d − r from the wheel's axis, so the formula is wrong for that distance as well.",
         )
         .corrected(
             r"R = \sqrt{d^2 - r^2}",
             slip(
-                "The right angle of the triangle is at the pin, not at the driver's axis, so the centre distance is \
-                 its longest side.",
+                "In the triangle of the two axes and the pin, the right angle is at the pin, not at the driver's \
+                 axis. So the centre distance is the longest side.",
                 TWICE,
                 "The formula makes the wheel's radius longer than the centre distance, so the wheel would cover the \
-                 driver's axis. The slot's depth in the same module becomes too long with it.",
+                 driver's axis. As a result, the slot's depth in the same module is too long.",
             ),
         ),
         formula(

@@ -34,9 +34,9 @@ pub fn claims() -> Vec<Claim> {
                         "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
                          of steps in a turn of the wheel. A turn of the driver makes one step for each pin. The most \
                          pins that fit are six, and only on a wheel of three slots. That gives 1 to 6 steps.",
-                        "Each move takes its part of a turn of the driver, and one turn has no room for so many \
-                         parts.",
-                        "A reader expects up to eighteen steps for a turn of the input shaft.",
+                        "Each move takes a certain part of a turn of the driver, and one turn has no room for as many \
+                         moves as the page says.",
+                        "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
                     )
                 },
             ),

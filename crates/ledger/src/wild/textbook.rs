@@ -86,7 +86,7 @@ pub fn claims() -> Vec<Claim> {
                         "500 mm times the square of 10 rad/s is 50,000 mm/s², ten times the printed product. With the \
                          crank radius of the problem, 50 mm, the product is right.",
                         "We used the crank radius of the problem that the page continues.",
-                        "Nothing changes that is printed after it.",
+                        "Nothing changes in what is printed after it.",
                     )
                 },
             ),
@@ -123,8 +123,8 @@ pub fn claims() -> Vec<Claim> {
                     origin: Origin::Copy,
                     consequence: Consequence::Copy,
                     ..slip(
-                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost, \
-                         because the stored copy has a degree sign in its place, before the 0.",
+                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost: \
+                         before the 0, where the digit should be, the stored copy has a degree sign.",
                         "We used the coordinates of the pin and of the driver's axis.",
                         "We don't know what this error affects, because our copy of the page ends before the direction is used.",
                     )

@@ -8,8 +8,8 @@ const TWICE: &str = "The pin's place at entry, by coordinates, confirms the corr
 
 /// The page takes the wheel's turn for the driver's turn.
 const TURNED: &str = "While the wheel turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because its crank \
-                      is at right angles to the slot at the start and at the end. The two are the same for four slots \
-                      only.";
+                      is at right angles to the slot at the start and at the end. These two angles are the same for \
+                      four slots only.";
 
 /// How long a wheel moves, of the calculator.
 const DWELL: Slip = Slip {
@@ -127,8 +127,8 @@ fn star() -> Vec<Claim> {
         .in_error(slip(
             TURNED,
             TWICE,
-            "The rest is longer than the page says, and the move takes half of the time that it says. So a wheel of \
-             three slots is quick and rough.",
+            "The rest is longer than the page says, and the move takes half of the time that the page says. So a \
+             wheel of three slots is quick and rough.",
         )),
     ]
 }
@@ -146,9 +146,9 @@ fn oxiphysics() -> Vec<Claim> {
         .corrected(
             r"\alpha = \cos^{-1} \frac{r}{d}",
             slip(
-                "The angle whose sine is the crank radius over the centre distance is the wheel's angle, at the other \
-                 end of the line of centres. In the right-angled triangle of the two axes and the pin, the driver's \
-                 angle is a right angle less the wheel's angle.",
+                "If the sine of an angle is the crank radius over the centre distance, the angle is at the wheel's \
+                 axis, at the other end of the line of centres. In the right-angled triangle of the two axes and the \
+                 pin, the driver's angle is a right angle less the wheel's angle.",
                 TWICE,
                 "By this formula the wheel moves during 1/n of the cycle, which is right for four slots \
                  only. Another module of the same library has the right formula.",
@@ -262,8 +262,8 @@ fn fractions() -> Vec<Claim> {
                 consequence: Consequence::Derivation,
                 origin: Origin::Misprint,
                 ..slip(
-                    "The page sets a time beside an angle. The time of a rest is meant, because the two times are as \
-                     the two angles.",
+                    "The page divides a time by an angle. It must mean the time of a rest, because the two times are \
+                     in the ratio of the two angles.",
                     TWICE,
                     "Nothing changes, because the two times that follow are right.",
                 )

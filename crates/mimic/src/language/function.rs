@@ -233,8 +233,9 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Implicit),
         Assumed,
-        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A, at most \
-         1000 times, until the two agree to 1E-12 of their size. It must be alone in its expression",
+        "implicit: the value at which B, which may depend on it, gives that value back. It is found by repetition, \
+         beginning with A, at most 1000 times, until the two agree to 1E-12 of their size. IMP must be alone in its \
+         expression",
     ),
     function(("TAN", "A"), (1, 1), (Numbers, Plain(Operation::Tangent)), Assumed, "tangent of A radians"),
 ];
