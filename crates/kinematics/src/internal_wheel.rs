@@ -78,12 +78,16 @@ pub fn acceleration_ratio<S: Field>(sine: &S, crank: &Turn<S>) -> S {
 /// At the ends it jumps, and the jerk has no finite value.
 ///
 /// ```
-/// use geneva_kinematics::internal_wheel::jerk_ratio;
-/// use geneva_kinematics::{Turn, rational};
+/// use geneva_kinematics::internal_wheel::{acceleration_ratio, jerk_ratio};
+/// use geneva_kinematics::{Jet, Turn, rational};
 ///
+/// // The rate of the acceleration ratio with the crank angle, without rounding.
+/// let (sine, crank) = (rational(1, 2), Turn::from_half_tangent(&rational(1, 2)));
+/// let acceleration = acceleration_ratio(&Jet::constant(sine.clone()), &crank.moving::<2>(rational(1, 1)));
+/// assert_eq!(jerk_ratio(&sine, &crank), acceleration.rate());
 /// // In the middle it is −m (1 − m) / (1 + m)³.
 /// let middle = Turn { cos: rational(1, 1), sin: rational(0, 1) };
-/// assert_eq!(jerk_ratio(&rational(1, 2), &middle), rational(-2, 27));
+/// assert_eq!(jerk_ratio(&sine, &middle), rational(-2, 27));
 /// ```
 pub fn jerk_ratio<S: Field>(sine: &S, crank: &Turn<S>) -> S {
     let square = square(sine, crank);

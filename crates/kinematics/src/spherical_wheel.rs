@@ -80,12 +80,13 @@ pub fn acceleration_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
 /// At the ends of the engagement the acceleration jumps, and the jerk has no finite value.
 ///
 /// ```
-/// use geneva_kinematics::spherical_wheel::jerk_ratio;
-/// use geneva_kinematics::{Turn, rational};
+/// use geneva_kinematics::spherical_wheel::{acceleration_ratio, jerk_ratio};
+/// use geneva_kinematics::{Jet, Turn, rational};
 ///
-/// // In the middle it is −tan α (1 + 2 tan² α): −3 for four stations.
-/// let middle = Turn { cos: rational(1, 1), sin: rational(0, 1) };
-/// assert_eq!(jerk_ratio(&rational(1, 1), &middle), rational(-3, 1));
+/// // The rate of the acceleration ratio with the crank angle, without rounding.
+/// let (tangent, crank) = (rational(1, 1), Turn::from_half_tangent(&rational(1, 2)));
+/// let acceleration = acceleration_ratio(&Jet::constant(tangent.clone()), &crank.moving::<2>(rational(1, 1)));
+/// assert_eq!(jerk_ratio(&tangent, &crank), acceleration.rate());
 /// ```
 pub fn jerk_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
     let w = slope_squared(tangent, crank);

@@ -22,9 +22,9 @@ use std::f64::consts::PI;
 /// let four = Continuous::new(4, 4).expect("4 pins, 4 slots");
 /// assert!((four.centre_distance_ratio() - 2_f64.sqrt()).abs() < 1e-15); // sin 90° / sin 45°
 /// assert_eq!(four.at_hand_over(), AtHandOver::Rests); // 1/4 + 1/4 = 1/2
-/// let eight = Continuous::new(8, 8).expect("8 pins, 8 slots");
-/// assert_eq!((eight.rim_radius(), eight.at_hand_over()), (1.0, AtHandOver::TurnsOn));
-/// assert!((eight.hand_over_ratio() - 0.5_f64.sqrt()).abs() < 1e-15); // cos 45°
+/// let twelve = Continuous::new(12, 12).expect("12 pins, 12 slots");
+/// assert_eq!((twelve.rim_radius(), twelve.at_hand_over()), (1.0, AtHandOver::TurnsOn));
+/// assert!((twelve.hand_over_ratio() - 0.75_f64.sqrt()).abs() < 1e-15); // cos 30°
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Continuous {

@@ -33,12 +33,13 @@ pub struct PolarRates<S> {
 /// use geneva_kinematics::quick_return::series::polar_rates;
 /// use geneva_kinematics::{Turn, rational};
 ///
-/// // Axes 2 apart, crank 1, at crank angle zero, where r = 3 is greatest: ṙ = 0 and r̈ = −2 · 1 / 3.
-/// let along = Turn { cos: rational(1, 1), sin: rational(0, 1) };
+/// // Axes 2 apart and a crank of 1 at 90°: r² = 5 + 4 cos φ, so r ṙ = −2 and r r̈ + ṙ² = 0, with r² = 5.
+/// let across = Turn { cos: rational(0, 1), sin: rational(1, 1) };
 /// let drive = Drive::steady(rational(1, 1));
-/// let rates = polar_rates(&rational(2, 1), &rational(1, 1), &along, &drive).expect("off the pivot");
-/// assert_eq!((rates.turning, rates.sliding), (rational(1, 3), rational(0, 1)));
-/// assert_eq!(rates.sliding_rate, rational(-2, 9)); // r̈ / r
+/// let rates = polar_rates(&rational(2, 1), &rational(1, 1), &across, &drive).expect("off the pivot");
+/// assert_eq!(rates.sliding, rational(-2, 5)); // ṙ / r
+/// assert_eq!(rates.sliding_rate, rational(-4, 25)); // r̈ / r
+/// assert_eq!(rates.turning, rational(1, 5)); // the pin moves at 1 along the line of centres, 1 beside the pivot
 /// ```
 pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<PolarRates<S>> {
     let path = path(radius, ground, &crank.speeding_up(drive.speed.clone(), drive.acceleration.clone()));

@@ -32,12 +32,16 @@ pub fn acceleration_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
 /// Work::Jazar2003, example (e), derivative of Eq. (5.32).
 ///
 /// ```
-/// use geneva_kinematics::wheel::jerk_ratio;
-/// use geneva_kinematics::{Turn, rational};
+/// use geneva_kinematics::wheel::{acceleration_ratio, jerk_ratio};
+/// use geneva_kinematics::{Jet, Turn, rational};
 ///
-/// // On the line of centres it is −k (k + 1) / (k − 1)³: −6 for six stations, k = 2, without rounding.
+/// // The rate of the acceleration ratio with the crank angle, without rounding.
+/// let (ratio, crank) = (rational(2, 1), Turn::from_half_tangent(&rational(1, 2)));
+/// let acceleration = acceleration_ratio(&Jet::constant(ratio.clone()), &crank.moving::<2>(rational(1, 1)));
+/// assert_eq!(jerk_ratio(&ratio, &crank), acceleration.rate());
+/// // On the line of centres it is −k (k + 1) / (k − 1)³.
 /// let middle = Turn { cos: rational(1, 1), sin: rational(0, 1) };
-/// assert_eq!(jerk_ratio(&rational(2, 1), &middle), rational(-6, 1));
+/// assert_eq!(jerk_ratio(&ratio, &middle), rational(-6, 1));
 /// ```
 pub fn jerk_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
     let square = slot_radius_squared(ratio, crank);
