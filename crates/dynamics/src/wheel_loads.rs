@@ -88,6 +88,8 @@ pub struct Peaks {
 /// let entry = loads.at(-wheel.engagement_half_angle())?;
 /// assert!((entry.wheel_torque - (1e-3 * 10.0 * 10.0 + 0.5)).abs() < 1e-12); // N m
 /// assert!(entry.power.abs() < 1e-12); // N m/s: the wheel is still at rest
+/// // On the line of centres only friction is left, and the pin is √2 − 1 crank radii from the wheel's axis.
+/// assert!((loads.at(0.0)?.pin_moment - 0.5 / (2_f64.sqrt() - 1.0)).abs() < 1e-12); // N m
 /// // Over an index the inertia gives back what it took; friction takes its torque times a quarter of a turn.
 /// assert!((loads.work() - 0.5 * PI / 2.0).abs() < 1e-12); // N m
 /// assert_eq!(loads.mean_crank_torque(), 0.5 / 4.0); // N m
@@ -180,6 +182,18 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
     ///
     /// By the Gauss-Legendre rule of sixteen nodes on subintervals that are doubled until the result changes by less than
     /// a relative 10⁻¹³.
+    ///
+    /// ```
+    /// use geneva_dynamics::wheel_loads::WheelLoads;
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::spherical_wheel::SphericalWheel;
+    ///
+    /// // With many stations the wheel moves as a Scotch yoke: M tan α cos θ over half of the turn, whose RMS is M tan α / 2.
+    /// let wheel = SphericalWheel::new(1000)?;
+    /// let loads = WheelLoads::new(&wheel, 0.0, 2.0, 10.0)?; // no inertia, 2 N m of friction, 10 rad/s
+    /// assert!((loads.rms_crank_torque() / wheel.peak_velocity() - 1.0).abs() < 1e-4); // N m
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn rms_crank_torque(&self) -> f64 {
         let square = self.integral(|load| load.crank_torque * load.crank_torque);
         (square * f64::from(self.wheel.pins()) / TAU).sqrt()

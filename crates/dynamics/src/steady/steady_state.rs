@@ -25,6 +25,7 @@ use std::cell::LazyCell;
 /// let steady = Engagement::new(&timer(0.2)?)?.steady_state()?;
 /// assert!((steady.mean_speed * steady.period - FRAC_PI_2).abs() < 1e-12); // four pins: a quarter of a turn
 /// assert!(0.0 < steady.multiplier && steady.multiplier < 1.0);
+/// assert!(steady.minimum.speed < steady.mean_of_extremes() && steady.mean_of_extremes() < steady.peak.speed);
 /// // Without friction the speed grows without end.
 /// assert!(matches!(Engagement::new(&timer(0.0)?)?.steady_state(), Err(Error::NoTerminalSpeed { .. })));
 /// # Ok::<(), Error>(())

@@ -152,8 +152,12 @@ impl QuickReturn {
     /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
     ///
     /// let mechanism = QuickReturn::new(200.0, 100.0)?; // mm: the lever swings by 30° to either side
-    /// let near = mechanism.at_lever_degrees(0.0, Branch::Near)?;
-    /// assert!((near.crank.degrees().abs() - 180.0).abs() < 1e-12); // the crank points to the lever's pivot
+    /// let along = mechanism.at_lever_degrees(0.0, Branch::Near)?;
+    /// assert!((along.crank.degrees().abs() - 180.0).abs() < 1e-12); // the crank points to the lever's pivot
+    /// let [near, far] = [Branch::Near, Branch::Far].map(|branch| mechanism.at_lever_degrees(15.0, branch));
+    /// // Half-way between the two places of the pin is the foot of the perpendicular from the crank's axis.
+    /// let sum = near?.pin_distance + far?.pin_distance; // mm
+    /// assert!((sum - 2.0 * 200.0 * 15_f64.to_radians().cos()).abs() < 1e-12);
     /// assert!(mechanism.at_lever_degrees(31.0, Branch::Near).is_err());
     /// # Ok::<(), geneva_kinematics::KinematicsError>(())
     /// ```
