@@ -50,7 +50,10 @@ pub fn symbols(slug: &str) -> anyhow::Result<Table> {
     let rows = triangle.chain(others).map(|symbol| {
         let parts = [of_triangle(&symbol).map_or("", |letter| letter.meaning), symbol.meaning];
         let meaning = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
-        Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), tex_or_text(symbol.printed)?])
+        // An index is set as one.
+        let has_index = symbol.printed.contains('_');
+        let printed = if has_index { maths::formula(symbol.printed, false) } else { tex_or_text(symbol.printed) };
+        Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), printed?])
     });
     table("Letters", Cells::Words, &["In this book", "What it stands for", "In the source"], rows)
 }
