@@ -32,7 +32,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
 
 /// A number of the records of misprints.
 fn misprints(name: &str) -> anyhow::Result<String> {
-    let lines = [MISPRINTS, MISPRINTS_OF_WRONG].into_iter().flat_map(str::lines).filter_map(|line| line.split_once(','));
+    let lines =
+        [MISPRINTS, MISPRINTS_OF_WRONG].into_iter().flat_map(str::lines).filter_map(|line| line.split_once(','));
     let found = lines.into_iter().find_map(|(known, number)| (known == name).then(|| number.to_owned()));
     found.with_context(|| format!("the record of misprints has no line `{name}`"))
 }
