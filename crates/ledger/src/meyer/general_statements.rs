@@ -119,9 +119,9 @@ fn graphs() -> Vec<Claim> {
             )
             .missing(
                 "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \
-                 cent refer to. If it means the velocity at each angle, you get one rise time, and if it means the \
-                 average of peak and minimum, you get another. No definition that we tried reproduces even half of \
-                 the rise times of Appendix E, of which the figures are the summary",
+                 cent refer to. If they refer to the velocity at each angle, you get one rise time, and if they refer \
+                 to the average of peak and minimum, you get another. No definition that we tried reproduces even half \
+                 of the rise times of Appendix E, of which the figures are the summary",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),

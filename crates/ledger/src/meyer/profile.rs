@@ -30,9 +30,10 @@ pub fn claims() -> Vec<Claim> {
         scales(),
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
             "The text does not name the run. In the four-pin runs of the tables the velocity is steady only after 29 \
-             ms or more, by either reading, and no row has the rise time of the text. The first minima of two of \
-             these runs are at times that round to it, but the rise times of these two runs are longer by half or \
-             more. Besides, the run that is drawn need not be one of the runs of the tables",
+             ms or more, whether we go by the velocity at each angle or by the average of peak and minimum, and no row \
+             has the 25 ms that the text gives. The first minima of two of these runs are at times that round to 25 \
+             ms, but the rise times of these two runs are longer by half or more. Besides, the run that is drawn need \
+             not be one of the runs of the tables",
         ),
         first_minimum(),
     ]
