@@ -90,14 +90,15 @@ fn least_rise_time() -> Claim {
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as("We read it in this way: from some torque on, more torque does not shorten the rise.")
+        .read_as("We read the sentence in this way: from some torque on, more torque does not shorten the rise.")
         .corrected(
-            "fall without end, as the inverse of the root of the torque, so that every increase reduces it",
+            "fall without end, as the inverse of the root of the torque, so that every increase of the torque reduces \
+             the rise time",
             Slip {
                 id: "",
                 reason: "If the torque grows and all times shrink as the inverse of its root, Eq. (1-19) stays the \
-                         same. All times are in proportion to √(I_f/K), which falls as far as we like as K grows. So \
-                         there is no least time.",
+                         same. All times are in proportion to √(I_f/K), where I_f is the follower's inertia and K the \
+                         torque, and this root falls as far as we like as K grows. So there is no least time.",
                 witness: "We prove the law of similarity for the equation. We also show that the law fails if the \
                           times are not changed.",
                 origin: Origin::Concept,
