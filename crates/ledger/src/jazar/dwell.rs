@@ -10,13 +10,13 @@ const C: Place = at("Ex. (c)");
 /// The part of the cycle that moves, in the place of the part that stands still.
 const MOVING_PART: Slip = Slip {
     id: "jazar.ex-c.formula",
-    reason: "The advance takes 180° − 2α of the driver's turn, as the text itself says, and the dwell takes the rest. \
-             Instead, the formula gives the part of the cycle in which the wheel moves, and the numbers follow from \
-             the formula.",
-    witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle. \
-              For six stations, we get the right part from the crank angle at which the wheel is at rest, by power \
-              series. We also get it from the crank angle at which the wheel of this book changes between indexing \
-              and dwell.",
+    reason: "The advance takes 180° − 2α of the driver's turn, as the handout itself says, where α is half the angle \
+             between two slots. The dwell takes the rest of the turn. But the printed formula gives the part of the \
+             cycle in which the wheel moves, and the printed numbers follow from this formula.",
+    witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle. For \
+              six stations, we get the right part from the crank angle at which the wheel is at rest, by power series. \
+              We also get this part from the crank angle at which the wheel in this book's code changes between \
+              indexing and dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \

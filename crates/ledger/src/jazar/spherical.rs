@@ -56,8 +56,8 @@ fn locking() -> Claim {
         )
         .missing(
             "The text does not say what a planar wheel loses and a spherical wheel keeps. If it means the length of \
-             the arcs in wheel radii, a spherical wheel with axes at right angles loses as much. If it means that an \
-             arc locks at all, a planar wheel does not lose that either",
+             the locking arcs in wheel radii, a spherical wheel with axes at right angles loses as much. If it means \
+             that an arc locks at all, a planar wheel keeps that too",
         )
 }
 

@@ -153,9 +153,9 @@ fn corrected_centre(claim: Claim) -> Claim {
         "1.155",
         Slip {
             id: "",
-            reason: "One over the sine of 60° is 2/√3, which is a little less than the printed number. With 1.73 for \
-                     the root we get the printed number, but further down the appendix itself prints the root to one \
-                     place more. Or a digit was misread, by the author or in the copy.",
+            reason: "The centre distance is one over the sine of 60°, or 2/√3, which is a little less than the printed \
+                     number. With 1.73 for √3 we get the printed number, but further down the appendix itself prints \
+                     √3 to one place more. It is also possible that a digit was misread, by the author or in the copy.",
             witness: "We computed the hand-over by coordinates, with exact roots.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Number,

@@ -31,10 +31,10 @@ fn needed() -> Claim {
             "the program would have no acceleration to begin with if the start did not have a line of its own",
         )
         .missing(
-            "The thesis does not say what the delay gives before there is a value. If it gives nothing, F has no sign \
-             at the start, so a value is required. If it gives zero, the line that computes the acceleration begins \
-             by itself, with the same first value. The reason is that a pin enters along its slot, where the friction \
-             has no moment arm",
+            "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \
+             F, from which the friction takes its sign, has no sign at the start, so a value is required. If the delay \
+             gives zero, the line that computes the acceleration begins by itself, with the same first value. The \
+             reason is that a pin enters along its slot, where the friction has no moment arm",
         )
 }
 

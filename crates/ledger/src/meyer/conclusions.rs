@@ -90,11 +90,11 @@ fn small_variations() -> Claim {
             "small changes of the parameters change the motion little",
         )
         .missing(
-            "The thesis does not say what it would call serious, and the three obvious measures disagree. In all \
-             runs, one per cent of torque, friction or an inertia changes peak, minimum and period of the steady \
-             motion by less than one per cent. In some runs it changes the rise time by more than one per cent, if \
-             the velocity at each angle counts. If the average of peak and minimum counts, it does so in no run, but \
-             a few per cent can shorten the rise by a whole engagement, which is half of its time. And a clock that \
+            "The thesis does not say what it would call a serious effect, and the three obvious measures disagree. In \
+             all runs, one per cent of torque, friction or an inertia changes peak, minimum and period of the steady \
+             motion by less than one per cent. In some runs it changes the rise time by more than one per cent, if the \
+             velocity at each angle counts. If the average of peak and minimum counts, this happens in no run, but a \
+             few per cent can shorten the rise by a whole engagement, which is half of the rise time. And a clock that \
              goes by the mechanism gains or loses minutes a day",
         )
 }

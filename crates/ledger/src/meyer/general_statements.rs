@@ -90,14 +90,15 @@ fn least_rise_time() -> Claim {
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as("We read it in this way: from some torque on, more torque does not shorten the rise.")
+        .read_as("We read the sentence in this way: from some torque on, more torque does not shorten the rise.")
         .corrected(
-            "fall without end, as the inverse of the root of the torque, so that every increase reduces it",
+            "fall without end, as the inverse of the root of the torque, so that every increase of the torque reduces \
+             the rise time",
             Slip {
                 id: "",
                 reason: "If the torque grows and all times shrink as the inverse of its root, Eq. (1-19) stays the \
-                         same. All times are in proportion to √(I_f/K), which falls as far as we like as K grows. So \
-                         there is no least time.",
+                         same. All times are in proportion to √(I_f/K), where I_f is the follower's inertia and K the \
+                         torque, and this root falls as far as we like as K grows. So there is no least time.",
                 witness: "We prove the law of similarity for the equation. We also show that the law fails if the \
                           times are not changed.",
                 origin: Origin::Concept,
@@ -119,9 +120,9 @@ fn graphs() -> Vec<Claim> {
             )
             .missing(
                 "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \
-                 cent refer to. If it means the velocity at each angle, you get one rise time, and if it means the \
-                 average of peak and minimum, you get another. No definition that we tried reproduces even half of \
-                 the rise times of Appendix E, of which the figures are the summary",
+                 cent refer to. If they refer to the velocity at each angle, you get one rise time, and if they refer \
+                 to the average of peak and minimum, you get another. No definition that we tried reproduces even half \
+                 of the rise times of Appendix E, of which the figures are the summary",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),

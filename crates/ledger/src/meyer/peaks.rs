@@ -18,16 +18,18 @@ const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 /// The driver's peaks are put where a pin enters and the next one leaves.
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
-    reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the \
-             pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D. This acceleration \
-             is zero at one speed only, and in every run the steady speed at entry is a different one. How far the \
-             peak is from the entry depends on the ratio of the inertias. In the runs of six pins the driver is \
-             heavy, and the peak follows so soon after the entry that it is higher than the speed at entry by one \
-             unit of the tables at most. In the runs of four and three pins the driver is light. While the pin still \
-             bears on the trailing flank, the friction already exceeds the spring, so the peak comes before the pin \
-             leaves. If the two discs are alike, as in the thesis's own estimate, all three drivers are fastest \
-             within three degrees past the entry. At the entry they already have 98 per cent of that speed or more, \
-             so for these drivers the sentence is nearly right.",
+    reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the pin \
+             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the \
+             friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
+             distance a in crank radii. This acceleration is zero at one speed only, and in every run the steady speed \
+             at entry is a different one. How far the peak is from the entry depends on the ratio of the inertias. In \
+             the runs of six pins the driver is heavy, and the peak follows so soon after the entry that the peak is \
+             higher than the speed at entry by one unit of the tables at most. In the runs of four and three pins the \
+             driver is light. While the pin still bears on the trailing flank, the friction already exceeds the \
+             spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as in \
+             the thesis's own estimate of the inertias, all three drivers are fastest within three degrees past the \
+             entry. At the entry they already have 98 per cent of that speed or more, so for these drivers the \
+             sentence is nearly right.",
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
@@ -38,13 +40,14 @@ const PEAKS_AT_ENTRY: Slip = Slip {
 /// The extremes between two peaks are put on the line of centres.
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
-    reason: "On the line of centres the pin does not slide, so the spring acts unbraked: A θ'' = E, and θ'' is \
-             positive. The driver therefore has its minimum before that line. On the line the ratio of the follower's \
-             speed to the driver's is greatest, so φ'' is that ratio times θ'' and is positive as well. The follower \
-             is fastest where the pin goes over to the trailing flank of its slot. In the runs of six and four pins \
-             the driver's minimum is so flat that its speed on the line of centres is above the minimum by less than \
-             a unit of the tables. In some runs of three pins, the driver's speed on the line is above the minimum by \
-             more than a unit. In all runs, the follower's speed on the line is below its maximum by more than a unit.",
+    reason: "On the line of centres the pin does not slide, so the spring acts unbraked. By Eq. (1-19), A θ'' = E \
+             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver therefore has its \
+             minimum before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
+             the follower's acceleration φ'' is this ratio times θ'' and is positive as well. The follower is fastest \
+             where the pin goes over to the trailing flank of its slot. In the runs of six and four pins the driver's \
+             minimum is so flat that its speed on the line of centres is above the minimum by less than a unit of the \
+             tables. In some runs of three pins, the driver's speed on the line is above the minimum by more than a \
+             unit. In all runs, the follower's speed on the line is below its maximum by more than a unit.",
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,

@@ -5,10 +5,10 @@ use crate::{Consequence, Origin, Slip};
 /// The program puts the driver back after a quarter of a turn, whatever the number of pins.
 pub const RESET_ANGLE: Slip = Slip {
     id: "meyer.listing.fold",
-    reason: "The next pin takes over after the driver has turned by 2π/m. That is 90° for four pins, but 60° for six \
-             and 120° for three. With 90°, the program follows a pin of the six-pin mechanism to 60°, which is 30° \
-             beyond the end of its slot. In the three-pin mechanism it drops the pin at 30°, while the follower still \
-             turns.",
+    reason: "The next pin takes over after the driver has turned by 2π/m, where m is the number of pins. That is 90° \
+             for four pins, but 60° for six and 120° for three. With 90°, the program follows a pin of the six-pin \
+             mechanism to 60°, although the pin leaves its slot at 30°. In the three-pin mechanism the program drops \
+             the pin at 30°, while the follower still turns.",
     witness: "We computed all pins by coordinates, and the pin nearest to the follower's axis is at the corrected \
               angle.",
     origin: Origin::Concept,
@@ -21,19 +21,20 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
     reason: "Compared with Fig. 11, the heading swaps the inertias of driver and follower. Only Fig. 11's choice \
              gives the table's peaks, minima and periods.",
-    witness: "Fig. 11 gives each member the other's inertia. Its two values agree with the inertias that we find from \
+    witness: "Fig. 11 gives the driver the inertia that the heading gives the follower, and the follower the inertia \
+              that the heading gives the driver. The two values of Fig. 11 agree with the inertias that we find from \
               the table's results by two routes.",
     origin: Origin::Misprint,
     consequence: Consequence::Result,
-    changes: "If you recompute the table with the inertias of its heading, you do not get its numbers.",
+    changes: "If you recompute the table with the inertias of its heading, you do not get the table's numbers.",
 };
 
 /// The spring's torque is called a rate.
 pub const SPRING_RATE: Slip = Slip {
     id: "meyer.spring-rate",
     reason: "By Eq. (1-15) the torque of the spring is K itself, whatever the angle, and the text uses K in this way. \
-             But a spring rate is a torque for each radian of winding. Inch-pounds per radian can be read as a \
-             torque, because a torque is the work done per radian, so only the word is wrong.",
+             But a spring rate is a torque for each radian of winding. Inch-pounds per radian can be read as a torque, \
+             because a torque is the work done per radian, so only the word “rate” is wrong.",
     witness: "In Eq. (1-18) and in the program, K alone is in a place that needs a torque.",
     origin: Origin::Misprint,
     consequence: Consequence::Wording,
@@ -133,10 +134,10 @@ pub const ONE_AS_L: Slip = Slip {
 /// The equation with its bars is said to have no solution for the acceleration.
 pub const SOLVED_WITH_BARS: Slip = Slip {
     id: "meyer.app-b.cannot-be-solved",
-    reason: "Where A > |D|, as in all runs of the thesis, θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − \
-             D²). The left side of the equation then grows with θ'' throughout, so there is one solution. The formula \
-             gives it whatever the sign of the expression between the bars. So we need to know neither that sign nor \
-             an earlier acceleration.",
+    reason: "Where A > |D|, as in all runs of the thesis, the left side of Aθ'' + Bθ'² + |Cθ'² + Dθ''| = E grows with \
+             θ'' throughout, so there is one solution: θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − D²). \
+             This formula is right whatever the sign of the expression between the bars of the equation. So we need to \
+             know neither that sign nor an earlier acceleration.",
     witness: "With the factors from the mechanism by coordinates and Newton's laws, the formula gives the \
               acceleration that these laws require.",
     origin: Origin::Concept,
@@ -148,11 +149,11 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
 /// A number in a row that nothing explains, because neither the mechanism nor the program gives it.
 pub const UNEXPLAINED: Slip = Slip {
     id: "",
-    reason: "The reset of the program is right for four pins, so both program and mechanism should have the printed \
-             peak. But both give a higher peak. The largest speed that the program prints is higher by more than one \
-             and a half units of the last digit. The mechanism's own peak, which we give as the right one, is higher \
-             by more than two and a half units. The minimum and the period of the same row fit. We do not know how \
-             the peak came to be printed.",
+    reason: "With four pins, the program resets the driver's angle correctly, so both program and mechanism should \
+             have the printed peak. But both give a higher peak. The largest speed that the program prints is higher \
+             than the printed peak by more than one and a half units of the last digit. The mechanism's own peak, \
+             which we give as the right one, is higher than the printed peak by more than two and a half units. The \
+             minimum and the period of the same row fit. We do not know how the printed peak came about.",
     witness: "The steady cycle of the mechanism, by quadrature and by Runge-Kutta steps, has a higher peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
@@ -163,33 +164,34 @@ pub const UNEXPLAINED: Slip = Slip {
 pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
     reason: "The print-out has one line for each print interval, so the true peak falls between two lines, sometimes \
-             nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak is, and \
-             the more of its height the lines miss. The peaks of the steady motion themselves are equal, and they \
-             grow as the root of the torque.",
+             nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak lasts, \
+             and the more of the peak's height the lines miss. The peaks of the steady motion themselves are equal, \
+             and they grow as the root of the torque.",
     witness: "If the program prints far more often, with everything else as in the listing, its peaks are equal.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "There is nothing in the mechanism to investigate, because the oscillations disappear if the lines are \
-              closer together. Where the true peak is short, the printed peak is too small.",
+    changes: "There is nothing in the mechanism to investigate, because the oscillations disappear if the lines of the \
+              print-out are closer together. Where the true peak lasts only a short time, the printed peak is too \
+              small.",
 };
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
 pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     id: "meyer.conclusion.three",
     reason: "A pin strikes the slot's wall if pin and wall have different velocities across the slot. So if the \
-             follower is at rest, the pin must move along the slot, but if the follower turns, the pin must not. The \
-             velocity ratio is an even function of the driver's angle. Therefore the leaving pin and the entering pin \
-             require the same speed of the follower, and nothing strikes. This holds for any numbers of pins and \
-             slots that are large enough to make a mechanism. For example, take five pins, five slots and a centre \
-             distance of the golden ratio times the crank radius. Each pin then takes over from the pin before it \
-             without a blow, although the follower never stops. Eq. (1-3) says which mechanisms have the follower at \
-             rest at each hand-over, and there are three.",
-    witness: "We checked pins and slots by coordinates. We also computed the motion of the other pairs in steps, with \
-              friction, and it reaches a terminal velocity.",
+             follower is at rest, the pin must move along the slot. But if the follower turns, the pin must move \
+             across the slot as fast as the wall does. The velocity ratio is an even function of the driver's angle. \
+             Therefore the leaving pin and the entering pin require the same speed of the follower, and nothing \
+             strikes. This holds for any numbers of pins and slots that are large enough to make a mechanism. For \
+             example, take five pins, five slots and a centre distance of the golden ratio times the crank radius. \
+             Each pin then takes over from the pin before it without a blow, although the follower never stops. Eq. \
+             (1-3) says which mechanisms have the follower at rest at each hand-over, and there are three.",
+    witness: "We checked pins and slots by coordinates. We also computed in steps, with friction, the motion of \
+              mechanisms with other numbers of pins and slots, and each of these motions reaches a terminal velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
-    changes: "There are more than three mechanisms to choose from, because in many others each pin takes over from \
-              the pin before it without a blow.",
+    changes: "There are more than three mechanisms to choose from, because in many other mechanisms, too, each pin \
+              takes over from the pin before it without a blow.",
 };
 
 /// The follower's angle φ has become the driver's angle θ.

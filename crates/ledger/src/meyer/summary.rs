@@ -74,7 +74,7 @@ pub fn claims() -> Vec<Claim> {
                     format!(
                         "to one per cent, the velocity at each angle becomes steady only after {FIFTY} ms in {} runs, \
                          and in the slowest of them after {:.1} ms. The average of peak and minimum becomes steady \
-                         only then in {} runs, and in the slowest of them after {:.1} ms",
+                         only after {FIFTY} ms in {} runs, and in the slowest of them after {:.1} ms",
                         beyond[0], most[0], beyond[1], most[1]
                     ),
                 )
@@ -86,16 +86,18 @@ pub fn claims() -> Vec<Claim> {
                 Slip {
                     id: "",
                     reason: "The claim disagrees with the thesis's own tables. A good part of the rise times of \
-                             Appendix E is longer than fifty milliseconds, with six pins and with four. That column \
-                             does not show what is right, because no definition that we tried explains it. But some \
-                             of the computed motions take longer than the abstract's time to come within one per cent \
-                             of the terminal velocity, whichever of the two readings of that velocity we take.",
+                             Appendix E is longer than fifty milliseconds, with six pins and with four. The column of \
+                             these rise times does not show what is right, because no definition of the rise time that \
+                             we tried explains the column. But some of the computed motions take longer than the \
+                             abstract's time to come within one per cent of the terminal velocity, whether we read \
+                             this as the velocity at each angle or as the average of peak and minimum.",
                     witness: "We solved the equation of motion for the ideal mechanisms.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Conclusion,
                     changes: "If you plan with the abstract's time, you allow too little. The longest rise of the \
-                              tables is twice as long. The longest rise of the ideal mechanisms is twice as long by \
-                              one reading of the terminal velocity, and nearly three times as long by the other.",
+                              tables is twice as long. The longest rise of the ideal mechanisms is twice as long if we \
+                              go by the velocity at each angle, and nearly three times as long if we go by the average \
+                              of peak and minimum.",
                 },
             ),
     ]

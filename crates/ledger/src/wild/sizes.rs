@@ -106,15 +106,16 @@ fn wrong() -> Vec<Claim> {
             driver,
         )
         .read_as(
-            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the \
-             page's own centre distance, the pin fits for six slots alone, and the rim does not fit.",
+            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the page's \
+             own formula for the centre distance, the pin's distance is right for six slots alone, and even then the \
+             wheel's radius does not fit.",
         )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",
             slip(
-                "Two circles whose radii add up to the distance of their centres touch in one point, on the line of \
-                 centres. But the pin must be inside the wheel there, in a slot, so its circle cuts the wheel's \
-                 circle.",
+                "By the printed formula, the radii of the wheel and of the pin's circle add up to the centre distance. \
+                 Two such circles touch in one point, on the line of centres. But on this line the pin must be inside \
+                 the wheel, in a slot, so the pin's circle must cut the wheel's rim.",
                 TWICE,
                 "The pin's circle touches the wheel's rim from outside. So the pin never enters a slot, and the wheel \
                  is not moved.",
@@ -136,9 +137,9 @@ fn wrong() -> Vec<Claim> {
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
             slip(
-                "The printed root is the length of the sum of two arms of equal radius, 180°/n apart. But in a Geneva \
-                 mechanism the two arms, crank and wheel radius, are at right angles, and they are equal only for \
-                 four slots.",
+                "The printed formula gives the length of the vector sum of two arms of this radius, 180°/n apart. But \
+                 in a Geneva mechanism the two arms, crank and wheel radius, are at right angles, and they are equal \
+                 only for four slots.",
                 TWICE,
                 "The formula puts the axes too far apart for three, four and five slots, and too close together for \
                  more. With four slots the distance should be 1.41 crank radii, but the formula gives 1.85, so the pin \
@@ -151,19 +152,14 @@ fn wrong() -> Vec<Claim> {
 
 fn oxiphysics() -> Vec<Claim> {
     vec![
-        formula(
-            RIGID,
-            "wild.oxiphysics.crank",
-            r"r = d \sin(\pi/n)",
-            "radius of the pin's circle",
-            ANY,
-            |fit| vec![("r", fit.crank), ("d", fit.centres), ("n", fit.slots)],
-        ),
+        formula(RIGID, "wild.oxiphysics.crank", r"r = d \sin(\pi/n)", "radius of the pin's circle", ANY, |fit| {
+            vec![("r", fit.crank), ("d", fit.centres), ("n", fit.slots)]
+        }),
         formula(
             RIGID,
             "wild.oxiphysics.rim",
             r"R = \sqrt{d^2 + r^2}",
-            "outer radius of the wheel",
+            "outer radius of the wheel, for centre distance d and crank radius r",
             ANY,
             rim,
         )
@@ -178,7 +174,7 @@ fn oxiphysics() -> Vec<Claim> {
                  axis. So the centre distance is the longest side.",
                 TWICE,
                 "The formula makes the wheel's radius longer than the centre distance, so the wheel would cover the \
-                 driver's axis. As a result, the slot's depth in the same module is too long.",
+                 driver's axis. As a result, the depth of the slots that the same module computes is too large.",
             ),
         ),
         formula(

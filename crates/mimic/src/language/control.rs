@@ -23,7 +23,7 @@ use Evidence::{Assumed, Both, Encyclopedia, Thesis};
 
 /// All control cards, and the names that are known without a card.
 pub static CARDS: [Card; 17] = [
-    card("C * /", "text", Both, "in column 1: a comment. C only before a blank, where columns do not count"),
+    card("C * /", "text", Both, "in column 1: a comment. C needs a blank after it where columns do not count"),
     card(
         "CON",
         "(names)",
@@ -47,7 +47,7 @@ pub static CARDS: [Card; 17] = [
         "ends the run at the next kept step when A is not below B; of several such cards, the first that ends the run \
          counts",
     ),
-    card("HDR", "(words)", Both, "heads the columns of the OUT card with the same number, one word for each"),
+    card("HDR", "(words)", Both, "heads the columns of the OUT card that has the same number, one word for each"),
     card("OUT", "(names)", Both, "prints the values of the names at each printed point"),
     card(
         "PLO",

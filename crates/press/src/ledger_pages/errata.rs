@@ -163,10 +163,13 @@ pub fn right(judged: &Judged) -> anyhow::Result<String> {
 /// How many printed numbers a slip makes wrong, and by how much.
 fn numbers(places: &Places) -> String {
     let number = places.wrong_numbers().count();
-    let of = if number == 1 { "one printed number".to_owned() } else { format!("{number} printed numbers") };
+    let (of, at_most) = match number {
+        1 => ("one printed number".to_owned(), ""),
+        _ => (format!("{number} printed numbers"), " at most"),
+    };
     places.greatest_change().map_or_else(String::new, |change| {
         let decimals = if change < 0.1 { 1 } else { 0 };
-        format!(" ({of}, wrong by {:.decimals$}&nbsp;% at most)", 100.0 * change)
+        format!(" ({of}, wrong by {:.decimals$}&nbsp;%{at_most})", 100.0 * change)
     })
 }
 

@@ -101,15 +101,15 @@ pub fn sensitivity() -> anyhow::Result<Table> {
         "friction, <small>s a day</small>",
         "driver, <small>s a day</small>",
         "follower, <small>s a day</small>",
-        "power of <br>friction",
+        "exponent of <br>friction",
         "half the <br>friction",
     ];
-    let caption = "What changes the rate. Four columns give the seconds that the timer gains in a day (or \
-                   loses, with a minus) if the torque, the friction, or the inertia of driver or follower is one per \
-                   cent larger, to first order. The next gives the power of the friction to which the mean speed is \
-                   proportional. The last says how much faster the timer runs with half the friction. The mechanisms \
-                   are ideal, with the inertias of the thesis's runs. The values are the same for a spring of any \
-                   strength";
+    let caption = "What changes the rate. Four columns give the seconds that the timer gains in a day (or loses, with \
+                   a minus) if the torque, the friction, or the inertia of driver or follower is one per cent larger, \
+                   to first order. The mean speed is proportional to a power of the friction, and the next column \
+                   gives its exponent. The last says how much faster the timer runs with half the friction. The \
+                   mechanisms are ideal, with the inertias of the thesis's runs. The values are the same for a spring \
+                   of any strength";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

@@ -77,10 +77,10 @@ fn solved() -> Vec<Claim> {
 }
 
 /// Why it is open what a program had to do about the loop of acceleration and sign.
-const IMPLICIT: &str = "Languages of this family have an implicit function, IMP, which finds a value from an equation \
-                        for it. The thesis does not say whether the MIMIC of 1973 had it. With IMP, the bars may stay \
-                        and the sign may come from the same instant. Without IMP, the lines are a loop that cannot be \
-                        sorted";
+const IMPLICIT: &str = "Languages like MIMIC have an implicit function, IMP, which finds a value from an equation for \
+                        it. The thesis does not say whether the MIMIC of 1973 had it. With IMP, the absolute-value \
+                        bars may stay and the friction's sign may come from the same instant. Without IMP, the lines \
+                        of acceleration and sign are a loop that cannot be sorted";
 
 /// The two lines of the display of S: an equation and its condition each.
 fn cases(tex: &str) -> Option<Vec<(String, String)>> {
@@ -283,11 +283,11 @@ fn old_acceleration() -> Vec<Claim> {
                 "the old acceleration is the acceleration a tenth of the print interval before",
             )
             .missing(
-                "The card asks for this acceleration. Whether the program gets it depends on what the system does \
-                 where a step is longer than the delay, and nothing about that is printed. In such a step our system \
-                 takes the latest value, and in each of the runs this happens in more than half of the steps. From \
-                 the tables we can tell a delay of a tenth of the interval from a delay of the whole interval, but \
-                 not from a delay of a twentieth",
+                "The card of the delay, TDL, asks for this acceleration. Whether the program gets it depends on what \
+                 the system does where a step of the integration is longer than the delay, and nothing about that is \
+                 printed. In such a step our system takes the latest value, and in each of the runs this happens in \
+                 more than half of the steps. From the tables we can tell a delay of a tenth of the interval from a \
+                 delay of the whole interval, but not from a delay of a twentieth",
             ),
         PROGRAM
             .statement("meyer.app-b.small-time", "SMT", "SMT is true until time zero and false after it")

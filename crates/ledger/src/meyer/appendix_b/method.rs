@@ -26,8 +26,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.method.one-value",
                 "made negligible by proper choice of the increment",
-                "if a step keeps the second derivative's value from its beginning, and takes the next first \
-                 derivative from it and the next value from that, the error goes away with the step",
+                "if the second derivative is taken as constant over a step, and gives the new first derivative, which \
+                 gives the new value, then the error tends to zero as the step gets shorter",
             )
             .by(ClosedForm, |stated| {
                 let errors: Vec<f64> = INCREMENTS.map(error_of_growth).to_vec();
