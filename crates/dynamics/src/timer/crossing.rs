@@ -29,7 +29,7 @@ use geneva_kinematics::{Turn, pin_slot};
 /// let pose = timer(1.0)?.pose(weak.to);
 /// let mass = 1.0 / (pose.square * (1.0 + pose.velocity_ratio().powi(2) / 0.1));
 /// let energy = mass * weak.closing_speed * weak.closing_speed / 2.0;
-/// assert!((weak.energy / energy - 1.0).abs() < 0.02); // the less play, the less
+/// assert!((weak.energy / energy - 1.0).abs() < 0.02); // the better the less play there is
 /// # Ok::<(), geneva_dynamics::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
