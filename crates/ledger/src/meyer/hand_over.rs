@@ -33,7 +33,7 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "To work means to reach a terminal velocity, as in the first conclusion. We count numbers of pins \
+    let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. We count numbers of pins \
                    and slots as a configuration if each pin takes over from the pin before without a gap, as chapter I \
                    requires. We tested whether the motion reaches a terminal velocity for all configurations of up to \
                    eight pins and eight slots, with the frictions of the runs and the inertias of the runs with six \

@@ -228,9 +228,9 @@ fn freecad() -> Claim {
         .corrected(
             "m = c z/a, R = b z/a",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.17 mm, although the play is 0.01 mm. The program \
-                 computes the radius b z/a, which would clear the horns, but it does not use this radius. The version \
-                 of the macro that opens a window uses it.",
+                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.17 mm, although the \
+                 play is 0.01 mm. The program computes the radius b z/a, which would clear the horns, but it does not \
+                 use this radius. The version of the macro that opens a window uses it.",
             ),
         )
 }
@@ -360,7 +360,8 @@ fn sdfx() -> Claim {
         .corrected(
             "a cut whose edges are where the pin enters and leaves",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.05 mm, although the clearance is 0.1 mm on either side.",
+                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.05 mm, although the \
+                 clearance is 0.1 mm on either side.",
             ),
         )
 }
@@ -369,7 +370,7 @@ const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
         "The program cuts out of the disc a circle of the wheel's radius about the wheel's axis, with the driver in \
          the middle of a move. But the disc turns together with its cut, so before and after the middle of the move \
-         the wheel's horns, the walls beside the slots, run into the disc.",
+         the horns run into the disc.",
         "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )
