@@ -34,7 +34,7 @@ pub fn claims() -> Vec<Claim> {
         C.value("jazar.ex-c.cycle", "1/6", "s", "duration of a cycle")
             .by(ClosedForm, || 60.0 / printed("jazar.ex.rpm"))
             .by(OtherPlaceInSource, || 1.0 / printed("jazar.ex-a.advances")),
-        C.equation("jazar.ex-c.product", r"\tau = \lambda T", "the time of the dwell is its part of the cycle's time")
+        C.equation("jazar.ex-c.product", r"\tau = \lambda T", "the dwell lasts its part λ of the time T of the cycle")
             .in_letters(PARTS),
         C.value("jazar.ex-c.dwell", "1/18", "s", "duration of the dwell, as a fraction")
             .by(ClosedForm, || seconds(printed("jazar.ex-c.fraction")))

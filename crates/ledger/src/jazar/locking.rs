@@ -11,8 +11,8 @@ pub(super) fn journal_bearing() -> Claim {
         .statement(
             "jazar.journal-bearing",
             "journal bearing",
-            "while it holds, the wheel's arc and the driver's journal form a bearing, because they have the same \
-             centre",
+            "while the wheel is held, its arc and the driver's journal form a bearing, because arc and journal have \
+             the same centre",
         )
         .by(ClosedForm, |stated| {
             for_all_stations(

@@ -53,7 +53,7 @@ fn conditions() -> Vec<Claim> {
             .statement(
                 "meyer.always-engaged",
                 "at least one pin",
-                "as an escapement it needs a pin engaged at every instant",
+                "as an escapement, the mechanism needs a pin engaged at every instant",
             )
             .missing(
                 "The thesis does not say whether every such escapement needs an engaged pin at every instant, or only \

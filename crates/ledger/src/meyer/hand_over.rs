@@ -18,8 +18,8 @@ pub fn along_the_slot() -> Claim {
         .statement(
             "meyer.along-the-slot",
             "along the centerline",
-            "for the motion to be continuous, the pin's velocity must be along the slot's centre line as it enters \
-             and leaves",
+            "for the motion to be continuous, the pin's velocity must be along the slot's centre line as the pin \
+             enters and leaves",
         )
         .by(Series, entry_by_series)
         .by(Vectors, entry_by_places)
@@ -33,7 +33,7 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "To work means to reach a terminal velocity, as in the first conclusion. We count numbers of pins \
+    let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. We count numbers of pins \
                    and slots as a configuration if each pin takes over from the pin before without a gap, as chapter I \
                    requires. We tested whether the motion reaches a terminal velocity for all configurations of up to \
                    eight pins and eight slots, with the frictions of the runs and the inertias of the runs with six \
@@ -58,7 +58,7 @@ pub fn conclusion() -> Vec<Claim> {
             .statement(
                 "meyer.conclusion.the-three",
                 "three pin / six slot mechanism; the four pin / four slot mechanism; and the six pin / three slot",
-                "the three that are named do work",
+                "the three mechanisms that the conclusion names do work",
             )
             .by(ClosedForm, |stated| named_work(stated, works_by_formula))
             .by(RungeKutta, |stated| named_work(stated, works_by_steps))

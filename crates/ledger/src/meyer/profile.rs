@@ -61,10 +61,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "Of the printed sentence, we ask only that with each mechanism the curve goes up and down equally often \
-             in all runs, as far as one unit of the tables lets us see. That is the least that a shape can mean. In \
-             the correction, the shape is how deep the minimum is, and how high the speed at entry is, both relative \
-             to the peak.",
+            "Of the printed sentence, we ask only that with each mechanism the curve goes up and down equally often in \
+             all runs, as far as we can see this in whole units of the tables. That is the least that a shape can \
+             mean. In the correction, the shape is how deep the minimum is, and how high the speed at entry is, both \
+             relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",

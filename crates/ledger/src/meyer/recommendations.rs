@@ -97,11 +97,11 @@ fn cyclic_oscillations() -> Claim {
             })
         })
         .read_as(
-            "Excessively high means ten times the greatest torque that the tables have for a mechanism and a friction. \
-             Significant means that, once the rise is over, the greatest and the least peak differ by 1 rad/s or more, \
-             which is one unit of the tables' peaks. With these meanings of the two words, the printed velocities of \
-             all groups of runs swing from about five times that greatest torque on. With three times that torque, not \
-             all groups swing.",
+            "“Excessively high” means ten times the greatest torque that the tables have for a mechanism and a \
+             friction. “Significant” means that, once the rise is over, the greatest and the least peak differ by 1 \
+             rad/s or more, which is one unit of the tables' peaks. In this sense the printed velocities of all groups \
+             of runs swing from about five times that greatest torque on. With three times that torque, not all groups \
+             swing.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \

@@ -21,9 +21,9 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
     reason: "Compared with Fig. 11, the heading swaps the inertias of driver and follower. Only Fig. 11's choice \
              gives the table's peaks, minima and periods.",
-    witness: "Fig. 11 gives the driver the inertia that the heading gives the follower, and the follower the inertia \
-              that the heading gives the driver. The two values of Fig. 11 agree with the inertias that we find from \
-              the table's results by two routes.",
+    witness: "Fig. 11 gives the driver the heading's inertia of the follower, and the follower the heading's inertia \
+              of the driver. These two values agree with the inertias that we find from the table's results by two \
+              routes.",
     origin: Origin::Misprint,
     consequence: Consequence::Result,
     changes: "If you recompute the table with the inertias of its heading, you do not get the table's numbers.",
@@ -151,9 +151,9 @@ pub const UNEXPLAINED: Slip = Slip {
     id: "",
     reason: "With four pins, the program resets the driver's angle correctly, so both program and mechanism should \
              have the printed peak. But both give a higher peak. The largest speed that the program prints is higher \
-             than the printed peak by more than one and a half units of the last digit. The mechanism's own peak, \
-             which we give as the right one, is higher than the printed peak by more than two and a half units. The \
-             minimum and the period of the same row fit. We do not know how the printed peak came about.",
+             than the printed peak by more than one and a half units of the last digit, and the mechanism's own peak, \
+             which we give as the right one, by more than two and a half units. The minimum and the period of the same \
+             row fit. We do not know how the printed peak came about.",
     witness: "The steady cycle of the mechanism, by quadrature and by Runge-Kutta steps, has a higher peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,

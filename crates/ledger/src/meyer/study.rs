@@ -83,7 +83,7 @@ pub fn of_parameters() -> Vec<Claim> {
                     ),
                 )
             })
-            .read_as("We read somewhat as by less than a factor of ten.")
+            .read_as("We read “somewhat” as less than a factor of ten.")
             .corrected(
                 "were 6 to 100 times this figure",
                 Slip {

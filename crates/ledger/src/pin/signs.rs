@@ -147,8 +147,8 @@ pub fn mark_d() -> Claim {
         .statement(
             "pin.mark-d",
             "d",
-            "the arrow before the angles of the pin's velocity and of its sliding velocity, which says what they are \
-             measured from",
+            "the arrow before the angles of the pin's velocity and of its sliding velocity, which says what these \
+             angles are measured from",
         )
         .by(Jet, |stated| {
             at_the_instant(|_, motion| {

@@ -38,8 +38,8 @@ pub fn claims() -> Vec<Claim> {
             .statement(
                 "quick-return.coriolis-direction",
                 r"\omega_4 \times v_{P2/P4}",
-                "the Coriolis acceleration has the direction of this product, although the text does not say which way \
-                 that is",
+                "the Coriolis acceleration has the direction of this product, although the text does not say which \
+                 direction that is",
             )
             .by(AutomaticDerivative, |stated| {
                 in_both_drawings(|instant| {

@@ -37,8 +37,8 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.velocity-equation",
                 r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
-                "velocity of the pin, as the velocity of the lever's point under it plus its velocity relative to the \
-                 lever",
+                "velocity of the pin, as the velocity of the lever's point under the pin plus the pin's velocity \
+                 relative to the lever",
             )
             .in_letters(VECTORS),
         THREE

@@ -228,9 +228,9 @@ fn freecad() -> Claim {
         .corrected(
             "m = c z/a, R = b z/a",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.17 mm, although the play is 0.01 mm. The program \
-                 computes the radius b z/a, which would clear the horns, but it does not use this radius. The version \
-                 of the macro that opens a window uses it.",
+                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.17 mm, although the \
+                 play is 0.01 mm. The program computes the radius b z/a, which would clear the horns, but it does not \
+                 use this radius. The version of the macro that opens a window uses it.",
             ),
         )
 }
@@ -274,7 +274,7 @@ fn freecad_arcs() -> Claim {
                 "We checked places all along an arc, by coordinates.",
                 "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
                  loose while it should rest. The version of the macro that opens a window puts this centre on the \
-                 wheel's axis.",
+                 driver's axis.",
             ),
         )
 }
@@ -302,7 +302,8 @@ fn cosmo() -> Claim {
         .example(
             "wild.cosmo.cut",
             "m = c, R = b, b - 0.2 - 0.6",
-            "circle that is cut out of the locking disc, and the wheel's radius less two clearances",
+            "circle that is cut out of the locking disc (distance m of its centre from the driver's axis, radius R), \
+             and the wheel's radius less two clearances",
         )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
@@ -319,7 +320,11 @@ fn openscad() -> Claim {
         stated.pick(wheel.with_clear_cut(), wheel.with_wheel_for_cut())
     };
     OPENSCAD
-        .example("wild.openscad.cut", "v = 25 z/a, 5 slots", "cut in the locking disc of the wheel that is shipped")
+        .example(
+            "wild.openscad.cut",
+            "v = 25 z/a, 5 slots",
+            "radius v of the cut in the locking disc, of radius z, of the wheel that is shipped, for crank radius a",
+        )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as("We ask whether the wheel clears the disc.")
@@ -355,7 +360,8 @@ fn sdfx() -> Claim {
         .corrected(
             "a cut whose edges are where the pin enters and leaves",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.05 mm, although the clearance is 0.1 mm on either side.",
+                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.05 mm, although the \
+                 clearance is 0.1 mm on either side.",
             ),
         )
 }
@@ -364,7 +370,7 @@ const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
         "The program cuts out of the disc a circle of the wheel's radius about the wheel's axis, with the driver in \
          the middle of a move. But the disc turns together with its cut, so before and after the middle of the move \
-         the wheel's horns, the walls beside the slots, run into the disc.",
+         the horns run into the disc.",
         "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )

@@ -50,11 +50,11 @@ const FRACTION: Slip = slip(
      every third turn of the crank only. Five slots need the ratio 10.",
 );
 
-const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves. The \
-                           pinion must also make a whole number of turns against the crank in a turn of the crank. By \
-                           the first condition, the ratio must be a multiple of the printed 2n/(n − 2) for an external \
-                           wheel, and of 2n/(n + 2) for an internal wheel. By the second condition, the ratio must be \
-                           an integer. So k is the least integer that makes the ratio an integer.";
+const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and \
+                           also in a full turn of the crank. By the first condition, the ratio must be a multiple of \
+                           the printed 2n/(n − 2) for an external wheel, and of 2n/(n + 2) for an internal wheel. By \
+                           the second condition, the ratio must be an integer. So k is the least integer that makes \
+                           the ratio an integer.";
 
 /// What the ratio of teeth is for, with an external and with an internal wheel.
 const GEARS: [&str; 2] = [

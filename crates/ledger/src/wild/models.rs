@@ -157,7 +157,7 @@ fn freecad() -> Claim {
                  comment of the program gives formulas in which you can choose only one radius.",
                 TWICE,
                 "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
-                 strikes a horn beside the slot, and the example cannot turn.",
+                 strikes a wall beside the slot, and the example cannot turn.",
             ),
         ),
     )

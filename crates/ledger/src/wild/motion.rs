@@ -173,7 +173,7 @@ fn statements() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| starts(stated, |ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
             .by(AutomaticDerivative, |stated| starts(stated, rate_by_duals))
-            .read_as("Smoothly means here that the wheel starts from rest.")
+            .read_as("“Smoothly” means here that the wheel starts from rest.")
             .but_not("the wheel does so with an angle of 80° at the pin"),
         SPECTRA
             .statement(

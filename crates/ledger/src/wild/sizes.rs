@@ -314,8 +314,8 @@ fn generators() -> Vec<Claim> {
             GENEVA_GEN,
             "wild.geneva-gen.rim",
             r"b^2 = c^2 - a^2",
-            "wheel radius, if the crank radius is given, as in the newest version that is stored, whereas both were \
-             given in an older one",
+            "wheel radius from the crank radius, in the newest version that is stored, whereas an older version took \
+             both radii as given",
             ANY,
             |fit| vec![("b", fit.rim), ("c", fit.centres), ("a", fit.crank)],
         ),
@@ -364,7 +364,7 @@ fn of_four() -> Vec<Claim> {
             .statement(
                 "wild.compass.bottom",
                 "tangent to circle",
-                "the slots of a wheel of four end on the circle about its axis that touches the pin's circle",
+                "the slots of a wheel of four end on the circle about the wheel's axis that touches the pin's circle",
             )
             .by(ClosedForm, |stated| bottom(&Fit::by_wheel(4), stated))
             .by(Vectors, |stated| bottom(&Fit::by_vectors(4), stated))

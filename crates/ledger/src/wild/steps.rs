@@ -92,7 +92,7 @@ pub fn claims() -> Vec<Claim> {
              pass.",
         ),
         fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0)
-            .read_as("The page speaks of separators, which we read as the slots.")
+            .read_as("The page speaks of “separators”, which we read as the slots.")
             .corrected(
                 "N > 2",
                 Slip {

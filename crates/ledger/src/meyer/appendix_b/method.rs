@@ -272,9 +272,9 @@ fn advantages() -> Vec<Claim> {
                 "over the interval",
                 Slip {
                     id: "",
-                    reason: "The paragraphs before cut the whole range into intervals of the width h, and each of \
-                             these into four subintervals. When y_1 is known, the interval from x_0 to x_1 has been \
-                             integrated over.",
+                    reason: "The paragraphs before this one cut the whole range into intervals of the width h, and \
+                             each of these into four subintervals. When y_1 is known, the interval from x_0 to x_1 has \
+                             been integrated over.",
                     witness: "A run of the classical method goes on by whole steps.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,
