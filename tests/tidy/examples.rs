@@ -79,7 +79,7 @@ fn without_an_example(text: &str) -> Vec<String> {
         let is_new = named(line, &["    pub fn ", "    pub const fn "]) == Some("new");
         let made = block.filter(|_| is_new && !has_one(at));
         let public = |line: &&str| named(line, &["pub struct ", "pub enum "]).is_some_and(|of| made == Some(of));
-        if let Some(of) = lines.iter().position(|line| public(&line))
+        if let Some(of) = lines.iter().position(public)
             && !has_one(of)
         {
             found.push(format!("{}: {}", of + 1, lines[of].trim_end_matches(" {")));
