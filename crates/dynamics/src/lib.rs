@@ -11,13 +11,15 @@
 //! use geneva_kinematics::{Mechanism, wheel::Wheel};
 //! use std::f64::consts::FRAC_PI_2;
 //!
-//! // An escapement with four pins: inertias in kg m², torque in N m, friction without a unit.
-//! let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2e-6, 1e-6)?, 1e-3, 0.2)?;
-//! let steady = Engagement::new(&timer)?.steady_state()?; // speeds in rad/s, times in s
-//! assert!((steady.mean_speed * steady.period - FRAC_PI_2).abs() < 1e-12); // a quarter of a turn per pin
-//! assert!(steady.multiplier < 1.0); // a disturbance shrinks from one engagement to the next
+//! // An escapement with four pins turns by a quarter of a turn per pin.
+//! let inertias = Inertias::new(2e-6, 1e-6)?; // driver and follower, kg m²
+//! let (torque, friction) = (1e-3, 0.2); // N m, coefficient
+//! let timer = Parameters::new(Mechanism::FOUR_PIN, inertias, torque, friction)?;
+//! let steady = Engagement::new(&timer)?.steady_state()?; // rad/s and s
+//! assert!((steady.mean_speed * steady.period - FRAC_PI_2).abs() < 1e-12);
+//! assert!(steady.multiplier < 1.0); // a disturbance shrinks
 //!
-//! // A wheel of four stations with 1e-3 kg m² and no friction, driven at 10 rad/s.
+//! // A wheel of four stations with 1e-3 kg m² and no friction, at 10 rad/s.
 //! let wheel = Wheel::new(4)?;
 //! let loads = WheelLoads::new(&wheel, 1e-3, 0.0, 10.0)?;
 //! let entry = loads.at(-wheel.engagement_half_angle())?;

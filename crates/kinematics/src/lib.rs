@@ -9,16 +9,18 @@
 //! use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
 //! use std::f64::consts::PI;
 //!
-//! // A wheel of four stations, driven at 10 rad/s.
+//! // A wheel of four stations, driven at 10 rad/s, moves for a quarter of a turn.
 //! let (wheel, driver_speed) = (Wheel::new(4)?, 10.0);
-//! assert!((wheel.indexing_time(driver_speed)? - PI / 20.0).abs() < 1e-15); // s: a quarter of the driver's turn
+//! let move_time = wheel.indexing_time(driver_speed)?; // s
+//! assert!((move_time - PI / 2.0 / 10.0).abs() < 1e-15);
 //! let peak = driver_speed * wheel.peak_velocity(); // rad/s
 //! assert!((peak - 10.0 * (1.0 + 2_f64.sqrt())).abs() < 1e-13);
 //!
-//! // Its sizes with the axes 100 mm apart. No part touches another over a whole turn.
-//! let sizes = Sizes::new(wheel, Scale::CentreDistance(100.0), &Choices::default())?;
-//! assert!((sizes.crank_radius - 100.0 / 2_f64.sqrt()).abs() < 1e-12); // mm
-//! assert!(sizes.clearance().least().distance > 0.0); // mm
+//! // Sizes in mm with the axes 100 mm apart. No part touches another.
+//! let scale = Scale::CentreDistance(100.0);
+//! let sizes = Sizes::new(wheel, scale, &Choices::default())?;
+//! assert!((sizes.crank_radius - 100.0 / 2_f64.sqrt()).abs() < 1e-12);
+//! assert!(sizes.clearance().least().distance > 0.0);
 //!
 //! // An escapement is a wheel without dwell. With four slots it needs four pins.
 //! assert_eq!(Mechanism::new(4)?.pins(), 4);
