@@ -28,7 +28,7 @@ fn needed() -> Claim {
         .statement(
             "meyer.app-d.needed",
             "requires a value for the second derivative",
-            "the program would have no acceleration to begin with if the start did not have a line of its own",
+            "without a line of its own for the start, the program would have no first acceleration",
         )
         .missing(
             "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \

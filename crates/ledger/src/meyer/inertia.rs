@@ -215,7 +215,7 @@ fn estimate() -> Vec<Claim> {
                     reason: "The numbers of the display before this one give a little less than 0.45, which to one \
                              digit is 0.4. The thesis writes “approximately equal” here, and its next sentence says \
                              “about”. But here, as everywhere, we judge the digit that is printed.",
-                    witness: "Half of the disc's mass times the square of its radius.",
+                    witness: "We computed half of the disc's mass times the square of its radius.",
                     origin: Origin::Arithmetic,
                     consequence: Consequence::Number,
                     changes: "",

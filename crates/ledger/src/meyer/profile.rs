@@ -72,9 +72,7 @@ fn shape() -> Claim {
                 id: "",
                 reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \
                          change how deep the minimum is relative to the peak and how fast a pin enters. They even \
-                         change how often the curve goes up and down in an engagement. With six pins and little \
-                         friction the second rise after an entry is too small to be seen in the tables' units, but \
-                         with more friction it can be seen. The tables themselves have curves that are no copies of \
+                         change how often the curve goes up and down in an engagement. With six pins the speed dips shortly before the hand-over and rises again until just after it. With little friction this second rise is too small to be seen in the tables' units, but with more friction it can be seen. The tables themselves have curves that are no copies of \
                          each other: with four pins, one run has a least speed of 25 and a peak of 206, and another \
                          has the same least speed but a peak of 163.",
                 witness: "We computed the motions in steps of the angle.",

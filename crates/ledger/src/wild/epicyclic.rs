@@ -44,7 +44,7 @@ const LEAST: [&str; 2] = [r"\frac{Z_g}{Z_p} = k \frac{2 n}{n - 2}", r"\frac{Z_g}
 /// The slip of a ratio that need not be an integer. For an internal wheel, the page gives the ratio of an external one.
 const FRACTION: Slip = slip(
     WHOLE_TURNS,
-    "We computed the pin's motion by coordinates, for all ratios that are multiples of a twelfth. The pin must move \
+    "We computed the pin's motion by coordinates, for all ratios up to twice the number of slots in steps of a twelfth. The pin must move \
      along the slot as it leaves one slot and as it comes to the next one.",
     "The formula is right for three, four and six slots. For five it gives 10/3, so the pin comes back to its place in \
      every third turn of the crank only. Five slots need the ratio 10.",
