@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn the_printed_rise_times_go_up_in_eight_pairs() {
-        let printed = rise_times::with_more_friction();
+        let printed = geneva_case1973::rise_times::with_more_friction(rows());
         assert_eq!((printed.up, printed.pairs), (8, 34));
     }
 

@@ -5,16 +5,16 @@ use crate::lookup::judged;
 use crate::numbers::fixed;
 use crate::rows::score;
 use anyhow::Context;
-use geneva_dynamics::likelihood::Law;
+use geneva_case1973::chance::{self, Shuffled};
+use geneva_case1973::choice::rows_of;
+use geneva_case1973::fitted::Freed;
+use geneva_case1973::likelihood::Law;
+use geneva_case1973::rise_times::{with_more_friction, with_more_torque};
+use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::chance::{self, Shuffled};
-use geneva_ledger::meyer::runs::data::freed::Freed;
-use geneva_ledger::meyer::runs::rise_times::{
-    Group, OF_A_PART, Tried, explained, groups, with_more_friction, with_more_torque,
-};
+use geneva_ledger::meyer::runs::rise_times::{Group, OF_A_PART, Tried, explained, groups};
 use geneva_ledger::meyer::runs::{
-    Column, EXPLAINED, Fit, Hypothesis, Reading, Reset, Row, Run, Score, Weighing, delays, interval, rows, scores,
-    series,
+    Column, EXPLAINED, Fit, Hypothesis, Reset, Row, Score, Weighing, delays, interval, rows, scores, series,
 };
 use geneva_ledger::meyer::terms::MISSING;
 use geneva_ledger::{Decimal, Judged, Verdict};
@@ -27,24 +27,24 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.periods", || within(best()?, Column::Period)),
     ("runs.peaks", || within(best()?, Column::Peak)),
     ("runs.peaks-lagged", || within(lagged(0.1)?, Column::Peak)),
-    ("runs.exact", || Ok(exact(score(&Hypothesis::as_run())?).to_string())),
+    ("runs.exact", || Ok(exact(score(&Hypothesis::AS_RUN)?).to_string())),
     ("runs.exact.mechanisms", || Ok(exact(score(&Hypothesis::IDEAL)?).to_string())),
     ("runs.others", || Ok((EXPLAINED.len() * others().count()).to_string())),
-    ("runs.others-by-the-mechanisms", || Ok(of_others(score(&Hypothesis::IDEAL)?).to_string())),
-    ("runs.others-by-the-program", || Ok(of_others(lagged(0.1)?).to_string())),
-    ("runs.by-chance", || expected(&Hypothesis::as_run(), &Mechanism::ALL)),
-    ("runs.others.by-chance", || expected(&Hypothesis::as_run(), &OTHERS)),
+    ("runs.others-by-the-mechanisms", || Ok(score(&Hypothesis::IDEAL)?.within_one_of(&OTHERS).to_string())),
+    ("runs.others-by-the-program", || Ok(lagged(0.1)?.within_one_of(&OTHERS).to_string())),
+    ("runs.by-chance", || expected(&Hypothesis::AS_RUN, &Mechanism::ALL)),
+    ("runs.others.by-chance", || expected(&Hypothesis::AS_RUN, &OTHERS)),
     ("runs.others.by-chance.mechanisms", || expected(&Hypothesis::IDEAL, &OTHERS)),
     ("runs.others.as-many", || Ok(format!("{}&nbsp;%", fixed(100.0 * as_many_by_chance()?, 0)))),
     ("runs.groups", || Ok(series().count().to_string())),
-    ("runs.reset", || Ok(fixed(weakest(for_the_reset)?.floor(), 0))),
-    ("runs.reset.one-row", || Ok(fixed(with_one_row_of_each(for_the_reset)?.floor(), 0))),
-    ("runs.margin", || Ok(fixed(weakest(for_reset_and_inertias)?.floor(), 0))),
-    ("runs.margin.one-row", || Ok(fixed(with_one_row_of_each(for_reset_and_inertias)?.floor(), 0))),
-    ("runs.margin.one-row.odds", || Ok(odds(with_one_row_of_each(for_reset_and_inertias)?))),
-    ("runs.sampled", || Ok(fixed(weakest(for_sampled_peaks)?, 0))),
-    ("runs.sampled.odds", || Ok(odds(weakest(for_sampled_peaks)?))),
-    ("runs.sampled.most", || Ok(fixed(most(&by_all_weighings(for_sampled_peaks)?), 0))),
+    ("runs.reset", || Ok(fixed(weakest(Others::AnotherReset)?.floor(), 0))),
+    ("runs.reset.one-row", || Ok(fixed(with_one_row_of_each(Others::AnotherReset)?.floor(), 0))),
+    ("runs.margin", || Ok(fixed(weakest(Others::AnotherResetOrInertias)?.floor(), 0))),
+    ("runs.margin.one-row", || Ok(fixed(with_one_row_of_each(Others::AnotherResetOrInertias)?.floor(), 0))),
+    ("runs.margin.one-row.odds", || Ok(odds(with_one_row_of_each(Others::AnotherResetOrInertias)?))),
+    ("runs.sampled", || Ok(fixed(weakest(Others::TruePeaks)?, 0))),
+    ("runs.sampled.odds", || Ok(odds(weakest(Others::TruePeaks)?))),
+    ("runs.sampled.most", || Ok(fixed(most(&margins(scores(), Others::TruePeaks).context(NOT_COMPARED)?), 0))),
     ("freed.six", || Ok(freed(Reset::OfTheMechanism, Mechanism::SIX_PIN)?.within_one().to_string())),
     ("freed.three", || Ok(freed(Reset::OfTheMechanism, Mechanism::THREE_PIN)?.within_one().to_string())),
     ("freed.six.quarter", || Ok(freed(Reset::QuarterTurn, Mechanism::SIX_PIN)?.within_one().to_string())),
@@ -82,12 +82,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.by-chance.equal-torques.most", || greatest(by_chance(Shuffled::AmongEqualTorques))),
     ("rise.profile", || own_meaning(0)),
     ("rise.average", || own_meaning(1)),
-    ("rise.torque.pairs", || Ok(with_more_torque().pairs.to_string())),
-    ("rise.torque.up", || Ok(with_more_torque().up.to_string())),
-    ("rise.torque.equal", || Ok(with_more_torque().equal.to_string())),
-    ("rise.friction.pairs", || Ok(with_more_friction().pairs.to_string())),
-    ("rise.friction.up", || Ok(with_more_friction().up.to_string())),
-    ("rise.friction.equal", || Ok(with_more_friction().equal.to_string())),
+    ("rise.torque.pairs", || Ok(with_more_torque(rows()).pairs.to_string())),
+    ("rise.torque.up", || Ok(with_more_torque(rows()).up.to_string())),
+    ("rise.torque.equal", || Ok(with_more_torque(rows()).equal.to_string())),
+    ("rise.friction.pairs", || Ok(with_more_friction(rows()).pairs.to_string())),
+    ("rise.friction.up", || Ok(with_more_friction(rows()).up.to_string())),
+    ("rise.friction.equal", || Ok(with_more_friction(rows()).equal.to_string())),
     ("runs.to-one-unit", || {
         let only_to_a_unit = |row: &&Row| -> anyhow::Result<usize> {
             let mut count = 0;
@@ -141,12 +141,12 @@ fn exact(score: &Score) -> usize {
 }
 
 /// The reset after a quarter of a turn, the inertias of Fig. 11, printed peaks.
-fn best() -> anyhow::Result<&'static Score> {
+fn best() -> anyhow::Result<&'static Score<'static>> {
     score(&Hypothesis::WITHOUT_LAG)
 }
 
 /// The program as listed with its sign late by this part of a print interval.
-fn lagged(part: f64) -> anyhow::Result<&'static Score> {
+fn lagged(part: f64) -> anyhow::Result<&'static Score<'static>> {
     let found = delays().iter().find(|(delay, _)| (delay / interval() - part).abs() < 1e-9);
     found.map(|(_, score)| score).context("a delay that was not tried")
 }
@@ -160,27 +160,15 @@ fn others() -> impl Iterator<Item = &'static Row> {
     rows().iter().filter(|row| row.mechanism != Mechanism::FOUR_PIN)
 }
 
-/// Cells of six and three pins that are within one unit.
-fn of_others(score: &Score) -> usize {
-    let near = |(row, run): (&Row, &Option<Run>)| {
-        let near =
-            |column: &Column| run.is_some_and(|run| column.is_within_one(row.number(*column), run.number(*column)));
-        EXPLAINED.iter().filter(|column| near(column)).count()
-    };
-    let all = rows().iter().zip(&score.runs).filter(|(row, _)| row.mechanism != Mechanism::FOUR_PIN);
-    all.map(near).sum()
-}
-
 /// How many cells of these mechanisms chance would give with a hypothesis's numbers: the expectation.
 fn expected(hypothesis: &Hypothesis, mechanisms: &[Mechanism]) -> anyhow::Result<String> {
-    let chance = chance::of_cells(score(hypothesis)?, mechanisms).context(NO_END)?;
-    Ok(fixed(chance.expected, 0))
+    Ok(fixed(chance::expected_cells(score(hypothesis)?, mechanisms).context(NO_END)?, 0))
 }
 
 /// The part of all shuffles of the mechanisms' own numbers with six and three pins that gives as many cells as they do.
 fn as_many_by_chance() -> anyhow::Result<f64> {
     let ideal = score(&Hypothesis::IDEAL)?;
-    let found = chance::of_cells(ideal, &OTHERS).context(NO_END)?.found;
+    let found = ideal.within_one_of(&OTHERS);
     let counts = chance::shuffles_of_cells(ideal, &OTHERS, SHUFFLES).context(NO_END)?;
     Ok(counts.iter().filter(|count| **count >= found).count() as f64 / SHUFFLES as f64)
 }
@@ -194,7 +182,7 @@ pub const SHUFFLES: usize = 10_000;
 fn by_chance(shuffled: Shuffled) -> &'static [usize] {
     static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
     let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
-    COUNTS[own].get_or_init(|| chance::shuffles_of_definitions(shuffled, SHUFFLES))
+    COUNTS[own].get_or_init(|| chance::shuffles_of_definitions(rows(), explained(), shuffled, SHUFFLES))
 }
 
 fn greatest(counts: &[usize]) -> anyhow::Result<String> {
@@ -208,47 +196,25 @@ fn usual(counts: &[usize]) -> anyhow::Result<String> {
     Ok(sorted.get(sorted.len() / 2).context("no shuffles")?.to_string())
 }
 
-/// By how much ln L is greater than with any other reset angle.
-pub fn for_the_reset(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
-    Ok(weighing.margin(best()?, law, |other| other.reset == Reset::OfTheMechanism))
-}
-
-/// By how much ln L is greater than with any other combination of reset angle and inertias.
-pub fn for_reset_and_inertias(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
-    let own = best()?.hypothesis;
-    Ok(weighing.margin(best()?, law, |other| (other.reset, other.six_pin) != (own.reset, own.six_pin)))
-}
-
-/// By how much ln L is greater than if the peaks were the true ones.
-pub fn for_sampled_peaks(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
-    let of_true_peaks = Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
-    Ok(weighing.margin(best()?, law, |other| *other == of_true_peaks))
-}
-
-/// A margin by all weighings of all rows, with both laws.
-fn by_all_weighings(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<Vec<f64>> {
-    let weighings = [Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE];
-    weighings.iter().flat_map(|weighing| Law::ALL.map(|law| margin(weighing, law))).collect()
-}
-
-fn weakest(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<f64> {
-    Ok(least(&by_all_weighings(margin)?))
+fn weakest(others: Others) -> anyhow::Result<f64> {
+    Ok(least(&margins(scores(), others).context(NOT_COMPARED)?))
 }
 
 /// The weakest margin, by either law, if only one row for each mechanism and friction counts.
-fn with_one_row_of_each(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<f64> {
-    let margins = Weighing::one_row_of_each().flat_map(|weighing| Law::ALL.map(|law| margin(&weighing, law)));
-    Ok(least(&margins.collect::<anyhow::Result<Vec<_>>>()?))
+fn with_one_row_of_each(others: Others) -> anyhow::Result<f64> {
+    Ok(least(&margins_by_one_row_of_each(scores(), others).context(NOT_COMPARED)?))
 }
+
+const NOT_COMPARED: &str = "a hypothesis that was not compared";
 
 /// A table with the inertias that fit it best.
 fn freed(reset: Reset, mechanism: Mechanism) -> anyhow::Result<Freed> {
-    Freed::inertias(reset, mechanism).context(NO_MOTION)
+    Freed::inertias(rows_of(rows(), mechanism), reset).context(NO_MOTION)
 }
 
 /// How many results of a table the right reset gives with the best inertias and a hundredth of the printed frictions.
 fn less_friction(mechanism: Mechanism) -> anyhow::Result<String> {
-    let freed = Freed::with_friction(Reset::OfTheMechanism, mechanism, 0.01).context(NO_MOTION)?;
+    let freed = Freed::with_friction(rows_of(rows(), mechanism), Reset::OfTheMechanism, 0.01).context(NO_MOTION)?;
     Ok(freed.within_one().to_string())
 }
 
@@ -304,15 +270,16 @@ fn bears_one_number(group: &Group) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_dynamics::likelihood::LEAST_SPREAD;
+    use geneva_case1973::likelihood::LEAST_SPREAD;
 
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {
         let best = best().expect("compared");
-        let chance = chance::of_cells(best, &Mechanism::ALL).expect("runs").expected;
+        let chance = chance::expected_cells(best, &Mechanism::ALL).expect("runs");
         assert!(3.0 * chance < best.within_one() as f64, "{chance}");
-        assert!(of_others(best) + 3 >= EXPLAINED.len() * others().count());
-        assert!(3 * of_others(score(&Hypothesis::IDEAL).expect("compared")) < of_others(best));
+        assert!(best.within_one_of(&OTHERS) + 3 >= EXPLAINED.len() * others().count());
+        let by_the_mechanisms = score(&Hypothesis::IDEAL).expect("compared").within_one_of(&OTHERS);
+        assert!(3 * by_the_mechanisms < best.within_one_of(&OTHERS));
     }
 
     #[test]
@@ -322,16 +289,16 @@ mod tests {
 
     #[test]
     fn the_margins_shrink_with_milder_weighings_but_decide_with_each() {
-        for margin in [for_the_reset, for_reset_and_inertias] {
+        for others in [Others::AnotherReset, Others::AnotherResetOrInertias] {
             let [columns, tables, coarse] = [Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE]
-                .map(|weighing| least(&Law::ALL.map(|law| margin(&weighing, law).expect("compared"))));
-            let one_row = with_one_row_of_each(margin).expect("compared");
+                .map(|weighing| least(&Law::ALL.map(|law| weighing.margin(scores(), law, others).expect("compared"))));
+            let one_row = with_one_row_of_each(others).expect("compared");
             assert!(columns > tables && tables > coarse && coarse > one_row, "{columns} {tables} {coarse} {one_row}");
             assert!(one_row > 20.0, "{one_row}");
         }
         // Whether the peaks are true or printed is decided by all rows only.
-        assert!(weakest(for_sampled_peaks).expect("compared") > 5.0);
-        assert!(with_one_row_of_each(for_sampled_peaks).expect("compared") < 0.0);
+        assert!(weakest(Others::TruePeaks).expect("compared") > 5.0);
+        assert!(with_one_row_of_each(Others::TruePeaks).expect("compared") < 0.0);
     }
 
     #[test]
