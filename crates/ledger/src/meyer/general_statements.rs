@@ -288,7 +288,7 @@ mod tests {
             let near = rows().iter().filter(|row| {
                 let at = of.engagement(row).expect("an escapement");
                 let average = at.steady_state().expect("a steady state").mean_of_extremes();
-                let lines = at.run(runs::interval() / 10.0, runs::duration()).expect("a run");
+                let lines = at.run(runs::interval() / 10.0, runs::listing().duration).expect("a run");
                 let reached = lines.iter().find(|line| line.speed >= 0.99 * average).expect("in the run");
                 (reached.time - row.number(Column::Rise)).abs() <= 1e-3
             });

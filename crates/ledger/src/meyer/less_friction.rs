@@ -84,7 +84,7 @@ fn no_friction() -> Claim {
 #[cfg(test)]
 mod tests {
     use super::super::by_steps::{Group, groups};
-    use super::super::runs::{Column, Hypothesis, Row, rise_times, rows};
+    use super::super::runs::{Column, Hypothesis, Row, rows};
     use super::super::terms::{MISSING, Start};
     use super::*;
     use geneva_dynamics::Parameters;
