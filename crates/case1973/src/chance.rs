@@ -65,13 +65,6 @@ pub fn shuffles_of_definitions(rows: &[Row], tried: &[Tried], shuffled: Shuffled
     (0..shuffles).map(|_| one()).collect()
 }
 
-/// How many printed rise times these times explain in each of some shuffles.
-pub fn shuffles_of_rises(rows: &[Row], times: &[f64], shuffles: usize) -> Vec<usize> {
-    let (near, all) = (rises(rows, times), (0..rows.len()).collect::<Vec<_>>());
-    let mut dealer = Dealer::new(rows, Shuffled::InTables);
-    (0..shuffles).map(|_| explained_by(&near, dealer.deal(), &all)).collect()
-}
-
 /// Peaks, minima and periods: which computed numbers are near which printed ones.
 fn columns(score: &Score) -> Option<Vec<Near>> {
     let of = |column: Column| {
@@ -102,7 +95,7 @@ fn places(rows: &[Row], mechanisms: &[Mechanism]) -> Vec<usize> {
 }
 
 /// Deals out rows at random, always in the same sequence.
-pub struct Dealer {
+struct Dealer {
     /// Marsaglia's xorshift.
     state: u64,
     /// Rows that may trade places.
@@ -112,7 +105,7 @@ pub struct Dealer {
 
 impl Dealer {
     /// A dealer of these rows, of which only some may trade places.
-    pub fn new(rows: &[Row], shuffled: Shuffled) -> Self {
+    fn new(rows: &[Row], shuffled: Shuffled) -> Self {
         let mut hands: Vec<Vec<usize>> = Vec::new();
         for (at, row) in rows.iter().enumerate() {
             let alike = |hand: &&mut Vec<usize>| {
@@ -129,7 +122,7 @@ impl Dealer {
     }
 
     /// The next deal: for each row the row whose number it gets.
-    pub fn deal(&mut self) -> &[usize] {
+    fn deal(&mut self) -> &[usize] {
         for hand in &self.hands {
             for last in (1..hand.len()).rev() {
                 self.state ^= self.state << 13;

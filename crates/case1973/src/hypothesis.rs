@@ -143,7 +143,7 @@ impl Hypothesis {
                 engagement.largest_printed(listing.interval, listing.first_line, listing.duration).ok()?
             }
         };
-        let first_minimum = engagement.first_minimum().ok()?.map_or(f64::NAN, |minimum| minimum.time);
+        let first_minimum = engagement.first_minimum().ok().flatten().map_or(f64::NAN, |minimum| minimum.time);
         Some(Run { peak, minimum: steady.minimum.speed, period: steady.period, first_minimum })
     }
 

@@ -1,11 +1,10 @@
 //! What chance is expected to explain is the mean of what it explains.
 
 use crate::rows::tables;
-use geneva_case1973::chance::{
-    Dealer, Shuffled, expected_cells, shuffles_of_cells, shuffles_of_definitions, shuffles_of_rises,
-};
+use geneva_case1973::chance::{Shuffled, expected_cells, shuffles_of_cells, shuffles_of_definitions};
 use geneva_case1973::rise_times::{explained, groups, with_more_friction, with_more_torque};
-use geneva_case1973::{Column, Hypothesis, Score};
+use geneva_case1973::witness::sampling;
+use geneva_case1973::{Hypothesis, Score};
 use geneva_kinematics::Mechanism;
 
 /// Asserts that the mean of some counts is what is expected, but for chance: 4.5 standard errors.
@@ -25,6 +24,7 @@ fn counting_pairs_and_sampling_expect_as_much_of_chance() {
         let expected = expected_cells(&score, &[mechanism]).expect("runs");
         assert!(expected > 0.0 && expected < score.within_one_of(&[mechanism]) as f64);
         assert_mean(&shuffles_of_cells(&score, &[mechanism], 4000).expect("runs"), expected);
+        assert_mean(&sampling::cells(&score, &[mechanism], 4000).expect("runs"), expected);
     }
 }
 
@@ -32,11 +32,16 @@ fn counting_pairs_and_sampling_expect_as_much_of_chance() {
 fn counting_pairs_and_sampling_expect_as_much_of_each_definition_and_the_best_of_all_explains_more() {
     let tried = explained(tables(), 0.01);
     for of in tried.iter().flat_map(|tried| [&tried.as_run, &tried.ideal]) {
-        assert_mean(&shuffles_of_rises(tables(), &of.times, 1000), of.by_chance);
+        assert_mean(&sampling::rises(tables(), &[&of.times], false, 1000), of.by_chance);
     }
     let mean = |counts: &[usize]| counts.iter().sum::<usize>() as f64 / counts.len() as f64;
-    let [anywhere, alike] = [Shuffled::InTables, Shuffled::AmongEqualTorques]
-        .map(|of| mean(&shuffles_of_definitions(tables(), &tried, of, 1000)));
+    let times: Vec<&[f64]> = tried.iter().flat_map(|tried| [&tried.as_run.times[..], &tried.ideal.times]).collect();
+    let [anywhere, alike] = [Shuffled::InTables, Shuffled::AmongEqualTorques].map(|of| {
+        let found = mean(&shuffles_of_definitions(tables(), &tried, of, 1000));
+        let again = mean(&sampling::rises(tables(), &times, of == Shuffled::AmongEqualTorques, 1000));
+        assert!((found - again).abs() < 0.4, "{of:?}: {found} {again}");
+        found
+    });
     let one = tried.iter().map(|tried| tried.as_run.by_chance).fold(0.0, f64::max);
     assert!(one < anywhere && anywhere < alike, "{one} {anywhere} {alike}");
     // The tables have the first minimum for their rise time.
@@ -51,23 +56,4 @@ fn a_time_of_the_motion_alone_falls_with_the_torque_as_its_root() {
     let torque = with_more_torque(tables());
     assert_eq!((torque.pairs, torque.up), (18, 0));
     assert_eq!(with_more_friction(tables()).pairs, 12);
-}
-
-#[test]
-fn a_deal_gives_each_row_one_of_its_hand() {
-    for shuffled in [Shuffled::InTables, Shuffled::AmongEqualTorques] {
-        let mut dealer = Dealer::new(tables(), shuffled);
-        for _ in 0..100 {
-            let mut dealt = dealer.deal().to_vec();
-            for (at, from) in dealt.iter().enumerate() {
-                let [row, other] = [at, *from].map(|at| &tables()[at]);
-                assert_eq!(row.mechanism, other.mechanism);
-                if shuffled == Shuffled::AmongEqualTorques {
-                    assert_eq!(row.printed(Column::Torque), other.printed(Column::Torque));
-                }
-            }
-            dealt.sort_unstable();
-            assert_eq!(dealt, (0..tables().len()).collect::<Vec<_>>());
-        }
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::rows::tables;
 use geneva_case1973::choice::rows_of;
-use geneva_case1973::fitted::{self, Freed, most_within_one};
+use geneva_case1973::fitted::{self, Freed, Motions, most_within_one, ratios};
 use geneva_case1973::witness::gauss_newton;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset};
 use geneva_kinematics::Mechanism;
@@ -46,4 +46,20 @@ fn no_inertias_make_up_for_the_wrong_reset() {
         assert!(most(Reset::OfTheMechanism) < most(Reset::QuarterTurn));
     }
     assert_eq!(Freed::inertias(&[], Reset::QuarterTurn), None);
+}
+
+#[test]
+fn trying_followers_one_by_one_brings_nearly_as_many_results_near_and_never_more() {
+    let table = rows_of(tables(), Mechanism::SIX_PIN);
+    let angle = 2.0 * Mechanism::SIX_PIN.engagement_half_angle();
+    let most = most_within_one(table, Reset::OfTheMechanism).expect("a motion");
+    let [least, greatest] = ratios(table, 1.0).expect("a motion").map(libm::log);
+    let of = |step: u32| {
+        let ratio = libm::exp(least + (greatest - least) * f64::from(step) / 100.0);
+        let motions = Motions::of(table, angle, 1.0, ratio)?;
+        let near = |follower: f64| motions.misfits(follower).iter().filter(|off| off.abs() <= 1.0 + 1e-9).count();
+        (0..400).map(|step| near(1e-6 * libm::pow(1.015, f64::from(step)))).max()
+    };
+    let found = (0..=100).filter_map(of).max().expect("a motion");
+    assert!((most - 3..=most).contains(&found), "{found} {most}");
 }

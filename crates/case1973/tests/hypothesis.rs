@@ -3,6 +3,7 @@
 use crate::rows::{LISTING, given, printed, tables};
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
+use geneva_case1973::witness::densities;
 use geneva_case1973::{
     Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin, Weighing, compared,
     delays, fitting_interval,
@@ -51,6 +52,22 @@ fn with_one_spread_for_a_column_a_weighing_is_the_likelihood_of_the_score() {
     for score in &scores() {
         let own = Law::ALL.map(|law| Weighing::BY_COLUMN.log_likelihood(score, law));
         assert!(own.iter().zip(score.likelihoods()).all(|(own, of_score)| (own - of_score).abs() < 1e-9));
+    }
+}
+
+#[test]
+fn the_likelihoods_are_those_of_the_densities_summed_directly() {
+    let by_table = Weighing { least_spread: 0.1, ..Weighing::BY_TABLE };
+    for score in scores().iter().step_by(3) {
+        for weighing in
+            [Weighing { by_table: false, ..by_table }, by_table, Weighing { only: Some(7), ..Weighing::COARSE }]
+        {
+            for law in Law::ALL {
+                let summed = densities::log_likelihood(&weighing, score, law).expect("runs");
+                let found = weighing.log_likelihood(score, law);
+                assert!((found - summed).abs() < 0.02, "{weighing:?} {law:?}: {found} {summed}");
+            }
+        }
     }
 }
 

@@ -17,7 +17,7 @@ mod freed;
 mod golden_section;
 
 pub use freed::{Freed, RATIOS, most_within_one};
-pub use golden_section::{friction, inertias, torque};
+pub use golden_section::{Motions, friction, inertias, ratios, torque};
 
 use crate::Column;
 

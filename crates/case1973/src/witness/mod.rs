@@ -7,10 +7,14 @@
 //!
 //! - `lagged`: the runs with the lagged sign, from Newton's laws, with steps and events of its own;
 //! - `steps`: the steady motion in equal steps of the driver's angle;
-//! - `gauss_newton`: the data of the runs, by the method of Gauss and Newton over the motion in steps.
+//! - `gauss_newton`: the data of the runs, by the method of Gauss and Newton over the motion in steps;
+//! - `densities`: how likely the tables are, by the densities of the errors;
+//! - `sampling`: what chance would explain, by deals of another kind.
 
+pub mod densities;
 pub mod gauss_newton;
 mod lagged;
+pub mod sampling;
 pub mod steps;
 
 pub use lagged::{lagged, lagged_by};

@@ -6,6 +6,7 @@
 //! - `table`: the printed rows, with the verdicts on record of their results.
 //! - `choice`: which rows stand for the others where not all are shown.
 //! - `study`: what `geneva-case1973` makes of them.
+//! - `statistics`: the numbers of our own on which the study rests, by two routes.
 //! - `cells`: the claims, one for each printed number.
 //! - `data`: the claims of friction, torque and inertias, which are found from the results.
 //! - `headings`: the claims of the inertias above the tables.
@@ -14,6 +15,7 @@ mod cells;
 pub mod choice;
 pub mod data;
 mod headings;
+pub mod statistics;
 mod study;
 mod table;
 
