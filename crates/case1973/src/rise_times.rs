@@ -57,8 +57,8 @@ impl Start {
     }
 }
 
-/// The parts that we try, if the source's own words let this part be missing: half of it, this part, twice and five times
-/// as much. Dimensionless.
+/// The parts that we try, dimensionless, if the source's own words let this part be missing: half of it, this part, twice
+/// and five times as much.
 pub fn parts(missing: f64) -> [f64; 4] {
     [0.5, 1.0, 2.0, 5.0].map(|times| times * missing)
 }
@@ -108,7 +108,7 @@ pub const EVENTS: [Definition; 5] = [
 pub struct Tried {
     /// The definition in words.
     pub name: &'static str,
-    /// The part of the velocity that may be missing; none for an event.
+    /// The part of the velocity that may be missing, dimensionless; none for an event.
     pub part: Option<f64>,
     /// For the runs as they were.
     pub as_run: Explained,
@@ -123,9 +123,10 @@ pub struct Explained {
     pub times: Vec<f64>,
     /// Rows within one unit of the last place: with six, four and three pins.
     pub within_one: [usize; 3],
-    /// How many would be, were the computed times of each table dealt out to its rows at random: the expectation.
+    /// How many would be, were the computed times of each table dealt out to its rows at random: the
+    /// expectation, dimensionless.
     pub by_chance: f64,
-    /// Least and greatest quotient of printed and computed time.
+    /// Least and greatest quotient of printed and computed time, dimensionless.
     pub range: [f64; 2],
 }
 

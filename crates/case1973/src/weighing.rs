@@ -41,13 +41,13 @@ impl Others {
     }
 }
 
-/// The margins of all rows against the others: by each weighing with each law. None if [`Hypothesis::WITHOUT_LAG`] is not
+/// The margins of all rows against the others, dimensionless: by each weighing with each law. None if [`Hypothesis::WITHOUT_LAG`] is not
 /// among the compared ones.
 pub fn margins(compared: &[Score], others: Others) -> Option<Vec<f64>> {
     all_margins([Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE], compared, others)
 }
 
-/// The margins against the others if only one row for each mechanism and friction counts, by each choice of rows with
+/// The margins, dimensionless, against the others if only one row for each mechanism and friction counts, by each choice of rows with
 /// each law. None if [`Hypothesis::WITHOUT_LAG`] is not among the compared ones.
 pub fn margins_by_one_row_of_each(compared: &[Score], others: Others) -> Option<Vec<f64>> {
     all_margins(Weighing::one_row_of_each(compared.first()?.rows), compared, others)

@@ -26,7 +26,7 @@ pub fn torque(row: &Row) -> Option<f64> {
     Some(least(TORQUES, |torque| steady.misfit(row, BUT_FOR_THE_PEAK, torque / follower)))
 }
 
-/// The friction with which a row's minimum and period are reproduced best.
+/// The friction, dimensionless, with which a row's minimum and period are reproduced best.
 ///
 /// It is between none and the greatest with which the equation of motion has a solution everywhere.
 pub fn friction(row: &Row) -> Option<f64> {
@@ -51,8 +51,8 @@ pub fn inertias(table: &[Row], reset: f64, friction: f64) -> Option<[f64; 2]> {
     Some([ratio * follower, follower])
 }
 
-/// The inertia of the driver over the follower's, least and greatest: from where the equation of motion has a solution
-/// everywhere.
+/// The inertia of the driver over the follower's, dimensionless, least and greatest: from where the equation of motion has
+/// a solution everywhere.
 pub fn ratios(table: &[Row], friction: f64) -> Option<[f64; 2]> {
     let most_friction = friction * table.iter().map(Row::friction).fold(0.0, f64::max);
     Some([critical_inertia_ratio(table.first()?.mechanism, most_friction).ok()?, GREATEST_RATIO])

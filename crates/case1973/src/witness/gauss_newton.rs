@@ -21,7 +21,7 @@ const OF_A_TABLE: u32 = 1500;
 
 /// A number found, and how far it can be off.
 pub struct Found {
-    /// The number that was sought.
+    /// The number that was sought, in its own unit.
     pub value: f64,
     /// By how much the number changes if each result was misread at random by a unit of its last place.
     pub reach: f64,

@@ -73,7 +73,7 @@ impl Course {
         &self.ends
     }
 
-    /// u at the angles, from its value at the first.
+    /// u at the angles, from its value at the first, in units of squared speed.
     pub fn squares(&self, first: f64) -> Vec<f64> {
         let mut squares = Vec::with_capacity(self.angles.len());
         squares.push(first);
@@ -86,7 +86,7 @@ impl Course {
     }
 }
 
-/// A number at the end of a step of this length, by the classical Runge-Kutta method, from its value at the start and its
+/// A number, in its own unit, at the end of a step of this length, by the classical Runge-Kutta method, from its value at the start and its
 /// slope, which the places at the start, in the middle and at the end tell for each value.
 pub fn step<P>(length: f64, start: f64, [first, middle, last]: [&P; 3], slope: impl Fn(&P, f64) -> f64) -> f64 {
     let half = length / 2.0;
@@ -102,8 +102,8 @@ fn slope(terms: &Coefficients<f64>, square: f64) -> f64 {
     2.0 * terms.with_own_sign(square.max(0.0).sqrt()).value
 }
 
-/// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one;
-/// none if the steps are too long for the equation.
+/// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one and
+/// so in units of √(K/I_f) and its inverse; none if the steps are too long for the equation.
 pub fn cycle(parameters: &Parameters, reset: f64, steps: u32) -> Option<[f64; 3]> {
     type Known = Mutex<HashMap<(Mechanism, [u64; 3], u32), Option<[f64; 3]>>>;
     static KNOWN: OnceLock<Known> = OnceLock::new();
@@ -177,7 +177,7 @@ fn lowest(before: f64, middle: f64, next: f64) -> f64 {
 const STEPS: u32 = 750;
 
 /// The least speed, the period and the greatest speed of the steady cycle of a row under a hypothesis, for a torque and a
-/// follower of one: by equal steps of θ. None if there is no such motion.
+/// follower of one and so in units of √(K/I_f) and its inverse: by equal steps of θ. None if there is no such motion.
 pub fn cycle_of_row(hypothesis: &Hypothesis, row: &Row) -> Option<[f64; 3]> {
     cycle(&hypothesis.parameters(row)?, hypothesis.angle(row), STEPS)
 }

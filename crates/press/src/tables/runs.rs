@@ -13,6 +13,7 @@ use geneva_case1973::weighing::Others;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::Verdict;
 use geneva_ledger::meyer::runs::choice::rows_of;
+use geneva_ledger::meyer::runs::statistics::STATISTICS;
 use geneva_ledger::meyer::runs::{
     Column, Constants, Fit, Hypothesis, Lag, Reading, Reset, Row, Score, SixPin, Weighing, data, delays as all_delays,
     expected, rows as all_rows, scores, series, slug,
@@ -144,6 +145,21 @@ pub fn unexplained() -> anyhow::Result<Table> {
     });
     let head = ["Pins", "μ", "K", "Printed", "Program's <br>value", "off by, <br>units", "Right", "off by, <br>units"];
     table("The two peaks that the program does not give, in rad/s", Cells::Numbers, &head, rows)
+}
+
+/// The numbers of our own that were computed in two ways.
+pub fn statistics() -> anyhow::Result<Table> {
+    let rows = STATISTICS.iter().map(|of| {
+        let number = (of.first)().with_context(|| format!("{}: a run comes to no end", of.name))?;
+        let (number, within) = match of.within {
+            0.0 => (fixed(number, 0), "the digit".to_owned()),
+            within => (fixed(number, 2), within.to_string()),
+        };
+        Ok(vec![of.meaning.to_owned(), number, of.by.to_owned(), within])
+    });
+    let head = ["Number", "First way", "Second way", "Agree <br>to"];
+    let says = "Numbers of this chapter that were computed in two ways, by calculations that share no code";
+    table(says, Cells::Words, &head, rows)
 }
 
 /// The hypotheses column by column.

@@ -3,8 +3,8 @@
 use super::*;
 use crate::Evidence::Program as ByProgram;
 use crate::meyer::runs::choice::weakest;
-use crate::meyer::runs::{Constants, Hypothesis, Row, deck, interval, listing, printouts, rows};
-use geneva_case1973::program::{Line, Printout};
+use crate::meyer::runs::{Constants, Hypothesis, Row, deck, interval, listing, rows};
+use geneva_case1973::program::Line;
 use geneva_dynamics::steady::Printed;
 use geneva_mimic::Work;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
@@ -46,10 +46,8 @@ type Columns = ([f64; 5], f64);
 fn by_program() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of = |line: &Line| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
-    RUNS.get_or_init(|| {
-        let columns = |printout: &Printout| printout.lines.iter().map(of).collect();
-        printouts().iter().map(|printout| printout.as_ref().map(columns)).collect()
-    })
+    let columns = |row: &Row| Some(Hypothesis::AS_RUN.printout(row)?.lines.iter().map(of).collect());
+    RUNS.get_or_init(|| rows().iter().map(columns).collect())
 }
 
 /// The time of the last line of the first run by the program, if runs end at this time, in s.

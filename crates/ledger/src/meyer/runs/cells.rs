@@ -93,7 +93,7 @@ fn results(run: Run) -> [f64; 4] {
 
 fn as_run(row: &Row) -> [f64; 4] {
     static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| super::as_run(row).map(results))
+    among(&RUNS, row, |row| Hypothesis::AS_RUN.run(row).map(results))
 }
 
 fn as_run_by_steps(row: &Row) -> [f64; 4] {

@@ -25,9 +25,7 @@ pub use geneva_case1973::{
     Weighing, slug,
 };
 pub use headings::{of_figures, of_headings};
-pub use study::{
-    as_run, deck, delays, fitting_interval, interval, listing, printouts, rise_times, rows, scores, series, within_one,
-};
+pub use study::{deck, delays, fitting_interval, interval, listing, rise_times, rows, scores, series, within_one};
 pub use table::expected;
 
 use super::*;

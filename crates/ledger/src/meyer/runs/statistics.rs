@@ -15,6 +15,7 @@ use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::{self, densities, gauss_newton, sampling, steps};
 use geneva_kinematics::Mechanism;
+use std::sync::OnceLock;
 
 /// A number of our own.
 pub struct Statistic {
@@ -22,6 +23,8 @@ pub struct Statistic {
     pub name: &'static str,
     /// What it counts or measures.
     pub meaning: &'static str,
+    /// The second route, in a few words.
+    pub by: &'static str,
     /// The number by the first route; none if a run comes to no end.
     pub first: fn() -> Option<f64>,
     /// The number by the second route; none if a run comes to no end.
@@ -42,11 +45,19 @@ const OF_A_LOGARITHM: f64 = 0.05;
 /// How far the mean of the shuffles may be from the expectation, in cells.
 const OF_A_MEAN: f64 = 0.15;
 
+const STEPS: &str = "equal steps of the driver's angle";
+const INTEGRATOR: &str = "the program's integrator";
+const NEWTON: &str = "Newton's laws, in equal steps of time";
+const DEALS: &str = "shuffles by another generator";
+const DENSITIES: &str = "densities, summed over each unit";
+const TANGENTS: &str = "Gauss and Newton's method, in steps of the angle";
+
 /// All of them, in the order of the chapter.
-pub static STATISTICS: [Statistic; 28] = [
+pub static STATISTICS: [Statistic; 29] = [
     Statistic {
         name: "runs.minima",
         meaning: "minima right to one unit, reset after 90° and the inertias of Fig. 11",
+        by: STEPS,
         first: || Some(score(Hypothesis::WITHOUT_LAG)?.on(Column::Minimum)?.within_one as f64),
         second: || count_cycles(Hypothesis::WITHOUT_LAG, &Mechanism::ALL, &[Column::Minimum], 1.0),
         within: 0.0,
@@ -54,13 +65,23 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.periods",
         meaning: "periods right to one unit, reset after 90° and the inertias of Fig. 11",
+        by: STEPS,
         first: || Some(score(Hypothesis::WITHOUT_LAG)?.on(Column::Period)?.within_one as f64),
         second: || count_cycles(Hypothesis::WITHOUT_LAG, &Mechanism::ALL, &[Column::Period], 1.0),
         within: 0.0,
     },
     Statistic {
+        name: "runs.peaks",
+        meaning: "peaks right to one unit, reset after 90° and the inertias of Fig. 11",
+        by: INTEGRATOR,
+        first: || Some(score(Hypothesis::WITHOUT_LAG)?.on(Column::Peak)?.within_one as f64),
+        second: || count(&Mechanism::ALL, &[Column::Peak], 1.0, without_lag),
+        within: 0.0,
+    },
+    Statistic {
         name: "runs.peaks-lagged",
         meaning: "peaks right to one unit, the program as listed",
+        by: NEWTON,
         first: || Some(lagged(0.1)?.on(Column::Peak)?.within_one as f64),
         second: || count_lagged(&Mechanism::ALL, &[Column::Peak], 1.0),
         within: 0.0,
@@ -68,6 +89,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.exact",
         meaning: "cells right to the printed digit, the program as listed",
+        by: NEWTON,
         first: || Some(score(Hypothesis::AS_RUN)?.fits.iter().map(|fit| fit.exact).sum::<usize>() as f64),
         second: || count_lagged(&Mechanism::ALL, &EXPLAINED, 0.5),
         within: 0.0,
@@ -75,6 +97,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.exact.mechanisms",
         meaning: "cells right to the printed digit, the mechanisms as they are",
+        by: STEPS,
         first: || Some(score(Hypothesis::IDEAL)?.fits.iter().map(|fit| fit.exact).sum::<usize>() as f64),
         second: || count_cycles(Hypothesis::IDEAL, &Mechanism::ALL, &EXPLAINED, 0.5),
         within: 0.0,
@@ -82,6 +105,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.others-by-the-mechanisms",
         meaning: "cells of six and three pins right to one unit, the mechanisms as they are",
+        by: STEPS,
         first: || Some(score(Hypothesis::IDEAL)?.within_one_of(&OTHERS) as f64),
         second: || count_cycles(Hypothesis::IDEAL, &OTHERS, &EXPLAINED, 1.0),
         within: 0.0,
@@ -89,6 +113,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.others-by-the-program",
         meaning: "cells of six and three pins right to one unit, the program as listed",
+        by: NEWTON,
         first: || Some(lagged(0.1)?.within_one_of(&OTHERS) as f64),
         second: || count_lagged(&OTHERS, &EXPLAINED, 1.0),
         within: 0.0,
@@ -96,6 +121,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.by-chance",
         meaning: "cells to be expected by chance, the program as listed",
+        by: DEALS,
         first: || chance::expected_cells(score(Hypothesis::AS_RUN)?, &Mechanism::ALL),
         second: || Some(mean(&sampling::cells(score(Hypothesis::AS_RUN)?, &Mechanism::ALL, SHUFFLES)?)),
         within: OF_A_MEAN,
@@ -103,6 +129,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.others.by-chance",
         meaning: "cells of six and three pins to be expected by chance, the program as listed",
+        by: DEALS,
         first: || chance::expected_cells(score(Hypothesis::AS_RUN)?, &OTHERS),
         second: || Some(mean(&sampling::cells(score(Hypothesis::AS_RUN)?, &OTHERS, SHUFFLES)?)),
         within: OF_A_MEAN,
@@ -110,6 +137,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.others.by-chance.mechanisms",
         meaning: "cells of six and three pins to be expected by chance, the mechanisms as they are",
+        by: DEALS,
         first: || chance::expected_cells(score(Hypothesis::IDEAL)?, &OTHERS),
         second: || Some(mean(&sampling::cells(score(Hypothesis::IDEAL)?, &OTHERS, SHUFFLES)?)),
         within: OF_A_MEAN,
@@ -117,6 +145,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.others.as-many",
         meaning: "share of the shuffles that explain as many cells as the mechanisms do, per cent",
+        by: DEALS,
         first: || as_many(chance::shuffles_of_cells(score(Hypothesis::IDEAL)?, &OTHERS, SHUFFLES)?),
         second: || as_many(sampling::cells(score(Hypothesis::IDEAL)?, &OTHERS, SHUFFLES)?),
         within: 3.0,
@@ -124,6 +153,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.reset",
         meaning: "least margin of ln L over another reset, all rows",
+        by: DENSITIES,
         first: || least(margins(scores(), Others::AnotherReset)?),
         second: || of_all_rows(Others::AnotherReset),
         within: OF_A_LOGARITHM,
@@ -131,6 +161,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.reset.one-row",
         meaning: "least margin of ln L over another reset, one row of each group",
+        by: DENSITIES,
         first: || least(margins_by_one_row_of_each(scores(), Others::AnotherReset)?),
         second: || of_one_row_of_each(Others::AnotherReset),
         within: OF_A_LOGARITHM,
@@ -138,6 +169,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.margin",
         meaning: "least margin of ln L over another reset or other inertias, all rows",
+        by: DENSITIES,
         first: || least(margins(scores(), Others::AnotherResetOrInertias)?),
         second: || of_all_rows(Others::AnotherResetOrInertias),
         within: OF_A_LOGARITHM,
@@ -145,6 +177,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.margin.one-row",
         meaning: "least margin of ln L over another reset or other inertias, one row of each group",
+        by: DENSITIES,
         first: || least(margins_by_one_row_of_each(scores(), Others::AnotherResetOrInertias)?),
         second: || of_one_row_of_each(Others::AnotherResetOrInertias),
         within: OF_A_LOGARITHM,
@@ -152,6 +185,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.sampled",
         meaning: "least margin of ln L over true peaks, all rows",
+        by: DENSITIES,
         first: || least(margins(scores(), Others::TruePeaks)?),
         second: || of_all_rows(Others::TruePeaks),
         within: OF_A_LOGARITHM,
@@ -159,6 +193,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "freed.six",
         meaning: "cells of six pins right to one unit with the best inertias, right reset",
+        by: TANGENTS,
         first: || freed(Mechanism::SIX_PIN, Reset::OfTheMechanism),
         second: || freed_in_steps(Mechanism::SIX_PIN, Reset::OfTheMechanism),
         within: 0.0,
@@ -166,6 +201,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "freed.three",
         meaning: "cells of three pins right to one unit with the best inertias, right reset",
+        by: TANGENTS,
         first: || freed(Mechanism::THREE_PIN, Reset::OfTheMechanism),
         second: || freed_in_steps(Mechanism::THREE_PIN, Reset::OfTheMechanism),
         within: 0.0,
@@ -173,6 +209,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "freed.six.quarter",
         meaning: "cells of six pins right to one unit with the best inertias, reset after 90°",
+        by: TANGENTS,
         first: || freed(Mechanism::SIX_PIN, Reset::QuarterTurn),
         second: || freed_in_steps(Mechanism::SIX_PIN, Reset::QuarterTurn),
         within: 0.0,
@@ -180,6 +217,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "freed.three.quarter",
         meaning: "cells of three pins right to one unit with the best inertias, reset after 90°",
+        by: TANGENTS,
         first: || freed(Mechanism::THREE_PIN, Reset::QuarterTurn),
         second: || freed_in_steps(Mechanism::THREE_PIN, Reset::QuarterTurn),
         within: 0.0,
@@ -187,20 +225,15 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "freed.six.less-friction",
         meaning: "cells of six pins right to one unit with the best inertias, right reset, a hundredth of the friction",
+        by: TANGENTS,
         first: || little_friction(Mechanism::SIX_PIN),
         second: || little_friction_in_steps(Mechanism::SIX_PIN),
         within: 0.0,
     },
     Statistic {
-        name: "freed.three.less-friction",
-        meaning: "cells of three pins right to one unit with the best inertias, right reset, a hundredth of the friction",
-        first: || little_friction(Mechanism::THREE_PIN),
-        second: || little_friction_in_steps(Mechanism::THREE_PIN),
-        within: 0.0,
-    },
-    Statistic {
         name: "runs.fifth",
         meaning: "least margin of ln L of the listed lag over a fifth of the print interval or more",
+        by: DENSITIES,
         first: || over_a_fifth(|score| Some(score.likelihoods())),
         second: || over_a_fifth(by_densities),
         within: OF_A_LOGARITHM,
@@ -208,6 +241,7 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.lag.normal",
         meaning: "margin of ln L of no lag over the listed lag, normal law",
+        by: DENSITIES,
         first: || Some(lagged(0.0)?.likelihoods()[0] - lagged(0.1)?.likelihoods()[0]),
         second: || Some(by_densities(lagged(0.0)?)?[0] - by_densities(lagged(0.1)?)?[0]),
         within: OF_A_LOGARITHM,
@@ -215,13 +249,29 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "runs.lag.exponential",
         meaning: "margin of ln L of the listed lag over no lag, exponential law",
+        by: DENSITIES,
         first: || Some(lagged(0.1)?.likelihoods()[1] - lagged(0.0)?.likelihoods()[1]),
         second: || Some(by_densities(lagged(0.1)?)?[1] - by_densities(lagged(0.0)?)?[1]),
         within: OF_A_LOGARITHM,
     },
     Statistic {
+        name: "runs.lag.by-table",
+        meaning: "margin of ln L of the listed lag over no lag, a spread for each column of each table, by either law",
+        by: DENSITIES,
+        first: || {
+            let of = |part, law| Some(Weighing::BY_TABLE.log_likelihood(lagged(part)?, law));
+            least(Law::ALL.map(|law| Some(of(0.1, law)? - of(0.0, law)?)).into_iter().collect::<Option<Vec<_>>>()?)
+        },
+        second: || {
+            let of = |part, law| densities::log_likelihood(&Weighing::BY_TABLE, lagged(part)?, law);
+            least(Law::ALL.map(|law| Some(of(0.1, law)? - of(0.0, law)?)).into_iter().collect::<Option<Vec<_>>>()?)
+        },
+        within: OF_A_LOGARITHM,
+    },
+    Statistic {
         name: "rise.chance",
         meaning: "rise times to be expected by chance, the definition for which they are most",
+        by: DEALS,
         first: || greatest(rise_times::explained().iter().map(|tried| tried.as_run.by_chance)),
         second: || {
             let mean_of = |times: &[f64]| mean(&sampling::rises(rows(), &[times], false, SHUFFLES));
@@ -232,14 +282,16 @@ pub static STATISTICS: [Statistic; 28] = [
     Statistic {
         name: "rise.by-chance.usual",
         meaning: "rise times that the best definition explains in the middle one of all shuffles",
-        first: || middle(shuffled(Shuffled::InTables)),
+        by: DEALS,
+        first: || middle(shuffled(Shuffled::InTables).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), false, SHUFFLES)),
         within: 0.0,
     },
     Statistic {
         name: "rise.by-chance.equal-torques",
         meaning: "rise times that the best definition explains in the middle one of all shuffles among equal torques",
-        first: || middle(shuffled(Shuffled::AmongEqualTorques)),
+        by: DEALS,
+        first: || middle(shuffled(Shuffled::AmongEqualTorques).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), true, SHUFFLES)),
         within: 0.0,
     },
@@ -270,6 +322,11 @@ fn count(mechanisms: &[Mechanism], columns: &[Column], units: f64, run: impl Fn(
         count += columns.iter().filter(is_near).count();
     }
     Some(count as f64)
+}
+
+/// A run with the exact sign on the integrator of the program, where the first route solves the motion over the angle.
+fn without_lag(row: &Row) -> Option<Run> {
+    Hypothesis::WITHOUT_LAG.by_program(row, &row.given.listing.integrator())
 }
 
 fn count_lagged(mechanisms: &[Mechanism], columns: &[Column], units: f64) -> Option<f64> {
@@ -355,7 +412,7 @@ fn within_one_in_steps(table: &[Row], reset: Reset) -> Option<f64> {
 }
 
 /// A friction that is as good as none: a hundredth of the printed one.
-const LITTLE: f64 = 0.01;
+pub const LITTLE: f64 = 0.01;
 
 fn little_friction(mechanism: Mechanism) -> Option<f64> {
     let freed = Freed::with_friction(rows_of(rows(), mechanism), Reset::OfTheMechanism, LITTLE)?;
@@ -373,9 +430,12 @@ fn little_friction_in_steps(mechanism: Mechanism) -> Option<f64> {
     within_one_in_steps(&table, Reset::OfTheMechanism)
 }
 
-/// How many rise times the best definition explains in each shuffle.
-pub fn shuffled(shuffled: Shuffled) -> Vec<usize> {
-    chance::shuffles_of_definitions(rows(), rise_times::explained(), shuffled, SHUFFLES)
+/// How many rise times the best definition explains in each shuffle; dealt once.
+pub fn shuffled(shuffled: Shuffled) -> &'static [usize] {
+    static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
+    let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
+    let deal = || chance::shuffles_of_definitions(rows(), rise_times::explained(), shuffled, SHUFFLES);
+    COUNTS[own].get_or_init(deal)
 }
 
 /// The times of all definitions, of the runs and of the mechanisms.
@@ -400,9 +460,9 @@ mod tests {
     fn the_best_of_all_definitions_explains_more_than_in_any_shuffle() {
         let found = rise_times::explained().iter().map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max();
         let [anywhere, alike] = [Shuffled::InTables, Shuffled::AmongEqualTorques].map(shuffled);
-        assert!(anywhere.iter().chain(&alike).max() < found.as_ref());
+        assert!(anywhere.iter().chain(alike).max() < found.as_ref());
         // Where the torque is kept, so is what all definitions have in common.
-        assert!(mean(&anywhere) < mean(&alike));
+        assert!(mean(anywhere) < mean(alike));
     }
 
     #[test]

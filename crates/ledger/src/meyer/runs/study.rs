@@ -2,8 +2,7 @@
 
 use super::table;
 use crate::meyer::terms::MISSING;
-use geneva_case1973::program::Printout;
-use geneva_case1973::{Column, Hypothesis, Listing, Row, Run, Score, compared};
+use geneva_case1973::{Column, Listing, Row, Run, Score, compared};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
@@ -29,26 +28,10 @@ pub fn within_one(column: Column, runs: &[Run]) -> usize {
     geneva_case1973::within_one(column, rows(), runs)
 }
 
-/// What the program printed for each row as it ran: one run for all that is asked of its lines.
-pub fn printouts() -> &'static [Option<Printout>] {
-    static PRINTED: OnceLock<Vec<Option<Printout>>> = OnceLock::new();
-    PRINTED.get_or_init(|| rows().iter().map(|row| Hypothesis::AS_RUN.printout(row)).collect())
-}
-
-/// The run of a row as it was run, read off the printed lines; none if it is none of the rows.
-pub fn as_run(row: &Row) -> Option<Run> {
-    let at = rows().iter().position(|other| other == row)?;
-    Run::read_off(printouts()[at].as_ref()?, Hypothesis::AS_RUN.angle(row))
-}
-
 /// The scores of all compared hypotheses.
 pub fn scores() -> &'static [Score<'static>] {
     static SCORES: OnceLock<Vec<Score>> = OnceLock::new();
-    let of = |hypothesis| match hypothesis {
-        Hypothesis::AS_RUN => Score::of_runs(hypothesis, rows(), rows().iter().map(as_run).collect()),
-        _ => Score::of(hypothesis, rows()),
-    };
-    SCORES.get_or_init(|| compared().into_iter().map(of).collect())
+    SCORES.get_or_init(|| compared().into_iter().map(|hypothesis| Score::of(hypothesis, rows())).collect())
 }
 
 /// The program with the sign chosen by the acceleration of so long ago, in s, and its score: none for the exact sign, then
@@ -125,6 +108,7 @@ pub mod deck {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_case1973::Hypothesis;
 
     #[test]
     fn a_run_that_comes_to_nothing_makes_the_tables_impossible() {
@@ -136,12 +120,5 @@ mod tests {
         assert_eq!(one_less.within_one, all.within_one - 1);
         assert!(all.likelihoods[0].log.is_finite() && one_less.likelihoods[0].log == f64::NEG_INFINITY);
         assert!(one_less.mean.is_finite());
-    }
-
-    #[test]
-    fn what_the_runs_are_read_off_is_what_they_give() {
-        for row in rows().iter().step_by(9) {
-            assert_eq!(Hypothesis::AS_RUN.run(row), as_run(row), "{}", row.slug());
-        }
     }
 }
