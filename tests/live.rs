@@ -347,7 +347,7 @@ fn the_mistake_is_scored_as_the_ledger_scores_it() {
         ("own=1", Hypothesis::IDEAL),
         ("reset=90", Hypothesis::WITHOUT_LAG),
         ("reset=90&six=0", headed),
-        ("reset=90&late=1", Hypothesis::as_run()),
+        ("reset=90&late=1", Hypothesis::AS_RUN),
     ] {
         let answer: Value = loop {
             let answer = geneva_live::answer(&format!("mistake?{given}&{setting}"));

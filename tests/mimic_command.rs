@@ -123,7 +123,7 @@ fn the_runs_of_appendix_e_come_from_the_ledger() {
             .iter()
             .map(|name| run["parameters"][name].as_f64().expect("a number"))
             .collect();
-        assert_eq!(numbers, Hypothesis::as_run().data_card(row));
+        assert_eq!(numbers, Hypothesis::AS_RUN.data_card(row));
         assert_eq!(run["rows"].as_array().map(Vec::len), Some(401));
     }
     let told = refused(&["mimic", "run", "decay", "--runs", "appendix-e"]);

@@ -11,12 +11,16 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("kinematics", &[]),
     ("dynamics", &["kinematics", "mimic"]),
     ("mimic", &[]),
-    ("ledger", &["kinematics", "dynamics", "mimic"]),
-    ("figures", &["kinematics", "dynamics", "mimic"]),
+    ("case1973", &["kinematics", "dynamics", "mimic"]),
+    ("ledger", &["kinematics", "dynamics", "mimic", "case1973"]),
+    ("figures", &["kinematics", "dynamics", "mimic", "case1973"]),
     ("proofread", &[]),
     ("workshop", &["kinematics"]),
-    ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "proofread", "proofread-page"]),
+    ("live", &["kinematics", "dynamics", "mimic", "case1973", "figures", "workshop"]),
+    (
+        "press",
+        &["kinematics", "dynamics", "mimic", "case1973", "ledger", "figures", "live", "proofread", "proofread-page"],
+    ),
     ("proofread-page", &["proofread"]),
     ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"]),
 ];
@@ -113,7 +117,7 @@ fn a_library_whose_tests_are_elsewhere_has_none_of_its_own() {
         elsewhere.push(package);
     }
     // With tests of their own, these optimised libraries would be compiled twice.
-    for package in ["dynamics", "kinematics", "mimic"] {
+    for package in ["case1973", "dynamics", "kinematics", "mimic"] {
         assert!(elsewhere.iter().any(|name| name == package), "crates/{package}/Cargo.toml: [lib] needs test = false");
     }
 }
@@ -137,6 +141,7 @@ fn no_printed_decimal_stands_outside_the_ledger() {
         "crates/kinematics",
         "crates/dynamics",
         "crates/mimic",
+        "crates/case1973",
         "crates/figures",
         "crates/workshop",
         "crates/press",
@@ -167,6 +172,7 @@ fn formulas_use_no_mathematics_of_the_platform() {
         "crates/kinematics/src",
         "crates/dynamics/src",
         "crates/mimic/src",
+        "crates/case1973/src",
         "crates/ledger/src",
         "crates/figures/src",
         "crates/workshop/src",
@@ -188,6 +194,43 @@ fn formulas_use_no_mathematics_of_the_platform() {
                 assert!(called.is_none() || excused, "{} calls {called:?}; use libm's", path.display());
             }
         }
+    }
+}
+
+#[test]
+fn a_witness_shares_no_code_with_what_it_vouches_for() {
+    // What answers the questions of the study in the first way: the solution over the angle, the program's run and what is
+    // read off it, and the statistics.
+    let first_routes = [
+        "Engagement",
+        ".engagement(",
+        ".run(",
+        ".by_program(",
+        "printout(",
+        "read_off(",
+        ".likelihoods",
+        ".log_likelihood(",
+        ".margin(",
+        ".of(&",
+        "expected_cells",
+        "Dealer",
+        "golden_section",
+        "Freed",
+    ];
+    let code = |text: &str| {
+        let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        lines.collect::<Vec<_>>().join("\n")
+    };
+    let files = crate::files("crates/case1973/src", &[".rs"]).into_iter().map(|(path, text)| (path, code(&text)));
+    let (witnesses, others): (Vec<_>, Vec<_>) = files.partition(|(path, _)| path.iter().any(|part| part == "witness"));
+    assert!(witnesses.len() > 5 && others.len() > 10);
+    for route in first_routes {
+        assert!(others.iter().any(|(_, code)| code.contains(route)), "{route} is no first route any more");
+        let called = witnesses.iter().find(|(_, code)| code.contains(route));
+        assert!(called.is_none(), "{:?} calls {route}, for which it is a witness", called.map(|(path, _)| path));
+    }
+    for (path, code) in others.iter().filter(|(path, _)| !path.ends_with("lib.rs")) {
+        assert!(!code.contains("witness"), "{} calls a witness of its own", path.display());
     }
 }
 

@@ -1,7 +1,7 @@
 //! Does every public number of the formulas and of the solver say its unit?
 
 /// What tells a unit, as whole words.
-const UNITS: [&str; 22] = [
+const UNITS: [&str; 24] = [
     "dimensionless",
     "rad",
     "radians",
@@ -10,6 +10,9 @@ const UNITS: [&str; 22] = [
     "degrees",
     "seconds",
     "crank radii",
+    "in s",
+    // Of the thesis: inches and pounds of force, as in "in in lb s²".
+    "in lb",
     "in metres",
     "millimetres",
     "in N",
@@ -114,7 +117,7 @@ fn without_a_unit(text: &str) -> Vec<String> {
 #[test]
 fn every_public_number_says_its_unit() {
     let mut found = Vec::new();
-    for package in ["kinematics", "dynamics", "mimic", "proofread"] {
+    for package in ["kinematics", "dynamics", "mimic", "case1973", "proofread"] {
         for (path, text) in crate::files(&format!("crates/{package}/src"), &[".rs"]) {
             if !path.iter().any(|part| part == "tests") && !path.ends_with("tests.rs") {
                 found.extend(without_a_unit(&text).into_iter().map(|number| format!("{}:{number}", path.display())));

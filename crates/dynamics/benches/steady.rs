@@ -1,6 +1,5 @@
 //! What a steady state costs: one, a table of forty-nine with and without the extremes, and its parts.
 
-#[path = "integrators/rows.rs"]
 mod rows;
 
 use divan::{Bencher, black_box};

@@ -209,9 +209,6 @@ pub enum Error {
         /// Relative change when the steps were last halved, dimensionless.
         reached: f64,
     },
-    /// The integrator of the program of 1973 stopped, in its own words.
-    #[error("{0}")]
-    Stopped(String),
 }
 
 /// A number in a message, to four significant digits.

@@ -5,8 +5,8 @@
 //! claim holds if the derived verdict is the recorded one and nothing contradicts it. Everything shown anywhere (tests,
 //! tables of the book, command line, JSON, CSV) is drawn from [`claims`].
 //!
-//! The ledger computes nothing itself, because it calls the formula crates. A printed number is written here and
-//! nowhere else.
+//! What is computed comes from the formula crates, from the study of the runs in `geneva-case1973`, or from a second route
+//! beside the claim that it serves. A printed number is written here and nowhere else.
 
 mod agreement;
 mod by_id;

@@ -25,7 +25,7 @@ pub fn example() -> anyhow::Result<&'static Row> {
 }
 
 /// The score of a hypothesis among those compared.
-pub fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
+pub fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score<'static>> {
     scores().iter().find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
 }
 

@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke, of_mechanism
 use crate::svg::Label;
 use crate::theme::FILL;
 use crate::{Figure, Series, Words};
+use geneva_case1973::{Cell, Score};
 use geneva_kinematics::Mechanism;
 
 /// Differences up to this many units have their place on the axis; a mark at its edge stands for a greater one.
@@ -15,27 +16,9 @@ const SIZE: f64 = 8.0;
 /// What a mark beyond the edge is drawn as, for the captions.
 const BEYOND: &str = "An arrowhead at the edge is a number that is farther off.";
 
-/// One printed number and the computed one, both in units of the last printed place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
-    /// The mechanism it is said of.
-    pub mechanism: Mechanism,
-    /// As printed.
-    pub printed: f64,
-    /// As computed.
-    pub computed: f64,
-}
-
-impl Cell {
-    /// By how much the printed number is greater.
-    fn residual(&self) -> f64 {
-        self.printed - self.computed
-    }
-
-    /// Whether the two are no more than a unit apart.
-    pub fn is_within_one(&self) -> bool {
-        self.residual().abs() <= 1.0 + 1e-9
-    }
+/// By how much the printed number is greater.
+fn residual(cell: &Cell) -> f64 {
+    cell.printed - cell.computed
 }
 
 /// All cells under one hypothesis.
@@ -48,6 +31,11 @@ pub struct Compared {
 }
 
 impl Compared {
+    /// The cells of a score, under this name of its hypothesis.
+    pub fn new(name: String, score: &Score) -> Self {
+        Self { name, cells: score.cells().collect() }
+    }
+
     /// How many are within one unit, of how many.
     fn count(&self) -> String {
         format!("{} of {}", self.cells.iter().filter(|cell| cell.is_within_one()).count(), self.cells.len())
@@ -55,7 +43,7 @@ impl Compared {
 
     /// Whether a difference has no place on the axis.
     fn goes_beyond(&self) -> bool {
-        self.cells.iter().any(|cell| cell.residual().abs() > LIMIT)
+        self.cells.iter().any(|cell| residual(cell).abs() > LIMIT)
     }
 }
 
@@ -159,7 +147,7 @@ fn points(hypothesis: &Compared, mechanism: Mechanism, strip: f64) -> Vec<(f64, 
     let own: Vec<&Cell> = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism).collect();
     let place = |(k, cell): (usize, &&Cell)| {
         let share = (k as f64 + 0.5) / own.len() as f64 - 0.5;
-        (cell.residual(), strip + TAKEN * share)
+        (residual(cell), strip + TAKEN * share)
     };
     own.iter().enumerate().map(place).filter(|(x, _)| x.is_finite()).collect()
 }

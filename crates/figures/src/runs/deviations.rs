@@ -1,11 +1,12 @@
 //! How far the numbers of a table are from those that several hypotheses give.
 
-use super::agreement::{Cell, Compared};
+use super::agreement::Compared;
 use crate::chart::{Axis, Chart, Entry, Panel, Scale, Spot, Stroke, of_mechanism};
 use crate::number::short;
 use crate::svg::Label;
 use crate::theme::FILL;
 use crate::{Figure, Series, Words};
+use geneva_case1973::Cell;
 use geneva_kinematics::Mechanism;
 
 /// The scale, in units of the last place; what is nearer stands at its start.

@@ -1,6 +1,7 @@
 //! Runs of an escapement, given as tables, against the motion that the equation has.
 //!
-//! What a table gives comes in as plain numbers; everything else is computed by `geneva-dynamics`.
+//! What a table gives comes in as plain numbers; everything else is computed by `geneva-dynamics` and
+//! `geneva-case1973`.
 
 mod agreement;
 mod aliasing;
@@ -13,7 +14,7 @@ mod speeds;
 #[cfg(test)]
 mod tests;
 
-pub use agreement::{Cell, Compared, agreement, one_agreement};
+pub use agreement::{Compared, agreement, one_agreement};
 pub use aliasing::aliasing;
 pub use columns::{Count, columns};
 pub use deviations::deviations;

@@ -7,9 +7,9 @@
 //! `cargo bench -p geneva --bench clocks -- --record book/records/clocks.csv` writes a record.
 //! `--rounds N` takes N turns in place of the usual number.
 
-#[path = "../../../dynamics/benches/integrators/options.rs"]
+#[path = "../../../case1973/benches/integrators/options.rs"]
 mod options;
-#[path = "../../../dynamics/benches/integrators/record.rs"]
+#[path = "../../../case1973/benches/integrators/record.rs"]
 mod record;
 
 use options::Options;

@@ -387,7 +387,7 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
     let names: Vec<String> = deck.parameters().into_iter().map(str::to_owned).collect();
     let given: Vec<_> = wanted.deck.set.iter().filter(|(name, _)| names.contains(name)).cloned().collect();
     let sets = if wanted.runs.is_some() {
-        let columns = Hypothesis::as_run().data_card(&rows()[0]).len();
+        let columns = Hypothesis::AS_RUN.data_card(&rows()[0]).len();
         ensure!(
             names.len() == columns,
             "--runs appendix-e: each of these runs gives {columns} numbers (slots, angle at the start, friction, torque, \
@@ -395,7 +395,7 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
              {columns}, such as escapement",
             names.len()
         );
-        let card = |row| names.iter().cloned().zip(Hypothesis::as_run().data_card(row)).collect();
+        let card = |row| names.iter().cloned().zip(Hypothesis::AS_RUN.data_card(row)).collect();
         rows().iter().map(|row| DataSet(card(row))).collect()
     } else if !deck.has_data() && names.iter().all(|name| given.iter().any(|(of, _)| of == name)) {
         vec![DataSet::default()]

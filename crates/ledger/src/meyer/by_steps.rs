@@ -3,8 +3,8 @@
 //! The second route of chapter II's statements: nothing here uses the solution by integrals. One motion stands for all
 //! torques of a group, those of a row are it with other scales: see [`Group::scale`].
 
-use super::runs::steps::Course;
 use super::runs::{Hypothesis, Row, series};
+use geneva_case1973::witness::steps::Course;
 use geneva_dynamics::{Coefficients, Parameters};
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};

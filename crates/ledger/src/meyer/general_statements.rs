@@ -1,11 +1,12 @@
 //! The parametric graphs, Figs. 9 to 11, and what the general statements on them say of the torque.
 
 use super::profile::lost;
-use super::runs::{Column, Hypothesis, Row, rise_times, series};
+use super::runs::{Column, Hypothesis, Row, rows, series};
 use super::terms::{Start, starts};
 use super::*;
 use crate::Evidence::Quadrature;
 use crate::Stated;
+use geneva_case1973::rise_times::with_more_torque;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Sign};
 use geneva_kinematics::Expression;
@@ -38,7 +39,7 @@ fn more_torque() -> Claim {
                 shorter && stated.pick(velocity > 1.0, (velocity / torque - 1.0).abs() < 1e-6)
             };
             let right = pairs.iter().filter(goes).count();
-            let printed = rise_times::with_more_torque();
+            let printed = with_more_torque(rows());
             Finding::new(
                 !pairs.is_empty() && right == pairs.len(),
                 format!(
@@ -275,7 +276,7 @@ fn misses_by_projection(abscissae: &[f64], ordinates: &[f64], stated: Stated) ->
 
 #[cfg(test)]
 mod tests {
-    use super::runs::rows;
+    use super::runs::rise_times;
     use super::*;
 
     #[test]
@@ -289,7 +290,7 @@ mod tests {
             let near = rows().iter().filter(|row| {
                 let at = of.engagement(row).expect("an escapement");
                 let average = at.steady_state().expect("a steady state").mean_of_extremes();
-                let lines = at.run(runs::interval() / 10.0, runs::duration()).expect("a run");
+                let lines = at.run(runs::interval() / 10.0, runs::listing().duration).expect("a run");
                 let reached = lines.iter().find(|line| line.speed >= 0.99 * average).expect("in the run");
                 (reached.time - row.number(Column::Rise)).abs() <= 1e-3
             });

@@ -85,7 +85,7 @@ fn no_friction() -> Claim {
 #[cfg(test)]
 mod tests {
     use super::super::by_steps::{Group, groups};
-    use super::super::runs::{Column, Hypothesis, Row, rise_times, rows};
+    use super::super::runs::{Column, Hypothesis, Row, rows};
     use super::super::terms::{MISSING, Start};
     use super::*;
     use geneva_dynamics::Parameters;
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn the_printed_rise_times_go_up_in_eight_pairs() {
-        let printed = rise_times::with_more_friction();
+        let printed = geneva_case1973::rise_times::with_more_friction(rows());
         assert_eq!((printed.up, printed.pairs), (8, 34));
     }
 

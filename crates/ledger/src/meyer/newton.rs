@@ -3,8 +3,8 @@
 //! Places and velocities are vectors, the forces in the slot follow from what the follower's acceleration asks for.
 //! Nothing here is a display of the source or a formula of the other crates: it is a second route to the motion.
 
-use super::runs::steps::step;
 use super::*;
+use geneva_case1973::witness::steps::step;
 
 /// A driver and a follower with a thin pin in a slot between them.
 #[derive(Clone, Copy)]

@@ -2,12 +2,12 @@
 
 use super::by_steps::groups;
 use super::general_statements::with;
-use super::runs::{Column, Hypothesis, Row, rows, series};
+use super::runs::{Column, Hypothesis, Listing, Row, rows, series};
 use super::slips::SAMPLED_PEAKS;
 use super::terms::Start;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
-use geneva_dynamics::program::{Contact, Program};
+use geneva_case1973::program::Program;
 
 pub fn claims() -> Vec<Claim> {
     vec![not_fast_enough(), spring_rates(), cyclic_oscillations(), front::page_of_definition()]
@@ -72,7 +72,7 @@ fn cyclic_oscillations() -> Claim {
             let interval = runs::interval() * stated.pick(1.0, 0.02);
             swinging(looked_at(stated), &|row| {
                 let of = with(row, EXCESSIVE, 1.0)?;
-                let lines = of.run(interval, runs::duration()).ok()?;
+                let lines = of.run(interval, runs::listing().duration).ok()?;
                 Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
             })
         })
@@ -80,19 +80,8 @@ fn cyclic_oscillations() -> Claim {
             // The program with its reset angle, its lagged sign and its own π, printing as often.
             let interval = runs::interval() * stated.pick(1.0, 0.02);
             swinging(looked_at(stated), &|row| {
-                let of = with(row, EXCESSIVE, 1.0)?;
-                let slots = f64::from(of.parameters().mechanism().slots());
-                let program = Program {
-                    reset: Hypothesis::WITHOUT_LAG.angle(row.mechanism),
-                    ratio: 1.0 / libm::sin(printed("meyer.listing.pi") / slots),
-                    contact: Contact::Delayed(runs::delay()),
-                    ..Program::of(of.parameters())
-                };
-                let integrator = geneva_mimic::Parameters {
-                    at_smallest_step: geneva_mimic::AtSmallestStep::Continue,
-                    ..geneva_mimic::Parameters::new(interval, runs::duration())
-                };
-                let lines = program.run(&integrator).ok()?.lines;
+                let program = Program { torque: EXCESSIVE * row.torque(), ..Hypothesis::AS_RUN.program(row)? };
+                let lines = program.run(&Listing { interval, ..runs::listing() }.integrator()).ok()?.lines;
                 Some(lines.iter().map(|line| ((line.turned / program.reset) as usize, line.speed)).collect())
             })
         })
@@ -160,7 +149,7 @@ mod tests {
     fn from_five_times_the_greatest_torque_on_the_printed_peaks_of_all_groups_swing_and_with_three_times_not() {
         for (times, expected) in [(3.0, false), (5.0, true), (7.0, true), (30.0, true)] {
             let found = swinging("the printed lines", &|row| {
-                let lines = with(row, times, 1.0)?.run(runs::interval(), runs::duration()).ok()?;
+                let lines = with(row, times, 1.0)?.run(runs::interval(), runs::listing().duration).ok()?;
                 Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
             });
             assert_eq!(found.holds, expected, "{times}: {}", found.how);

@@ -28,14 +28,14 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
     ("cells.printed", || Ok((4 * rows().len()).to_string())),
     ("cells", || Ok((3 * rows().len()).to_string())),
-    ("cells.by-the-program", || Ok(score(&Hypothesis::as_run())?.within_one().to_string())),
+    ("cells.by-the-program", || Ok(score(&Hypothesis::AS_RUN)?.within_one().to_string())),
     ("cells.by-the-mechanisms", || Ok(score(&Hypothesis::IDEAL)?.within_one().to_string())),
 ];
 
 /// Whether the angle in the program is, as it is rounded there, that by which the pins of a row are apart.
 fn is_reset_rightly(row: &Row) -> bool {
     let reset: Option<Decimal> = claim("meyer.listing.quarter-turn").and_then(|claim| claim.printed.parse().ok());
-    reset.is_some_and(|reset| reset.is_rounding_of(Hypothesis::IDEAL.angle(row.mechanism)))
+    reset.is_some_and(|reset| reset.is_rounding_of(Hypothesis::IDEAL.angle(row)))
 }
 
 /// How many of the inputs of the thesis's runs are right, which we know only from the results.

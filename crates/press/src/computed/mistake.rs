@@ -2,9 +2,7 @@
 
 use super::Number;
 use crate::rows::score;
-use anyhow::Context;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::chance;
 use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{EXPLAINED, Hypothesis, Reset, rows};
 
@@ -15,11 +13,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("mistake.own-angles", || within_one(&Hypothesis { reset: Reset::OfTheMechanism, ..Hypothesis::WITHOUT_LAG })),
     ("mistake.four", || {
         let score = score(&Hypothesis::WITHOUT_LAG)?;
-        let found = chance::of_cells(score, &[Mechanism::FOUR_PIN]).context("a run comes to no end")?.found;
-        Ok(found.to_string())
+        Ok(score.within_one_of(&[Mechanism::FOUR_PIN]).to_string())
     }),
     ("mistake.four.cells", || Ok((EXPLAINED.len() * rows_of(Mechanism::FOUR_PIN).count()).to_string())),
-    ("mistake.as-run", || within_one(&Hypothesis::as_run())),
+    ("mistake.as-run", || within_one(&Hypothesis::AS_RUN)),
 ];
 
 /// How many cells come within one unit of the last place.

@@ -1,70 +1,67 @@
 //! The comparison of the runs: how many cells are reproduced, how likely the tables are, and what chance would give.
 
-use super::{Number, least, most};
+use super::{Number, most};
 use crate::lookup::judged;
 use crate::numbers::fixed;
 use crate::rows::score;
 use anyhow::Context;
-use geneva_dynamics::likelihood::Law;
+use geneva_case1973::chance::Shuffled;
+use geneva_case1973::choice::rows_of as table_of;
+use geneva_case1973::fitted::Freed;
+use geneva_case1973::rise_times::{with_more_friction, with_more_torque};
+use geneva_case1973::weighing::{Others, margins};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::chance::{self, Shuffled};
-use geneva_ledger::meyer::runs::data::freed::Freed;
-use geneva_ledger::meyer::runs::rise_times::{
-    Group, OF_A_PART, Tried, explained, groups, with_more_friction, with_more_torque,
-};
-use geneva_ledger::meyer::runs::{
-    Column, EXPLAINED, Fit, Hypothesis, Reading, Reset, Row, Run, Score, Weighing, delays, interval, rows, scores,
-    series,
-};
+use geneva_ledger::meyer::runs::rise_times::{Group, OF_A_PART, Tried, explained, groups};
+use geneva_ledger::meyer::runs::statistics::{LITTLE, shuffled, statistic};
+use geneva_ledger::meyer::runs::{EXPLAINED, Fit, Hypothesis, Reset, Row, Score, rows, scores, series};
 use geneva_ledger::meyer::terms::MISSING;
 use geneva_ledger::{Decimal, Judged, Verdict};
-use std::sync::OnceLock;
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.four", || Ok((rows().len() - others().count()).to_string())),
-    ("runs.minima", || within(best()?, Column::Minimum)),
-    ("runs.periods", || within(best()?, Column::Period)),
-    ("runs.peaks", || within(best()?, Column::Peak)),
-    ("runs.peaks-lagged", || within(lagged(0.1)?, Column::Peak)),
-    ("runs.exact", || Ok(exact(score(&Hypothesis::as_run())?).to_string())),
-    ("runs.exact.mechanisms", || Ok(exact(score(&Hypothesis::IDEAL)?).to_string())),
+    ("runs.minima", || rounded("runs.minima")),
+    ("runs.periods", || rounded("runs.periods")),
+    ("runs.peaks", || rounded("runs.peaks")),
+    ("runs.peaks-lagged", || rounded("runs.peaks-lagged")),
+    ("runs.exact", || rounded("runs.exact")),
+    ("runs.exact.mechanisms", || rounded("runs.exact.mechanisms")),
     ("runs.others", || Ok((EXPLAINED.len() * others().count()).to_string())),
-    ("runs.others-by-the-mechanisms", || Ok(of_others(score(&Hypothesis::IDEAL)?).to_string())),
-    ("runs.others-by-the-program", || Ok(of_others(lagged(0.1)?).to_string())),
-    ("runs.by-chance", || expected(&Hypothesis::as_run(), &Mechanism::ALL)),
-    ("runs.others.by-chance", || expected(&Hypothesis::as_run(), &OTHERS)),
-    ("runs.others.by-chance.mechanisms", || expected(&Hypothesis::IDEAL, &OTHERS)),
-    ("runs.others.as-many", || Ok(format!("{}&nbsp;%", fixed(100.0 * as_many_by_chance()?, 0)))),
+    ("runs.others-by-the-mechanisms", || rounded("runs.others-by-the-mechanisms")),
+    ("runs.others-by-the-program", || rounded("runs.others-by-the-program")),
+    ("runs.by-chance", || rounded("runs.by-chance")),
+    ("runs.others.by-chance", || rounded("runs.others.by-chance")),
+    ("runs.others.by-chance.mechanisms", || rounded("runs.others.by-chance.mechanisms")),
+    ("runs.others.as-many", || Ok(format!("{}&nbsp;%", rounded("runs.others.as-many")?))),
     ("runs.groups", || Ok(series().count().to_string())),
-    ("runs.reset", || Ok(fixed(weakest(for_the_reset)?.floor(), 0))),
-    ("runs.reset.one-row", || Ok(fixed(with_one_row_of_each(for_the_reset)?.floor(), 0))),
-    ("runs.margin", || Ok(fixed(weakest(for_reset_and_inertias)?.floor(), 0))),
-    ("runs.margin.one-row", || Ok(fixed(with_one_row_of_each(for_reset_and_inertias)?.floor(), 0))),
-    ("runs.margin.one-row.odds", || Ok(odds(with_one_row_of_each(for_reset_and_inertias)?))),
-    ("runs.sampled", || Ok(fixed(weakest(for_sampled_peaks)?, 0))),
-    ("runs.sampled.odds", || Ok(odds(weakest(for_sampled_peaks)?))),
-    ("runs.sampled.most", || Ok(fixed(most(&by_all_weighings(for_sampled_peaks)?), 0))),
-    ("freed.six", || Ok(freed(Reset::OfTheMechanism, Mechanism::SIX_PIN)?.within_one().to_string())),
-    ("freed.three", || Ok(freed(Reset::OfTheMechanism, Mechanism::THREE_PIN)?.within_one().to_string())),
-    ("freed.six.quarter", || Ok(freed(Reset::QuarterTurn, Mechanism::SIX_PIN)?.within_one().to_string())),
-    ("freed.three.quarter", || Ok(freed(Reset::QuarterTurn, Mechanism::THREE_PIN)?.within_one().to_string())),
-    ("freed.six.less-friction", || less_friction(Mechanism::SIX_PIN)),
-    ("freed.three.less-friction", || less_friction(Mechanism::THREE_PIN)),
+    ("runs.reset", || Ok(fixed(number("runs.reset")?.floor(), 0))),
+    ("runs.reset.one-row", || Ok(fixed(number("runs.reset.one-row")?.floor(), 0))),
+    ("runs.margin", || Ok(fixed(number("runs.margin")?.floor(), 0))),
+    ("runs.margin.one-row", || Ok(fixed(number("runs.margin.one-row")?.floor(), 0))),
+    ("runs.margin.one-row.odds", || Ok(odds(number("runs.margin.one-row")?))),
+    ("runs.sampled", || rounded("runs.sampled")),
+    ("runs.sampled.odds", || Ok(odds(number("runs.sampled")?))),
+    ("runs.sampled.most", || {
+        Ok(fixed(most(&margins(scores(), Others::TruePeaks).context("a hypothesis that was not compared")?), 0))
+    }),
+    ("freed.six", || rounded("freed.six")),
+    ("freed.three", || rounded("freed.three")),
+    ("freed.six.quarter", || rounded("freed.six.quarter")),
+    ("freed.three.quarter", || rounded("freed.three.quarter")),
+    ("freed.six.less-friction", || rounded("freed.six.less-friction")),
+    ("freed.three.less-friction", || {
+        let freed = Freed::with_friction(table_of(rows(), Mechanism::THREE_PIN), Reset::OfTheMechanism, LITTLE);
+        Ok(freed.context("no inertias give a table a motion")?.within_one().to_string())
+    }),
     ("runs.least-spread", || Ok(format!("{:.2}", least_spread()))),
     ("runs.spreads", || {
         let [peak, minimum, period] = best()?.fits.each_ref().map(|fit| format!("{:.2}", fit.likelihoods[0].spread));
         Ok(format!("{peak}, {minimum} and {period}"))
     }),
-    ("runs.fifth", || Ok(fixed(against_a_fifth()?.floor(), 0))),
-    ("runs.lag.normal", || Ok(fixed(for_the_lag()?[0], 1))),
-    ("runs.lag.exponential", || Ok(fixed(for_the_lag()?[1], 1))),
-    ("runs.lag.by-table", || {
-        let [with, without] = [lagged(0.1)?, lagged(0.0)?];
-        let margin =
-            |law| Weighing::BY_TABLE.log_likelihood(with, law) - Weighing::BY_TABLE.log_likelihood(without, law);
-        Ok(fixed(least(&Law::ALL.map(margin)), 1))
-    }),
+    ("runs.fifth", || Ok(fixed(number("runs.fifth")?.floor(), 0))),
+    ("runs.lag.normal", || Ok(fixed(number("runs.lag.normal")?, 1))),
+    ("runs.lag.exponential", || Ok(fixed(number("runs.lag.exponential")?, 1))),
+    ("runs.lag.by-table", || Ok(fixed(number("runs.lag.by-table")?, 1))),
     ("runs.torques", || found("torque", Verdict::Reproduced)),
     ("runs.frictions", || found("friction", Verdict::Reproduced)),
     ("runs.frictions.read", || found("friction", Verdict::ReadOff)),
@@ -75,19 +72,19 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.tried", || Ok(explained().len().to_string())),
     ("rise.most", || Ok(most_explained(|_| true).to_string())),
     ("rise.most.own-part", || Ok(most_explained(|tried| tried.part == Some(MISSING)).to_string())),
-    ("rise.chance", || Ok(fixed(explained().iter().map(|tried| tried.as_run.by_chance).fold(0.0, f64::max), 0))),
-    ("rise.by-chance.most", || greatest(by_chance(Shuffled::InTables))),
-    ("rise.by-chance.usual", || usual(by_chance(Shuffled::InTables))),
-    ("rise.by-chance.equal-torques", || usual(by_chance(Shuffled::AmongEqualTorques))),
-    ("rise.by-chance.equal-torques.most", || greatest(by_chance(Shuffled::AmongEqualTorques))),
+    ("rise.chance", || rounded("rise.chance")),
+    ("rise.by-chance.most", || greatest(shuffled(Shuffled::InTables))),
+    ("rise.by-chance.usual", || rounded("rise.by-chance.usual")),
+    ("rise.by-chance.equal-torques", || rounded("rise.by-chance.equal-torques")),
+    ("rise.by-chance.equal-torques.most", || greatest(shuffled(Shuffled::AmongEqualTorques))),
     ("rise.profile", || own_meaning(0)),
     ("rise.average", || own_meaning(1)),
-    ("rise.torque.pairs", || Ok(with_more_torque().pairs.to_string())),
-    ("rise.torque.up", || Ok(with_more_torque().up.to_string())),
-    ("rise.torque.equal", || Ok(with_more_torque().equal.to_string())),
-    ("rise.friction.pairs", || Ok(with_more_friction().pairs.to_string())),
-    ("rise.friction.up", || Ok(with_more_friction().up.to_string())),
-    ("rise.friction.equal", || Ok(with_more_friction().equal.to_string())),
+    ("rise.torque.pairs", || Ok(with_more_torque(rows()).pairs.to_string())),
+    ("rise.torque.up", || Ok(with_more_torque(rows()).up.to_string())),
+    ("rise.torque.equal", || Ok(with_more_torque(rows()).equal.to_string())),
+    ("rise.friction.pairs", || Ok(with_more_friction(rows()).pairs.to_string())),
+    ("rise.friction.up", || Ok(with_more_friction(rows()).up.to_string())),
+    ("rise.friction.equal", || Ok(with_more_friction(rows()).equal.to_string())),
     ("runs.to-one-unit", || {
         let only_to_a_unit = |row: &&Row| -> anyhow::Result<usize> {
             let mut count = 0;
@@ -135,24 +132,18 @@ fn data(value: &str) -> anyhow::Result<Vec<&'static Judged>> {
     rows().iter().map(|row| judged(&format!("meyer.app-e.{}.{value}", row.slug()))).collect()
 }
 
-/// How many cells a hypothesis gives to the printed digit.
-fn exact(score: &Score) -> usize {
-    score.fits.iter().map(|fit| fit.exact).sum()
-}
-
 /// The reset after a quarter of a turn, the inertias of Fig. 11, printed peaks.
-fn best() -> anyhow::Result<&'static Score> {
+fn best() -> anyhow::Result<&'static Score<'static>> {
     score(&Hypothesis::WITHOUT_LAG)
 }
 
-/// The program as listed with its sign late by this part of a print interval.
-fn lagged(part: f64) -> anyhow::Result<&'static Score> {
-    let found = delays().iter().find(|(delay, _)| (delay / interval() - part).abs() < 1e-9);
-    found.map(|(_, score)| score).context("a delay that was not tried")
+/// A number of the study that has two routes in the ledger, by the first of them.
+fn number(name: &str) -> anyhow::Result<f64> {
+    statistic(name).and_then(|of| (of.first)()).with_context(|| format!("no such number of the study: {name}"))
 }
 
-fn within(score: &Score, column: Column) -> anyhow::Result<String> {
-    Ok(score.on(column).context("a column that is not explained")?.within_one.to_string())
+fn rounded(name: &str) -> anyhow::Result<String> {
+    Ok(fixed(number(name)?, 0))
 }
 
 /// The rows of six and three pins.
@@ -160,121 +151,8 @@ fn others() -> impl Iterator<Item = &'static Row> {
     rows().iter().filter(|row| row.mechanism != Mechanism::FOUR_PIN)
 }
 
-/// Cells of six and three pins that are within one unit.
-fn of_others(score: &Score) -> usize {
-    let near = |(row, run): (&Row, &Option<Run>)| {
-        let near =
-            |column: &Column| run.is_some_and(|run| column.is_within_one(row.number(*column), run.number(*column)));
-        EXPLAINED.iter().filter(|column| near(column)).count()
-    };
-    let all = rows().iter().zip(&score.runs).filter(|(row, _)| row.mechanism != Mechanism::FOUR_PIN);
-    all.map(near).sum()
-}
-
-/// How many cells of these mechanisms chance would give with a hypothesis's numbers: the expectation.
-fn expected(hypothesis: &Hypothesis, mechanisms: &[Mechanism]) -> anyhow::Result<String> {
-    let chance = chance::of_cells(score(hypothesis)?, mechanisms).context(NO_END)?;
-    Ok(fixed(chance.expected, 0))
-}
-
-/// The part of all shuffles of the mechanisms' own numbers with six and three pins that gives as many cells as they do.
-fn as_many_by_chance() -> anyhow::Result<f64> {
-    let ideal = score(&Hypothesis::IDEAL)?;
-    let found = chance::of_cells(ideal, &OTHERS).context(NO_END)?.found;
-    let counts = chance::shuffles_of_cells(ideal, &OTHERS, SHUFFLES).context(NO_END)?;
-    Ok(counts.iter().filter(|count| **count >= found).count() as f64 / SHUFFLES as f64)
-}
-
-const NO_END: &str = "a run of the program comes to no end";
-
-/// Shuffles that stand for all.
-pub const SHUFFLES: usize = 10_000;
-
-/// How many rows the best definition of a rise time explains in each shuffle of the printed times.
-fn by_chance(shuffled: Shuffled) -> &'static [usize] {
-    static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
-    let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
-    COUNTS[own].get_or_init(|| chance::shuffles_of_definitions(shuffled, SHUFFLES))
-}
-
 fn greatest(counts: &[usize]) -> anyhow::Result<String> {
     Ok(counts.iter().max().context("no shuffles")?.to_string())
-}
-
-/// The count in the middle of all.
-fn usual(counts: &[usize]) -> anyhow::Result<String> {
-    let mut sorted = counts.to_vec();
-    sorted.sort_unstable();
-    Ok(sorted.get(sorted.len() / 2).context("no shuffles")?.to_string())
-}
-
-/// By how much ln L is greater than with any other reset angle.
-pub fn for_the_reset(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
-    Ok(weighing.margin(best()?, law, |other| other.reset == Reset::OfTheMechanism))
-}
-
-/// By how much ln L is greater than with any other combination of reset angle and inertias.
-pub fn for_reset_and_inertias(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
-    let own = best()?.hypothesis;
-    Ok(weighing.margin(best()?, law, |other| (other.reset, other.six_pin) != (own.reset, own.six_pin)))
-}
-
-/// By how much ln L is greater than if the peaks were the true ones.
-pub fn for_sampled_peaks(weighing: &Weighing, law: Law) -> anyhow::Result<f64> {
-    let of_true_peaks = Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
-    Ok(weighing.margin(best()?, law, |other| *other == of_true_peaks))
-}
-
-/// A margin by all weighings of all rows, with both laws.
-fn by_all_weighings(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<Vec<f64>> {
-    let weighings = [Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE];
-    weighings.iter().flat_map(|weighing| Law::ALL.map(|law| margin(weighing, law))).collect()
-}
-
-fn weakest(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<f64> {
-    Ok(least(&by_all_weighings(margin)?))
-}
-
-/// The weakest margin, by either law, if only one row for each mechanism and friction counts.
-fn with_one_row_of_each(margin: fn(&Weighing, Law) -> anyhow::Result<f64>) -> anyhow::Result<f64> {
-    let margins = Weighing::one_row_of_each().flat_map(|weighing| Law::ALL.map(|law| margin(&weighing, law)));
-    Ok(least(&margins.collect::<anyhow::Result<Vec<_>>>()?))
-}
-
-/// A table with the inertias that fit it best.
-fn freed(reset: Reset, mechanism: Mechanism) -> anyhow::Result<Freed> {
-    Freed::inertias(reset, mechanism).context(NO_MOTION)
-}
-
-/// How many results of a table the right reset gives with the best inertias and a hundredth of the printed frictions.
-fn less_friction(mechanism: Mechanism) -> anyhow::Result<String> {
-    let freed = Freed::with_friction(Reset::OfTheMechanism, mechanism, 0.01).context(NO_MOTION)?;
-    Ok(freed.within_one().to_string())
-}
-
-const NO_MOTION: &str = "no inertias give a table a motion";
-
-/// The mechanisms for which the program's reset is wrong.
-const OTHERS: [Mechanism; 2] = [Mechanism::SIX_PIN, Mechanism::THREE_PIN];
-
-/// By how much ln L of one is above that of another, by either law.
-fn above(one: &Score, other: &Score) -> [f64; 2] {
-    let [a, b] = [one.likelihoods(), other.likelihoods()];
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-/// By how much ln L is greater with the lag that the thesis gives than with the best of a fifth of an interval or more.
-fn against_a_fifth() -> anyhow::Result<f64> {
-    let listed = lagged(0.1)?;
-    let later = delays().iter().filter(|(delay, _)| *delay > 0.19 * interval());
-    Ok(later.flat_map(|(_, score)| above(listed, score)).fold(f64::INFINITY, f64::min))
-}
-
-/// By how much ln L differs between the lag that the thesis gives and none: against it by the normal law, for it by the
-/// other.
-fn for_the_lag() -> anyhow::Result<[f64; 2]> {
-    let [normal, exponential] = above(lagged(0.1)?, lagged(0.0)?);
-    Ok([-normal, exponential])
 }
 
 /// The smallest of all the spreads that suit a hypothesis best, in units of the last place.
@@ -303,16 +181,22 @@ fn bears_one_number(group: &Group) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::least;
     use super::*;
-    use geneva_dynamics::likelihood::LEAST_SPREAD;
+    use geneva_case1973::Weighing;
+    use geneva_case1973::chance;
+    use geneva_case1973::likelihood::{LEAST_SPREAD, Law};
+    use geneva_case1973::weighing::margins_by_one_row_of_each;
+    use geneva_ledger::meyer::runs::statistics::{OTHERS, STATISTICS};
 
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {
         let best = best().expect("compared");
-        let chance = chance::of_cells(best, &Mechanism::ALL).expect("runs").expected;
+        let chance = chance::expected_cells(best, &Mechanism::ALL).expect("runs");
         assert!(3.0 * chance < best.within_one() as f64, "{chance}");
-        assert!(of_others(best) + 3 >= EXPLAINED.len() * others().count());
-        assert!(3 * of_others(score(&Hypothesis::IDEAL).expect("compared")) < of_others(best));
+        assert!(best.within_one_of(&OTHERS) + 3 >= EXPLAINED.len() * others().count());
+        let by_the_mechanisms = score(&Hypothesis::IDEAL).expect("compared").within_one_of(&OTHERS);
+        assert!(3 * by_the_mechanisms < best.within_one_of(&OTHERS));
     }
 
     #[test]
@@ -322,16 +206,59 @@ mod tests {
 
     #[test]
     fn the_margins_shrink_with_milder_weighings_but_decide_with_each() {
-        for margin in [for_the_reset, for_reset_and_inertias] {
+        let one_row = |others| least(&margins_by_one_row_of_each(scores(), others).expect("compared"));
+        for others in [Others::AnotherReset, Others::AnotherResetOrInertias] {
             let [columns, tables, coarse] = [Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE]
-                .map(|weighing| least(&Law::ALL.map(|law| margin(&weighing, law).expect("compared"))));
-            let one_row = with_one_row_of_each(margin).expect("compared");
+                .map(|weighing| least(&Law::ALL.map(|law| weighing.margin(scores(), law, others).expect("compared"))));
+            let one_row = one_row(others);
             assert!(columns > tables && tables > coarse && coarse > one_row, "{columns} {tables} {coarse} {one_row}");
             assert!(one_row > 20.0, "{one_row}");
         }
         // Whether the peaks are true or printed is decided by all rows only.
-        assert!(weakest(for_sampled_peaks).expect("compared") > 5.0);
-        assert!(with_one_row_of_each(for_sampled_peaks).expect("compared") < 0.0);
+        assert!(number("runs.sampled").expect("compared") > 5.0 && one_row(Others::TruePeaks) < 0.0);
+    }
+
+    #[test]
+    fn every_number_of_the_study_has_two_routes_or_a_reason_why_not() {
+        const COUNTED: &str = "counts what is printed, or what we tried";
+        const VERDICTS: &str = "says what the verdicts of the ledger are, each of which has two routes";
+        const ONE_WAY: &str = "is computed in one way only";
+        let elsewhere = [
+            ("runs.four", COUNTED),
+            ("runs.others", COUNTED),
+            ("runs.groups", COUNTED),
+            ("rise.tried", COUNTED),
+            ("rise.torque.", COUNTED),
+            ("rise.friction.", COUNTED),
+            ("rise.groups", COUNTED),
+            ("runs.torques", VERDICTS),
+            ("runs.frictions", VERDICTS),
+            ("runs.to-one-unit", VERDICTS),
+            ("runs.in-error", VERDICTS),
+            ("freed.three.less-friction", ONE_WAY),
+            ("runs.sampled.most", ONE_WAY),
+            ("runs.least-spread", ONE_WAY),
+            ("runs.spreads", ONE_WAY),
+            ("rise.most", ONE_WAY),
+            ("rise.by-chance.most", ONE_WAY),
+            ("rise.by-chance.equal-torques.most", ONE_WAY),
+            ("rise.profile", ONE_WAY),
+            ("rise.average", ONE_WAY),
+        ];
+        let in_two_ways = |name: &str| statistic(name.trim_end_matches(".odds")).is_some();
+        let is_in = |known: &str, name: &str| {
+            name == known || (known.ends_with('.') || !in_two_ways(known)) && name.starts_with(known)
+        };
+        for (name, _) in NUMBERS {
+            let reason = elsewhere.iter().find(|(known, _)| is_in(known, name));
+            assert!(in_two_ways(name) != reason.is_some(), "{name}: two routes, or a reason why not ({reason:?})");
+        }
+        for (known, reason) in elsewhere {
+            assert!(NUMBERS.iter().any(|(name, _)| is_in(known, name)), "no number is called {known}, which {reason}");
+        }
+        for statistic in &STATISTICS {
+            assert!(NUMBERS.iter().any(|(name, _)| *name == statistic.name), "nothing says {}", statistic.name);
+        }
     }
 
     #[test]

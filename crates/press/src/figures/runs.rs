@@ -6,31 +6,31 @@ use crate::numbers::fixed;
 use crate::rows::{self, parameters, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
+use geneva_case1973::choice::rows_of as table_of;
 use geneva_dynamics::joints::{Escapement, Joints, Varied, series};
-use geneva_dynamics::steady::Engagement;
 use geneva_figures::Figure;
-use geneva_figures::runs::{self, Cell, Compared, Count, Group, Lag, Run, Scan};
+use geneva_figures::runs::{self, Compared, Count, Group, Lag, Run, Scan};
 use geneva_figures::steady::{self, Line, Measurement};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
 use geneva_ledger::meyer::runs::{
-    Column, EXPLAINED, Hypothesis, Row, Score, delay, delays, duration, interval, rows, scores,
+    Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Score, delays, listing, rows, scores,
 };
 
 /// Printed against computed numbers of all cells: of the mechanisms as they are, and of the program as listed.
 pub fn agreement() -> anyhow::Result<Figure> {
     let of = |hypothesis: &Hypothesis, name: &str| {
-        Ok::<_, anyhow::Error>(Compared { name: name.to_owned(), ..compared(rows::score(hypothesis)?)? })
+        Ok::<_, anyhow::Error>(Compared::new(name.to_owned(), rows::score(hypothesis)?))
     };
     let compared =
-        [of(&Hypothesis::IDEAL, "real mechanisms")?, of(&Hypothesis::as_run(), "the program with its mistake")?];
-    let inertias = Mechanism::ALL.map(|mechanism| {
-        let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
-        format!("{driver} and {follower} with {} pins", mechanism.pins())
+        [of(&Hypothesis::IDEAL, "real mechanisms")?, of(&Hypothesis::AS_RUN, "the program with its mistake")?];
+    let inertias = Mechanism::ALL.into_iter().filter_map(|mechanism| rows_of(mechanism).next()).map(|row| {
+        let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(row).map(|inertia| fixed(1e6 * inertia, 0));
+        format!("{driver} and {follower} with {} pins", row.mechanism.pins())
     });
     let says = format!(
         "Inertias of driver and follower: {} (10⁻⁶ in lb s²); frictions and torques as in the tables.",
-        inertias.join(", ")
+        inertias.collect::<Vec<_>>().join(", ")
     );
     Ok(runs::agreement(&compared, "1 rad/s or 1 ms", &says))
 }
@@ -39,34 +39,23 @@ pub fn agreement() -> anyhow::Result<Figure> {
 pub fn reset_angle() -> anyhow::Result<Figure> {
     /// From half the angle between the pins of three, in half degrees.
     const HALF_DEGREES: std::ops::RangeInclusive<u32> = 120..=240;
-    let scan = |mechanism| -> anyhow::Result<Scan> {
-        let rows: Vec<&Row> = rows_of(mechanism).collect();
-        let count = |half_degrees: u32| -> anyhow::Result<(f64, usize)> {
+    let scan = |mechanism| {
+        let rows = table_of(rows(), mechanism);
+        let count = |half_degrees: u32| {
             let angle = f64::from(half_degrees) / 2.0;
-            let each = rows.iter().map(|row| within_one(row, angle.to_radians()));
-            Ok((angle, each.sum::<anyhow::Result<usize>>()?))
+            let reset = Reset::After(angle.to_radians());
+            let of = Hypothesis { reset, reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
+            (angle, rows.iter().map(|row| of.run(row).map_or(0, |run| run.explains(row))).sum())
         };
-        let counts = HALF_DEGREES.map(count).collect::<anyhow::Result<_>>()?;
-        Ok(Scan { mechanism, cells: EXPLAINED.len() * rows.len(), counts })
+        Scan { mechanism, cells: EXPLAINED.len() * rows.len(), counts: HALF_DEGREES.map(count).collect() }
     };
-    Ok(runs::reset_angle(&[scan(Mechanism::SIX_PIN)?, scan(Mechanism::THREE_PIN)?]))
-}
-
-/// How many numbers of a row come out with this reset angle: none where the motion comes to no steady state.
-fn within_one(row: &Row, reset: f64) -> anyhow::Result<usize> {
-    let parameters = Hypothesis::WITHOUT_LAG.parameters(row).context("a run's data make no escapement")?;
-    let Ok(steady) = Engagement::reset_after(&parameters, reset, 1e-10).and_then(|of| of.steady_state()) else {
-        return Ok(0);
-    };
-    let computed = [steady.peak.speed, steady.minimum.speed, steady.period];
-    let is_near = |(column, number): &(Column, f64)| column.is_within_one(row.number(*column), *number);
-    Ok(EXPLAINED.into_iter().zip(computed).filter(is_near).count())
+    Ok(runs::reset_angle(&[scan(Mechanism::SIX_PIN), scan(Mechanism::THREE_PIN)]))
 }
 
 /// What each of the compared hypotheses makes of the rows.
 pub fn hypotheses() -> anyhow::Result<Figure> {
-    let all = scores().iter().map(compared).collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(runs::deviations(&all))
+    let named = |score: &Score| Compared::new(score.hypothesis.brief_words(), score);
+    Ok(runs::deviations(&scores().iter().map(named).collect::<Vec<_>>()))
 }
 
 /// How many cells of each column each of the compared hypotheses gives.
@@ -84,27 +73,14 @@ pub fn lags() -> anyhow::Result<Figure> {
         peaks: score.fits[0].within_one,
     };
     let all: Vec<Lag> = delays().iter().map(lag).collect();
-    Ok(runs::lags(&all, MILLISECONDS * delay(), rows().len()))
-}
-
-/// The cells of the tables that a hypothesis is to explain, in units of the last printed place.
-fn compared(score: &Score) -> anyhow::Result<Compared> {
-    let mut cells = Vec::new();
-    for (row, run) in rows().iter().zip(&score.runs) {
-        let run = run.context("a run of the program comes to no end")?;
-        cells.extend(EXPLAINED.map(|column| Cell {
-            mechanism: row.mechanism,
-            printed: row.number(column) / column.unit(),
-            computed: run.number(column) / column.unit(),
-        }));
-    }
-    Ok(Compared { name: score.hypothesis.brief_words(), cells })
+    Ok(runs::lags(&all, MILLISECONDS * listing().delay, rows().len()))
 }
 
 /// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
 pub fn printed_too_seldom() -> anyhow::Result<Figure> {
     let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
-    Ok(runs::aliasing(&rows::engagement(row, &Hypothesis::WITHOUT_LAG)?, interval(), duration())?)
+    let listing = listing();
+    Ok(runs::aliasing(&rows::engagement(row, &Hypothesis::WITHOUT_LAG)?, listing.interval, listing.duration)?)
 }
 
 /// Fig. 8: the first of the rows that it may show.
@@ -114,7 +90,7 @@ pub fn of_fig_8() -> anyhow::Result<Figure> {
     let (row, others) = fitting.split_first().context("no run has the printed rise time")?;
     let others: Vec<String> = others.iter().map(|row| named(row)).collect();
     let fits = if others.is_empty() { String::new() } else { format!(" So does that of {}.", others.join(" and of ")) };
-    let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(row.mechanism).map(|inertia| fixed(1e6 * inertia, 0));
+    let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(row).map(|inertia| fixed(1e6 * inertia, 0));
     let inertias = format!("inertias of driver and follower {driver} and {follower} · 10⁻⁶ in lb s²");
     let words = format!(
         "Four pins, {}, {inertias}: its first minimum rounds to the rise time printed of Fig. 8.{fits}",
@@ -136,7 +112,7 @@ pub fn collapse() -> anyhow::Result<Figure> {
 
 /// A mechanism's rows, with the reset angle and the inertias that explain the tables.
 fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
-    let parameters = parameters(weakest(least_braked(mechanism))?)?;
+    let row = weakest(least_braked(mechanism))?;
     let runs = rows_of(mechanism).map(|row| Run {
         friction: row.friction(),
         torque: row.torque(),
@@ -147,8 +123,8 @@ fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
     });
     Ok(Group {
         mechanism,
-        inertias: parameters.inertias(),
-        reset: Hypothesis::WITHOUT_LAG.angle(mechanism),
+        inertias: parameters(row)?.inertias(),
+        reset: Hypothesis::WITHOUT_LAG.angle(row),
         runs: runs.collect(),
     })
 }
@@ -226,19 +202,4 @@ pub fn work_precision() -> anyhow::Result<Figure> {
         })
     });
     Ok(steady::work_precision(&drawn.collect::<Vec<_>>()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_marks_of_the_drawing_are_of_the_cells_that_the_ledger_scores() {
-        for score in scores() {
-            let drawn = compared(score).expect("cells");
-            assert_eq!(drawn.cells.len(), EXPLAINED.len() * rows().len());
-            let within = drawn.cells.iter().filter(|cell| cell.is_within_one()).count();
-            assert_eq!(within, score.within_one(), "{}", drawn.name);
-        }
-    }
 }

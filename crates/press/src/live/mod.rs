@@ -10,7 +10,8 @@ use crate::pages::address_of_claim;
 use anyhow::{Context, anyhow};
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::{Column, Hypothesis, SixPin, delay, duration, interval, rows};
+use geneva_ledger::meyer::runs::choice::rows_of;
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Listing, Row, SixPin, listing, rows};
 use geneva_ledger::quick_return::Instant as Lever;
 use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, shown};
 
@@ -235,27 +236,24 @@ fn example() -> anyhow::Result<Arguments> {
 
 /// The tables of Appendix E, the inertias of the runs, and the cards of the program.
 fn runs() -> anyhow::Result<Arguments> {
-    let columns = [Column::Friction, Column::Torque, Column::Peak, Column::Minimum, Column::Period];
-    let row = |row: &geneva_ledger::meyer::runs::Row| {
-        let cells = columns.map(|column| row.printed(column)).join(",");
-        format!("{},{cells}", row.mechanism.slots())
-    };
-    let rows: Vec<String> = rows().iter().map(row).collect();
+    let row =
+        |row: &Row| format!("{},{}", row.mechanism.slots(), Column::ALL.map(|column| row.printed(column)).join(","));
     let of = |hypothesis: &Hypothesis, mechanism: Mechanism| {
-        let [driver, follower] = hypothesis.inertias(mechanism);
-        format!("{},{driver:e},{follower:e}", mechanism.slots())
+        let [driver, follower] = hypothesis.inertias(rows_of(mechanism).next()?);
+        Some(format!("{},{driver:e},{follower:e}", mechanism.slots()))
     };
     let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL };
-    let units = columns[2..].iter().map(|column| column.unit().to_string()).collect::<Vec<_>>();
-    let pi = geneva_ledger::printed_value("meyer.listing.pi").context("the program has a π")?;
+    let drawn =
+        Mechanism::ALL.into_iter().map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).collect::<Option<Vec<_>>>();
+    let none = "a table without rows";
+    let Listing { pi, interval, duration, delay, .. } = listing();
     Ok(Arguments::of([
-        ("rows", rows.join(";")),
-        ("inertias", Mechanism::ALL.map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).join(";")),
-        ("headed", of(&headed, Mechanism::SIX_PIN)),
-        ("units", units.join(",")),
-        ("duration", duration().to_string()),
-        ("delay", delay().to_string()),
+        ("rows", rows().iter().map(row).collect::<Vec<_>>().join(";")),
+        ("inertias", drawn.context(none)?.join(";")),
+        ("headed", of(&headed, Mechanism::SIX_PIN).context(none)?),
+        ("duration", duration.to_string()),
+        ("delay", delay.to_string()),
         ("pi", pi.to_string()),
-        ("interval", ((1e6 * interval()).round() / 1e3).to_string()),
+        ("interval", ((1e6 * interval).round() / 1e3).to_string()),
     ]))
 }

@@ -33,6 +33,7 @@ const TABLES: &[(&str, Draw)] = &[
     ("runs-delays", runs::delays),
     ("runs-inertias", runs::inertias),
     ("runs-integrator", runs::integrator),
+    ("runs-statistics", runs::statistics),
     ("runs-rise-definitions", rise_times::definitions),
     ("runs-rise-events", rise_times::events),
     ("runs-rise-groups", rise_times::groups),

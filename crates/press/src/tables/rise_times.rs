@@ -2,10 +2,9 @@
 
 use crate::html::{Cells, Table, escape, table};
 use crate::numbers::fixed;
+use geneva_case1973::rise_times::parts;
 use geneva_ledger::claims;
-use geneva_ledger::meyer::runs::rise_times::{
-    EVENTS, Misread, OF_A_PART, PARTS, Tried, explained, groups as all_groups,
-};
+use geneva_ledger::meyer::runs::rise_times::{EVENTS, Misread, OF_A_PART, Tried, explained, groups as all_groups};
 use geneva_ledger::meyer::terms::{MISSING, TERMS};
 
 /// How many rows each definition explains, with each part of the velocity that may be missing.
@@ -20,7 +19,7 @@ pub fn definitions() -> anyhow::Result<Table> {
         Ok(row)
     });
     let part = |part: f64| format!("{}&nbsp;%", 100.0 * part);
-    let parts = PARTS.map(part);
+    let parts = parts(MISSING).map(part);
     let ideal = format!("the mechanism, <br>{}", part(MISSING));
     let mut head = vec!["Time from rest until this quantity is near its steady value"];
     head.extend(parts.iter().map(String::as_str));

@@ -1,29 +1,32 @@
 //! The thesis's runs: what explains the printed tables, what does not matter to them, and the correct values.
 
-use crate::computed::runs::{for_reset_and_inertias, for_the_reset};
 use crate::html::{Cells, Table, table};
 use crate::lookup::judged;
 use crate::numbers::{fixed, signed};
 use crate::rows::engagement;
 use anyhow::Context;
-use geneva_dynamics::likelihood::Law;
+use geneva_case1973::choice::rows_of as table_of;
+use geneva_case1973::fitted::{Freed, most_within_one};
+use geneva_case1973::integrator as integrators;
+use geneva_case1973::likelihood::Law;
+use geneva_case1973::weighing::Others;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::Verdict;
 use geneva_ledger::meyer::runs::choice::rows_of;
-use geneva_ledger::meyer::runs::data::freed::{Freed, most_within_one};
+use geneva_ledger::meyer::runs::statistics::STATISTICS;
 use geneva_ledger::meyer::runs::{
-    Column, Constants, Fit, Hypothesis, Reading, Reset, Row, Score, SixPin, Weighing, data, delays as all_delays,
-    integrator as integrators, rows as all_rows, scores, series, slug,
+    Column, Constants, Fit, Hypothesis, Lag, Reading, Reset, Row, Score, SixPin, Weighing, data, delays as all_delays,
+    expected, rows as all_rows, scores, series, slug,
 };
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
 pub fn hypotheses() -> anyhow::Result<Table> {
     let rows = (1..).zip(scores()).map(|(number, score)| {
-        let Hypothesis { reset, six_pin, reading, constants, delay } = score.hypothesis;
-        let besides = match (constants, delay) {
-            (_, Some(_)) => "π and lag as listed",
-            (Constants::AsListed, None) => "π as listed",
-            (Constants::Exact, None) => "–",
+        let Hypothesis { reset, six_pin, reading, constants, lag } = score.hypothesis;
+        let besides = match (constants, lag) {
+            (Constants::AsListed, Lag::None) => "π as listed",
+            (Constants::Exact, Lag::None) => "–",
+            _ => "π and lag as listed",
         };
         let said = [
             if reset == Reset::QuarterTurn { "90°" } else { "360°/m" },
@@ -54,16 +57,18 @@ pub fn hypotheses() -> anyhow::Result<Table> {
 
 /// How much likelier the best combination makes the tables than others, by how the errors are taken.
 pub fn weighings() -> anyhow::Result<Table> {
-    let margins = [for_the_reset, for_reset_and_inertias];
+    let margins = [Others::AnotherReset, Others::AnotherResetOrInertias];
     // The least of the margins that some weighings give, by each law.
     let least = |weighings: &[Weighing]| {
-        let of = |margin: fn(&Weighing, Law) -> anyhow::Result<f64>, law| {
-            let all = weighings.iter().map(|weighing| margin(weighing, law)).collect::<anyhow::Result<Vec<_>>>()?;
+        let of = |others, law| {
+            let all =
+                weighings.iter().map(|weighing| weighing.margin(scores(), law, others)).collect::<Option<Vec<_>>>();
+            let all = all.context("a hypothesis that was not compared")?;
             Ok(fixed(all.into_iter().fold(f64::INFINITY, f64::min), 0))
         };
-        margins.into_iter().flat_map(|margin| Law::ALL.map(|law| of(margin, law))).collect::<anyhow::Result<Vec<_>>>()
+        margins.into_iter().flat_map(|others| Law::ALL.map(|law| of(others, law))).collect::<anyhow::Result<Vec<_>>>()
     };
-    let one_row: Vec<Weighing> = Weighing::one_row_of_each().collect();
+    let one_row: Vec<Weighing> = Weighing::one_row_of_each(all_rows()).collect();
     let one_row_of_each =
         format!("and only one row for each mechanism and friction, {} of {}", series().count(), all_rows().len());
     let ways: [(&str, &[Weighing]); 4] = [
@@ -89,9 +94,10 @@ pub fn weighings() -> anyhow::Result<Table> {
 pub fn freed() -> anyhow::Result<Table> {
     let of = |mechanism: Mechanism, reset: Reset| {
         let none = "no inertias give a table a motion";
-        let freed = Freed::inertias(reset, mechanism).context(none)?;
+        let table = table_of(all_rows(), mechanism);
+        let freed = Freed::inertias(table, reset).context(none)?;
         let [driver, follower] = freed.inertias.map(|inertia| format!("{:.1}", 1e6 * inertia));
-        let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(mechanism).to_degrees();
+        let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(table.first().context(none)?).to_degrees();
         Ok(vec![
             mechanism.pins().to_string(),
             format!("{angle:.0}°"),
@@ -99,7 +105,7 @@ pub fn freed() -> anyhow::Result<Table> {
             follower,
             format!("{} of {}", freed.within_one(), freed.misfits.len()),
             format!("{:.1}", freed.mean_misfit()),
-            most_within_one(reset, mechanism).context(none)?.to_string(),
+            most_within_one(table, reset).context(none)?.to_string(),
         ])
     };
     let others = [Mechanism::SIX_PIN, Mechanism::THREE_PIN];
@@ -120,7 +126,7 @@ pub fn freed() -> anyhow::Result<Table> {
 
 /// The peaks that neither the program nor the mechanism gives.
 pub fn unexplained() -> anyhow::Result<Table> {
-    let wrong = |row: &&Row| row.expected(Column::Peak) == Some(Verdict::Corrected);
+    let wrong = |row: &&Row| expected(row, Column::Peak) == Some(Verdict::Corrected);
     let rows = all_rows().iter().filter(wrong).map(|row| {
         let id = format!("meyer.app-e.{}.max", row.slug());
         let judged = judged(&id)?;
@@ -139,6 +145,21 @@ pub fn unexplained() -> anyhow::Result<Table> {
     });
     let head = ["Pins", "μ", "K", "Printed", "Program's <br>value", "off by, <br>units", "Right", "off by, <br>units"];
     table("The two peaks that the program does not give, in rad/s", Cells::Numbers, &head, rows)
+}
+
+/// The numbers of our own that were computed in two ways.
+pub fn statistics() -> anyhow::Result<Table> {
+    let rows = STATISTICS.iter().map(|of| {
+        let number = (of.first)().with_context(|| format!("{}: a run comes to no end", of.name))?;
+        let (number, within) = match of.within {
+            0.0 => (fixed(number, 0), "the digit".to_owned()),
+            within => (fixed(number, 2), within.to_string()),
+        };
+        Ok(vec![of.meaning.to_owned(), number, of.by.to_owned(), within])
+    });
+    let head = ["Number", "First way", "Second way", "Agree <br>to"];
+    let says = "Numbers of this chapter that were computed in two ways, by calculations that share no code";
+    table(says, Cells::Words, &head, rows)
 }
 
 /// The hypotheses column by column.
@@ -181,7 +202,7 @@ pub fn delays() -> anyhow::Result<Table> {
 
 /// What changes when the integrator differs in ways that the thesis leaves open.
 pub fn integrator() -> anyhow::Result<Table> {
-    let changes = integrators::changes().context("a run of the program of 1973 comes to no end")?;
+    let changes = integrators::changes(all_rows()).context("a run of the program of 1973 comes to no end")?;
     let rows = changes.iter().map(|(variant, changes)| {
         let mut row = vec![variant.name.to_owned()];
         row.extend(changes.iter().flat_map(|change| change.most.map(|most| format!("{:.1}", 1e6 * most))));
@@ -257,6 +278,7 @@ pub fn six_pin_as_headed() -> anyhow::Result<Table> {
 }
 
 fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Table> {
+    let first = rows_of(mechanism).next().context("a table without rows")?;
     let cells = rows_of(mechanism).map(|row| printed_and_right(row, hypothesis));
     let head = [
         "μ",
@@ -269,7 +291,7 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
         "Period, <br>printed",
         "Period, <br>right",
     ];
-    let [driver, follower] = hypothesis.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
+    let [driver, follower] = hypothesis.inertias(first).map(|inertia| fixed(1e6 * inertia, 0));
     let says = format!(
         "{} pins, printed and right values: K in in·lb, speeds in rad/s, periods in s; the inertia of the driver is {driver} \
          · 10⁻⁶ in lb s², of the follower {follower} · 10⁻⁶ in lb s²",

@@ -10,9 +10,9 @@ use crate::agreement::joined;
 use crate::meyer::appendix_d::{
     OTHER_ANGLE, WITHOUT_THE_MINUS, along_the_slots, before_the_line, coming_in, of_the_pins,
 };
-use crate::meyer::runs::steps::Course;
-use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
-use geneva_dynamics::program::Program;
+use crate::meyer::runs::{Hypothesis, Row, interval, listing, rows};
+use geneva_case1973::program::Program;
+use geneva_case1973::witness::steps::Course;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -119,9 +119,8 @@ fn angle() -> Vec<Claim> {
             .by(Evidence::RungeKutta, |stated| {
                 static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
                 grows(stated, &GROWING, |hypothesis, row| {
-                    let program =
-                        Program { reset: hypothesis.angle(row.mechanism), ..Program::of(&hypothesis.parameters(row)?) };
-                    let integrator = geneva_mimic::Parameters::new(interval(), duration());
+                    let program = Program { reset: hypothesis.angle(row), ..Program::of(&hypothesis.parameters(row)?) };
+                    let integrator = geneva_mimic::Parameters::new(interval(), listing().duration);
                     let lines = program.run(&integrator).ok()?.lines;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
@@ -129,7 +128,7 @@ fn angle() -> Vec<Claim> {
             .by(Evidence::Quadrature, |stated| {
                 static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
                 grows(stated, &GROWING, |hypothesis, row| {
-                    let lines = hypothesis.engagement(row)?.run(interval(), duration()).ok()?;
+                    let lines = hypothesis.engagement(row)?.run(interval(), listing().duration).ok()?;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
             })
@@ -318,7 +317,7 @@ fn end() -> Vec<Claim> {
                 )
             })
             .by(Evidence::Program, |stated| {
-                let end = last_line(duration()).unwrap_or(f64::NAN);
+                let end = last_line(listing().duration).unwrap_or(f64::NAN);
                 let said = stated.number() + stated.pick(0.0, interval());
                 Finding::new(
                     (end - said).abs() < 1e-9,

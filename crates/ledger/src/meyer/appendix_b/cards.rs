@@ -3,7 +3,7 @@
 use super::program::{self, by_coefficients, named as parts};
 use super::reset::{nearest_pin, reset};
 use super::*;
-use crate::meyer::runs::{Column, Hypothesis, Row, duration, fitting_interval, interval, rows};
+use crate::meyer::runs::{Column, Hypothesis, Row, fitting_interval, interval, listing, rows};
 use geneva_dynamics::Pose;
 use geneva_kinematics::Mechanism;
 
@@ -119,9 +119,9 @@ fn runs() -> Vec<Claim> {
                 )
             })
             .by(OtherPlaceInSource, |stated| {
-                let begun = |at: usize| stated.pick(0.0, duration() * at as f64);
+                let begun = |at: usize| stated.pick(0.0, listing().duration * at as f64);
                 let within = |(at, row): &(usize, &Row)| {
-                    row.number(Column::Rise) > begun(*at) && row.number(Column::Rise) < begun(*at) + duration()
+                    row.number(Column::Rise) > begun(*at) && row.number(Column::Rise) < begun(*at) + listing().duration
                 };
                 let found = rows().iter().enumerate().filter(within).count();
                 Finding::new(
@@ -156,7 +156,7 @@ fn runs() -> Vec<Claim> {
 fn nearer_from_rest(before: &Row, row: &Row) -> Option<bool> {
     let of = Hypothesis::WITHOUT_LAG;
     let engagement = of.engagement(row)?;
-    let from_rest = engagement.largest_printed(interval(), 0.0, duration()).ok()?;
+    let from_rest = engagement.largest_printed(interval(), 0.0, listing().duration).ok()?;
     let taken_over = engagement.passage(of.engagement(before)?.steady_state().ok()?.entry_speed).ok()?.fastest().speed;
     let off = |peak: f64| (peak - row.number(Column::Peak)).abs();
     Some(off(from_rest) < off(taken_over))

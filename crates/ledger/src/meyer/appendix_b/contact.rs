@@ -344,12 +344,12 @@ pub fn listed() -> impl Iterator<Item = [bool; 3]> {
 
 /// The number by which a place divides the print interval.
 pub fn parts_of_the_interval(id: &str) -> Option<f64> {
-    characters(id).split_once("DT/")?.1.trim_end_matches('.').parse().ok()
+    parts_of(characters(id))
 }
 
-/// The number by which the listing divides the print interval, which says how late the old acceleration is.
-pub fn delay_parts() -> f64 {
-    parts_of_the_interval("meyer.listing.delay").unwrap_or(f64::NAN)
+/// The number by which these characters divide the print interval.
+pub fn parts_of(printed: &str) -> Option<f64> {
+    printed.split_once("DT/")?.1.trim_end_matches('.').parse().ok()
 }
 
 /// Whether more cells of the tables come within one unit by the program as printed than by one that is put right.

@@ -17,6 +17,20 @@ use std::cmp::Ordering;
 
 const PROGRAM: Place = at("Appendix B, program");
 
+/// What the program prints of the numbers that all runs share.
+pub mod listed {
+    /// Its π.
+    pub const PI: &str = "3.1416";
+    /// The time between printed lines, in s.
+    pub const PRINT_INTERVAL: &str = ".0005";
+    /// How late the old acceleration is.
+    pub const DELAY: &str = "DT/10.";
+    /// The angle after which it resets the driver's angle, in radians.
+    pub const QUARTER_TURN: &str = "1.5708";
+    /// The time at which a run ends, in s.
+    pub const RUN_LENGTH: &str = ".2";
+}
+
 pub fn claims() -> Vec<Claim> {
     [constants(), factors(), motion()].concat()
 }
@@ -58,13 +72,13 @@ fn constants() -> Vec<Claim> {
             })
             .but_not("it is positive"),
         PROGRAM
-            .value("meyer.listing.pi", "3.1416", "", "half a turn, in the program's ratio of the centre distance")
+            .value("meyer.listing.pi", listed::PI, "", "half a turn, in the program's ratio of the centre distance")
             .by(ClosedForm, || PI)
             .by(LimitCase, machin),
         PROGRAM
             .value(
                 "meyer.listing.print-interval",
-                ".0005",
+                listed::PRINT_INTERVAL,
                 "s",
                 "time between printed lines, a given value. Of half this time, this time and twice this time, it is \
                  the one whose largest printed speeds are nearest to the largest speeds of the three tables together",
@@ -74,7 +88,7 @@ fn constants() -> Vec<Claim> {
         PROGRAM
             .statement(
                 "meyer.listing.delay",
-                "DT/10.",
+                listed::DELAY,
                 "the card asks for the acceleration a tenth of the print interval before",
             )
             .by(OtherPlaceInSource, |stated| {
@@ -110,14 +124,14 @@ fn constants() -> Vec<Claim> {
         PROGRAM
             .value(
                 "meyer.listing.quarter-turn",
-                "1.5708",
+                listed::QUARTER_TURN,
                 "",
                 "a quarter of a turn in radians, which is an engagement of four pins",
             )
             .by(ClosedForm, || 2.0 * Mechanism::FOUR_PIN.engagement_half_angle())
             .by(LimitCase, || machin() / 2.0),
         PROGRAM
-            .statement("meyer.listing.run-length", ".2", "time at which a run ends, in seconds")
+            .statement("meyer.listing.run-length", listed::RUN_LENGTH, "time at which a run ends, in seconds")
             .by(OtherPlaceInSource, |stated| {
                 let told = told_length();
                 let said = stated.number() + stated.pick(0.0, runs::interval());

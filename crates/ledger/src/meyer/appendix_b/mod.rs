@@ -12,7 +12,8 @@ mod program;
 mod reset;
 mod stages;
 
-pub use contact::delay_parts;
+pub use contact::parts_of;
+pub use listing::listed;
 pub use listing_start::start_solves;
 pub use program::{holds_from_rest, start_formula, start_line};
 

@@ -3,8 +3,8 @@
 use super::*;
 use crate::Evidence::Program as ByProgram;
 use crate::meyer::runs::choice::weakest;
-use crate::meyer::runs::{Constants, Hypothesis, Row, deck, duration, interval, printouts, rows, usual};
-use geneva_dynamics::program::{Line, Printout};
+use crate::meyer::runs::{Constants, Hypothesis, Row, deck, interval, listing, rows};
+use geneva_case1973::program::Line;
 use geneva_dynamics::steady::Printed;
 use geneva_mimic::Work;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
@@ -46,16 +46,14 @@ type Columns = ([f64; 5], f64);
 fn by_program() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of = |line: &Line| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
-    RUNS.get_or_init(|| {
-        let columns = |printout: &Printout| printout.lines.iter().map(of).collect();
-        printouts().iter().map(|printout| printout.as_ref().map(columns)).collect()
-    })
+    let columns = |row: &Row| Some(Hypothesis::AS_RUN.printout(row)?.lines.iter().map(of).collect());
+    RUNS.get_or_init(|| rows().iter().map(columns).collect())
 }
 
 /// The time of the last line of the first run by the program, if runs end at this time, in s.
 pub fn last_line(end: f64) -> Option<f64> {
-    let integrator = geneva_mimic::Parameters { run_length: end, ..usual() };
-    let lines = Hypothesis::as_run().program(rows().first()?)?.run(&integrator).ok()?.lines;
+    let integrator = geneva_mimic::Parameters { run_length: end, ..listing().integrator() };
+    let lines = Hypothesis::AS_RUN.program(rows().first()?)?.run(&integrator).ok()?.lines;
     lines.last().map(|line| line.time)
 }
 
@@ -65,7 +63,7 @@ fn by_integrals() -> &'static [Option<Vec<Columns>>] {
     let of =
         |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
     let run = |row: &Row| {
-        let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(interval(), duration()).ok()?;
+        let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(interval(), listing().duration).ok()?;
         Some(lines.iter().map(of).collect())
     };
     RUNS.get_or_init(|| rows().iter().map(run).collect())
@@ -130,10 +128,10 @@ fn output() -> Claim {
         })
         .by(LimitCase, |stated| {
             // The program translated by hand has none of these cards; it has the numbers of FIN.
-            let length = duration() * stated.pick(1.0, 0.5);
+            let length = listing().duration * stated.pick(1.0, 0.5);
             let translated = |row: &Row| {
-                let integrator = geneva_mimic::Parameters { run_length: length, ..usual() };
-                Hypothesis { constants: Constants::Exact, ..Hypothesis::as_run() }.program(row)?.run(&integrator).ok()
+                let integrator = geneva_mimic::Parameters { run_length: length, ..listing().integrator() };
+                Hypothesis { constants: Constants::Exact, ..Hypothesis::AS_RUN }.program(row)?.run(&integrator).ok()
             };
             let same = weakest().zip(by_deck()).filter(|(row, by_deck)| {
                 by_deck.as_ref().zip(translated(row)).is_some_and(|(rows, translated)| {
@@ -157,7 +155,7 @@ fn output() -> Claim {
 fn by_deck() -> &'static [Option<Vec<Vec<f64>>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Vec<f64>>>>> = OnceLock::new();
     let run = |row: &Row| {
-        let angle = Hypothesis::as_run().angle(row.mechanism);
+        let angle = Hypothesis::AS_RUN.angle(row);
         let program = Program::new(&deck::deck(&[(deck::AS_LISTED[0].0, angle)])?).ok()?;
         Some(program.run(&deck::data(&program, row), &Choices::default()).ok()?.rows)
     };

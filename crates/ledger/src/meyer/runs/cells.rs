@@ -1,11 +1,13 @@
 //! The claims of the tables: one for each printed number of a run. Its data are claims of `data`, its results these.
 //!
 //! Two questions are asked of a cell. What the computer gave: the summary is one of runs, so the computed number is the
-//! run's, under one hypothesis for all cells ([`Hypothesis::as_run`]), and the resolution is one unit of the last
+//! run's, under one hypothesis for all cells ([`Hypothesis::AS_RUN`]), and the resolution is one unit of the last
 //! place, for somebody read the number from a print-out. And what is right: the mechanism's own number stands beside it.
 
+use super::table::expected;
 use super::*;
 use crate::meyer::slips::{RESET_ANGLE, SAMPLED_PEAKS, UNEXPLAINED};
+use geneva_case1973::witness::{self, steps::cycle_of_row};
 use std::sync::OnceLock;
 
 /// The four results of a row.
@@ -50,7 +52,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             // How finely a result could be read from a print-out: one unit of its last place.
             .read_to(move || column.unit())
             .read_as("We assume that the author read the value from a print-out, correct to within one unit of its last place.")
-            .expecting(row.expected(column).unwrap_or(Verdict::Reproduced));
+            .expecting(expected(row, column).unwrap_or(Verdict::Reproduced));
         let claim = claim.right(
             Evidence::Quadrature,
             move || ideal(row)[result],
@@ -85,35 +87,30 @@ pub fn among<const N: usize>(all: &'static Results<N>, row: &Row, of: fn(&Row) -
     own.map_or([f64::NAN; N], |own| all[own])
 }
 
+fn results(run: Run) -> [f64; 4] {
+    RESULTS.map(|(column, ..)| run.number(column))
+}
+
 fn as_run(row: &Row) -> [f64; 4] {
     static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| {
-        let run = Hypothesis::as_run().run(row)?;
-        Some(RESULTS.map(|(column, ..)| run.number(column)))
-    })
+    among(&RUNS, row, |row| Hypothesis::AS_RUN.run(row).map(results))
 }
 
 fn as_run_by_steps(row: &Row) -> [f64; 4] {
     static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| {
-        let run = Lagged::of(row)?;
-        Some([run.peak, run.minimum, run.first_minimum, run.period])
-    })
+    among(&RUNS, row, |row| witness::lagged(row).map(results))
 }
 
 fn ideal(row: &Row) -> [f64; 4] {
     static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| {
-        let run = Hypothesis::IDEAL.run(row)?;
-        Some(RESULTS.map(|(column, ..)| run.number(column)))
-    })
+    among(&RUNS, row, |row| Hypothesis::IDEAL.run(row).map(results))
 }
 
 fn ideal_by_steps(row: &Row) -> [f64; 4] {
     static RUNS: Results<4> = OnceLock::new();
     among(&RUNS, row, |row| {
-        let [least, time, greatest] = Hypothesis::IDEAL.cycle_by_steps(row)?;
-        let unit = motion::unit_of_speed(&Hypothesis::IDEAL, row);
+        let [least, time, greatest] = cycle_of_row(&Hypothesis::IDEAL, row)?;
+        let unit = headings::unit_of_speed(&Hypothesis::IDEAL, row);
         Some([greatest * unit, least * unit, f64::NAN, time / unit])
     })
 }
@@ -124,7 +121,7 @@ mod tests {
 
     #[test]
     fn program_and_mechanism_are_as_far_above_the_unexplained_peaks_as_their_slip_says() {
-        let unexplained = rows().iter().filter(|row| row.expected(Column::Peak) == Some(Verdict::Corrected));
+        let unexplained = rows().iter().filter(|row| expected(row, Column::Peak) == Some(Verdict::Corrected));
         let above = unexplained.map(|row| [as_run(row)[0], ideal(row)[0]].map(|peak| peak - row.number(Column::Peak)));
         let above: Vec<[f64; 2]> = above.collect();
         assert_eq!(above.len(), 2);

@@ -1,26 +1,28 @@
-//! Which rows stand for the others where not all are shown.
+//! Which of the printed rows stand for the others where not all are shown.
 
-use super::*;
+use super::{decimal, rows};
+use geneva_case1973::choice as among;
+use geneva_case1973::{Hypothesis, Row};
+use geneva_kinematics::Mechanism;
 
 /// The rows of a mechanism, in the order of its table.
 pub fn rows_of(mechanism: Mechanism) -> impl Iterator<Item = &'static Row> {
-    rows().iter().filter(move |row| row.mechanism == mechanism)
+    among::rows_of(rows(), mechanism).iter()
 }
 
 /// For each mechanism and friction the row with the weakest spring.
 pub fn weakest() -> impl Iterator<Item = &'static Row> {
-    series().filter_map(|own| own.first())
+    among::weakest(rows())
 }
 
 /// For each mechanism and friction the row with the strongest spring.
 pub fn strongest() -> impl Iterator<Item = &'static Row> {
-    series().filter_map(|own| own.last())
+    among::strongest(rows())
 }
 
 /// The rows of a mechanism with the least friction, by rising torque; their engagements differ longest.
 pub fn least_braked(mechanism: Mechanism) -> Option<&'static [Row]> {
-    let own = series().filter(|own| own[0].mechanism == mechanism);
-    own.min_by(|a, b| a[0].friction().total_cmp(&b[0].friction()))
+    among::least_braked(rows(), mechanism)
 }
 
 /// A friction with which all three mechanisms were run with nearly the same torques, as printed.
@@ -28,7 +30,7 @@ const COMMON_FRICTION: &str = ".25";
 
 /// The rows of a mechanism with a friction that the others were run with too, by rising torque.
 pub fn comparable(mechanism: Mechanism) -> Option<&'static [Row]> {
-    series().find(|own| own[0].mechanism == mechanism && own[0].printed(Column::Friction) == COMMON_FRICTION)
+    among::with_friction(rows(), mechanism, COMMON_FRICTION)
 }
 
 /// The four-pin rows that may be the run drawn in Fig. 8, which the thesis does not name.
@@ -39,7 +41,7 @@ pub fn of_fig_8() -> Option<Vec<&'static Row>> {
 }
 
 fn that_may_be_of_fig_8(hypothesis: &Hypothesis) -> Option<Vec<&'static Row>> {
-    let printed = crate::by_id::decimal("meyer.fig-8.rise")?;
+    let printed = decimal("meyer.fig-8.rise")?;
     let mut fitting = Vec::new();
     for row in rows_of(Mechanism::FOUR_PIN) {
         let first = hypothesis.engagement(row)?.first_minimum().ok()??;
@@ -52,11 +54,12 @@ fn that_may_be_of_fig_8(hypothesis: &Hypothesis) -> Option<Vec<&'static Row>> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Column;
     use super::*;
 
     #[test]
     fn two_runs_may_be_that_of_fig_8_and_the_table_gives_both_another_rise_time() {
-        let printed = crate::by_id::decimal("meyer.fig-8.rise").expect("a number");
+        let printed = decimal("meyer.fig-8.rise").expect("a number");
         for hypothesis in [Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL] {
             let fitting = that_may_be_of_fig_8(&hypothesis).expect("solved");
             assert_eq!(fitting.len(), 2);
@@ -66,13 +69,11 @@ mod tests {
 
     #[test]
     fn each_mechanism_has_its_rows_and_examples() {
-        assert_eq!(Mechanism::ALL.map(|mechanism| rows_of(mechanism).count()).iter().sum::<usize>(), rows().len());
+        assert_eq!(Mechanism::ALL.map(|of| rows_of(of).count()).iter().sum::<usize>(), rows().len());
         for mechanism in Mechanism::ALL {
             for own in [least_braked(mechanism), comparable(mechanism)].map(|own| own.expect("rows")) {
                 assert!(own.len() > 3 && own.iter().all(|row| row.mechanism == mechanism));
             }
-            let least = rows_of(mechanism).map(Row::friction).fold(f64::INFINITY, f64::min);
-            assert_eq!(least_braked(mechanism).expect("rows")[0].friction(), least);
         }
     }
 }

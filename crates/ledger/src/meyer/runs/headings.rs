@@ -3,9 +3,11 @@
 //! Inertias are data. Here they are found from all results of a table, without being known: see [`data`].
 
 use super::cells::leaked;
+use super::table::{drawn, headed};
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
+use geneva_case1973::witness::steps::cycle_of_row;
 
 pub const UNIT: &str = "× 10^-6 in lb sec²";
 
@@ -14,14 +16,9 @@ const MEMBERS: [&str; 2] = ["driver", "follower"];
 
 /// The claims of a table's heading.
 pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
-    let numbers = match mechanism {
-        Mechanism::SIX_PIN => ["10", "6"],
-        Mechanism::FOUR_PIN => ["3", "50"],
-        _ => ["3", "40"],
-    };
+    let numbers = headed(mechanism);
     let place = at(leaked(format!("Appendix E, heading of the {}-pin mechanism", mechanism.pins())));
-    let of =
-        |member: usize| inertia(place, leaked(motion::heading(mechanism, MEMBERS[member])), numbers, mechanism, member);
+    let of = |member: usize| inertia(place, leaked(heading(mechanism, MEMBERS[member])), numbers, mechanism, member);
     let [driver, follower] = [0, 1].map(of);
     match mechanism {
         Mechanism::SIX_PIN => {
@@ -36,8 +33,8 @@ fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism
     let meaning = leaked(format!("moment of inertia of the {} in the runs, a given value", MEMBERS[member]));
     place
         .value(id, numbers[member], UNIT, meaning)
-        .by(Quadrature, move || data::inertias(mechanism)[member] * motion::units_in_one(UNIT))
-        .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * motion::units_in_one(UNIT))
+        .by(Quadrature, move || data::inertias(mechanism)[member] * units_in_one(UNIT))
+        .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * units_in_one(UNIT))
         .read_as(
             "The computed value is from the pair of inertias that best reproduces all peaks, minima and periods of \
              the table.",
@@ -59,8 +56,8 @@ pub fn of_headings() -> Claim {
         })
         .by(RungeKutta, |stated| {
             counted(&hypothesis(stated), "periods", 1e-3, |of, row| {
-                let [_, time, _] = of.cycle_by_steps(row)?;
-                Some(time / motion::unit_of_speed(of, row) - row.number(Column::Period))
+                let [_, time, _] = cycle_of_row(of, row)?;
+                Some(time / unit_of_speed(of, row) - row.number(Column::Period))
             })
         })
         .read_as(
@@ -89,11 +86,30 @@ fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) ->
 
 /// The claims of the axes of Figs. 10 and 11.
 pub fn of_figures() -> Vec<Claim> {
-    let figures = [("10", ["3", "50"], Mechanism::FOUR_PIN), ("11", ["6", "10"], Mechanism::SIX_PIN)];
-    let of = |(figure, numbers, mechanism): (&str, _, _)| {
+    let of = |mechanism: Mechanism| {
+        let (figure, numbers) = drawn(mechanism)?;
         let place = at(leaked(format!("Fig. {figure}, upper plot")));
         let ids = MEMBERS.map(|member| leaked(format!("meyer.fig-{figure}.{member}")));
-        [0, 1].map(|member| inertia(place, ids[member], numbers, mechanism, member))
+        Some([0, 1].map(|member| inertia(place, ids[member], numbers, mechanism, member)))
     };
-    figures.into_iter().flat_map(of).collect()
+    [Mechanism::FOUR_PIN, Mechanism::SIX_PIN].into_iter().filter_map(of).flatten().collect()
+}
+
+/// How many of a unit with a power of ten before it make one unit without it.
+pub fn units_in_one(unit: &str) -> f64 {
+    let power = unit.split_once("10^").and_then(|(_, behind)| behind.split(' ').next()?.parse::<i32>().ok());
+    power.map_or(f64::NAN, |power| match libm::pow(10.0, f64::from(power.abs())) {
+        size if power < 0 => size,
+        size => 1.0 / size,
+    })
+}
+
+/// The id of an inertia in the heading of a table.
+pub fn heading(mechanism: Mechanism, member: &str) -> String {
+    format!("meyer.app-e.{}.{member}", slug(mechanism))
+}
+
+/// The scale of speeds of a row: √(K / I_f), in rad/s.
+pub fn unit_of_speed(hypothesis: &Hypothesis, row: &Row) -> f64 {
+    hypothesis.parameters(row).map_or(f64::NAN, |parameters| parameters.drive().sqrt())
 }

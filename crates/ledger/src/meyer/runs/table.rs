@@ -1,110 +1,75 @@
-//! The printed tables of Appendix E: one string for each, a line for each run, with the verdicts on record of its
-//! columns.
+//! What is printed of the runs: the tables of Appendix E, one string for each and a line for each run, with the verdicts on
+//! record of its columns; and the inertias of the headings and figures.
 
+use super::headings::{UNIT, units_in_one};
+use super::{Column, Given, Listing, Row};
 use crate::Verdict;
+use crate::meyer::appendix_b::{listed, parts_of};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
-
-/// The columns of a table, in their order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Column {
-    /// Coefficient of friction.
-    Friction,
-    /// Torque of the spring, in in lb.
-    Torque,
-    /// Greatest speed of the driver, in rad/s.
-    Peak,
-    /// Least speed of the driver, in rad/s.
-    Minimum,
-    /// Rise time, in s.
-    Rise,
-    /// Period, in s.
-    Period,
-}
-
-impl Column {
-    /// The unit of the last printed place: 1 rad/s, or 1 ms in s.
-    pub fn unit(self) -> f64 {
-        if matches!(self, Self::Period | Self::Rise) { 1e-3 } else { 1.0 }
-    }
-
-    /// Whether a computed number of this column is no more than a unit of the last printed place from the printed
-    /// number.
-    pub fn is_within_one(self, printed: f64, computed: f64) -> bool {
-        (printed - computed).abs() <= self.unit() * (1.0 + 1e-9)
-    }
-}
-
-/// A mechanism as it appears in ids; the thesis names mechanisms by the pins.
-pub fn slug(mechanism: Mechanism) -> String {
-    format!("{}-pin", mechanism.pins())
-}
-
-/// One printed row.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
-    /// The table that contains the row.
-    pub mechanism: Mechanism,
-    /// The printed characters, in the order of the columns.
-    cells: [&'static str; 6],
-    /// Marks of the verdicts on record of the columns.
-    marks: &'static str,
-}
-
-impl Row {
-    /// The printed characters of a column.
-    pub fn printed(&self, column: Column) -> &'static str {
-        self.cells[column as usize]
-    }
-
-    /// The printed number of a column; not a number if it cannot be read.
-    pub fn number(&self, column: Column) -> f64 {
-        self.printed(column).parse().unwrap_or(f64::NAN)
-    }
-
-    /// The verdict on record of a column, as it is marked after the row.
-    pub fn expected(&self, column: Column) -> Option<Verdict> {
-        let mark = self.marks.chars().nth(column as usize)?;
-        MARKS.iter().find(|(of, _)| *of == mark).map(|(_, verdict)| *verdict)
-    }
-
-    /// The friction.
-    pub fn friction(&self) -> f64 {
-        self.number(Column::Friction)
-    }
-
-    /// The torque, in in lb.
-    pub fn torque(&self) -> f64 {
-        self.number(Column::Torque)
-    }
-
-    /// The row's name in ids: mechanism, friction and torque.
-    pub fn slug(&self) -> String {
-        let [friction, torque, ..] = self.cells;
-        format!("{}.mu-0{friction}.k-0{torque}", slug(self.mechanism))
-    }
-}
 
 /// All rows, in the order of the source.
 pub fn rows() -> &'static [Row] {
     static ROWS: OnceLock<Vec<Row>> = OnceLock::new();
-    ROWS.get_or_init(|| TABLES.iter().flat_map(|(mechanism, table)| read(*mechanism, table)).collect())
+    // The tests read every row.
+    let row = |(mechanism, text, _): (Mechanism, &str, &str)| Row::read(mechanism, text, given(mechanism)).ok();
+    ROWS.get_or_init(|| lines().filter_map(row).collect())
 }
 
-/// The rows of one mechanism and one friction, by rising torque; nothing else changes among them.
-pub fn series() -> impl Iterator<Item = &'static [Row]> {
-    let alike = |one: &Row, other: &Row| {
-        one.mechanism == other.mechanism && one.printed(Column::Friction) == other.printed(Column::Friction)
-    };
-    rows().chunk_by(alike)
+/// The verdict on record of a column of a row, as it is marked after the row.
+pub fn expected(row: &Row, column: Column) -> Option<Verdict> {
+    let (_, _, marks) = lines().nth(rows().iter().position(|other| other == row)?)?;
+    let mark = marks.chars().nth(column as usize)?;
+    MARKS.iter().find(|(of, _)| *of == mark).map(|(_, verdict)| *verdict)
 }
 
-fn read(mechanism: Mechanism, table: &'static str) -> impl Iterator<Item = Row> {
-    table.lines().map(move |text| {
-        let mut words = text.split_whitespace();
-        let mut word = || words.next().unwrap_or_default();
-        Row { mechanism, cells: std::array::from_fn(|_| word()), marks: word() }
+/// The lines of all tables: mechanism, cells and marks.
+fn lines() -> impl Iterator<Item = (Mechanism, &'static str, &'static str)> {
+    TABLES.iter().flat_map(|(mechanism, table)| {
+        table.lines().filter_map(|line| line.rsplit_once(' ').map(|(cells, marks)| (*mechanism, cells, marks)))
     })
+}
+
+/// What is given for the runs of a mechanism besides its table.
+fn given(mechanism: Mechanism) -> Given {
+    let inertias = |printed: [&str; 2]| printed.map(|number| parsed(number) / units_in_one(UNIT));
+    let headed = inertias(headed(mechanism));
+    Given { headed, drawn: drawn(mechanism).map_or(headed, |(_, printed)| inertias(printed)), listing: listing() }
+}
+
+/// What the listing of the program fixes for all runs.
+pub fn listing() -> Listing {
+    let interval = parsed(listed::PRINT_INTERVAL);
+    Listing {
+        reset: parsed(listed::QUARTER_TURN),
+        pi: parsed(listed::PI),
+        first_line: 0.0,
+        interval,
+        duration: parsed(listed::RUN_LENGTH),
+        delay: interval / parts_of(listed::DELAY).unwrap_or(f64::NAN),
+    }
+}
+
+fn parsed(printed: &str) -> f64 {
+    printed.parse().unwrap_or(f64::NAN)
+}
+
+/// The inertias of driver and follower above a mechanism's table.
+pub fn headed(mechanism: Mechanism) -> [&'static str; 2] {
+    match mechanism {
+        Mechanism::SIX_PIN => ["10", "6"],
+        Mechanism::FOUR_PIN => ["3", "50"],
+        _ => ["3", "40"],
+    }
+}
+
+/// The figure on whose axes a mechanism's inertias are printed, and these; none if it has no such figure.
+pub fn drawn(mechanism: Mechanism) -> Option<(&'static str, [&'static str; 2])> {
+    match mechanism {
+        Mechanism::SIX_PIN => Some(("11", ["6", "10"])),
+        Mechanism::FOUR_PIN => Some(("10", ["3", "50"])),
+        _ => None,
+    }
 }
 
 /// How verdicts on record are marked behind a row.
@@ -186,25 +151,25 @@ const TABLES: [(Mechanism, &str); 3] = [
 mod tests {
     use super::*;
 
-    const COLUMNS: [Column; 6] =
-        [Column::Friction, Column::Torque, Column::Peak, Column::Minimum, Column::Rise, Column::Period];
-
-    impl Row {
-        /// The row with other characters in a column.
-        pub fn printing(mut self, column: Column, text: &'static str) -> Self {
-            self.cells[column as usize] = text;
-            self
+    #[test]
+    fn every_row_is_read_and_every_column_has_a_verdict_on_record() {
+        assert_eq!(rows().len(), TABLES.iter().map(|(_, table)| table.lines().count()).sum::<usize>());
+        for ((_, cells, marks), row) in lines().zip(rows()) {
+            assert_eq!(cells.split_whitespace().next(), Some(row.printed(Column::Friction)));
+            assert_eq!(marks.chars().count(), Column::ALL.len(), "{row:?}");
+            for column in Column::ALL {
+                assert!(expected(row, column).is_some(), "{row:?}: {column:?} has none of the marks {MARKS:?}");
+            }
         }
     }
 
     #[test]
-    fn every_row_is_complete_and_every_column_has_a_verdict_on_record() {
+    fn what_is_given_for_the_runs_are_finite_numbers() {
         for row in rows() {
-            assert!(row.cells.iter().all(|cell| cell.parse::<f64>().is_ok()), "{row:?}");
-            assert_eq!(row.marks.chars().count(), COLUMNS.len(), "{row:?}");
-            for column in COLUMNS {
-                assert!(row.expected(column).is_some(), "{row:?}: {column:?} has none of the marks {MARKS:?}");
-            }
+            let Given { headed, drawn, listing } = row.given;
+            let Listing { reset, pi, first_line, interval, duration, delay } = listing;
+            let all = [&headed[..], &drawn, &[reset, pi, first_line, interval, duration, delay]].concat();
+            assert!(all.iter().all(|number| number.is_finite()), "{all:?}");
         }
     }
 }

@@ -1,0 +1,60 @@
+//! The runs by a deck in the language of the thesis: the escapement's deck of `geneva-mimic`, with a row's data card.
+//!
+//! The deck has the mechanics of the thesis in other variables and in words of this project, and the mechanism's own
+//! reset angle. Two of its names can be set to what the thesis's program has: see [`as_listed`].
+
+use crate::program::{Line, Printout};
+use crate::{Hypothesis, Listing, Reset, Row, Run};
+use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
+
+/// The names of the deck with other values in the program of the thesis: the reset angle and π.
+pub const AS_LISTED: [&str; 2] = ["RESET", "PI"];
+
+/// The names with other values in the program of the thesis, with its numbers: an angle in radians, and π, dimensionless.
+pub fn as_listed(listing: &Listing) -> [(&'static str, f64); 2] {
+    [(AS_LISTED[0], listing.reset), (AS_LISTED[1], listing.pi)]
+}
+
+/// The escapement's deck, with some names set to other numbers than its cards have. None if there is no such name, or if
+/// something is wrong with the deck.
+pub fn deck(set: &[(&str, f64)]) -> Option<Deck> {
+    let text = deck_named("escapement")?;
+    let mut deck = Deck::read(text, Layout::of(text)).ok()?;
+    set.iter().all(|(name, value)| deck.set(name, *value)).then_some(deck)
+}
+
+/// A row's data card for a program, with the inertias of Fig. 11 for six pins.
+pub fn data(program: &Program, row: &Row) -> DataSet {
+    let names = program.parameters().into_iter().map(str::to_owned);
+    DataSet(names.zip(Hypothesis::AS_RUN.data_card(row)).collect())
+}
+
+/// The result of a run of a program with a row's data card, read off its printed columns.
+///
+/// The columns are the time, the angle through which the driver has turned, its speed and acceleration, and the
+/// follower's speed. The angle is reset after `reset` radians.
+pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Option<Run> {
+    let printed = program.run(&data(program, row), choices).ok()?;
+    let line = |row: &Vec<f64>| {
+        let [time, turned, speed, acceleration, follower_speed] = row[..] else { return None };
+        Some(Line { time, turned, angle: f64::NAN, speed, acceleration, follower_speed })
+    };
+    let lines = printed.rows.iter().map(line).collect::<Option<_>>()?;
+    Run::read_off(&Printout { lines, work: printed.work }, reset)
+}
+
+/// All rows by the deck. None if one of them comes to no end.
+///
+/// The deck runs as it is, with the angle between two pins for the reset, or with the π of the thesis's program and its
+/// reset angle or another one.
+pub fn runs(rows: &[Row], reset: Reset) -> Option<Vec<Run>> {
+    let listing = rows.first()?.given.listing;
+    let set = match reset {
+        Reset::OfTheMechanism => Vec::new(),
+        Reset::QuarterTurn => as_listed(&listing).to_vec(),
+        Reset::After(angle) => as_listed(&Listing { reset: angle, ..listing }).to_vec(),
+    };
+    let program = Program::new(&deck(&set)?).ok()?;
+    let hypothesis = Hypothesis { reset, ..Hypothesis::AS_RUN };
+    rows.iter().map(|row| run(&program, row, hypothesis.angle(row), &Choices::default())).collect()
+}

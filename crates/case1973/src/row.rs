@@ -1,0 +1,165 @@
+//! A printed run, and what the source gives besides its table. Both come in as arguments: no number of it is written
+//! here.
+
+use geneva_kinematics::Mechanism;
+use geneva_mimic::AtSmallestStep;
+
+/// The columns of a table, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Column {
+    /// Coefficient of friction.
+    Friction,
+    /// Torque of the spring, in in lb.
+    Torque,
+    /// Greatest speed of the driver, in rad/s.
+    Peak,
+    /// Least speed of the driver, in rad/s.
+    Minimum,
+    /// Rise time, in s.
+    Rise,
+    /// Period, in s.
+    Period,
+}
+
+impl Column {
+    /// All columns.
+    pub const ALL: [Self; 6] = [Self::Friction, Self::Torque, Self::Peak, Self::Minimum, Self::Rise, Self::Period];
+
+    /// The unit of the last printed place: 1 rad/s, or 1 ms in s.
+    pub fn unit(self) -> f64 {
+        if matches!(self, Self::Period | Self::Rise) { 1e-3 } else { 1.0 }
+    }
+
+    /// Whether a computed number of this column is no more than a unit of the last printed place from the printed
+    /// number, both in the column's own unit.
+    pub fn is_within_one(self, printed: f64, computed: f64) -> bool {
+        (printed - computed).abs() <= self.unit() * (1.0 + 1e-9)
+    }
+}
+
+/// The columns that a hypothesis is to explain, and from which a table's data are found.
+pub const EXPLAINED: [Column; 3] = [Column::Peak, Column::Minimum, Column::Period];
+
+/// What the listing of the program fixes for all runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Listing {
+    /// Angle in radians after which the program resets the driver's angle, whatever the mechanism.
+    pub reset: f64,
+    /// The program's π, dimensionless, from which it computes the centre distance.
+    pub pi: f64,
+    /// Time of the first printed line, in s.
+    pub first_line: f64,
+    /// Time from one printed line to the next, in s.
+    pub interval: f64,
+    /// Length of a run, in s.
+    pub duration: f64,
+    /// How late the acceleration is that chooses the sign of friction, in s.
+    pub delay: f64,
+}
+
+impl Listing {
+    /// The integrator as far as the listing tells, with the defaults for the rest.
+    ///
+    /// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.
+    pub fn integrator(&self) -> geneva_mimic::Parameters {
+        geneva_mimic::Parameters {
+            at_smallest_step: AtSmallestStep::Continue,
+            ..geneva_mimic::Parameters::new(self.interval, self.duration)
+        }
+    }
+}
+
+/// What a source gives for the runs of a mechanism besides the rows of its table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Given {
+    /// Inertias of driver and follower in the heading of the table, in in lb s².
+    pub headed: [f64; 2],
+    /// Inertias of driver and follower on the axes of the mechanism's figure, in in lb s²; the headed ones if it has
+    /// none.
+    pub drawn: [f64; 2],
+    /// The listing of the program.
+    pub listing: Listing,
+}
+
+/// A row that cannot be read, and what is wrong with it.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the row `{row}`: give friction, torque, peak, minimum, rise time and period, {wrong}")]
+pub struct Unreadable {
+    row: String,
+    wrong: &'static str,
+}
+
+/// One printed row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// The mechanism whose table contains the row.
+    pub mechanism: Mechanism,
+    /// What else is given for its runs.
+    pub given: Given,
+    /// The printed characters, in the order of the columns.
+    cells: [String; 6],
+    numbers: [f64; 6],
+}
+
+impl Row {
+    /// Reads a row: six numbers in the order of [`Column::ALL`], with spaces or commas between them.
+    ///
+    /// # Errors
+    ///
+    /// More or fewer than six numbers, or a cell that is no finite number.
+    pub fn read(mechanism: Mechanism, text: &str, given: Given) -> Result<Self, Unreadable> {
+        let unreadable = |wrong| Unreadable { row: text.chars().take(80).collect(), wrong };
+        let is_between = |sign: char| sign == ',' || sign.is_whitespace();
+        let cells: Vec<String> = text.split(is_between).filter(|cell| !cell.is_empty()).map(str::to_owned).collect();
+        let cells: [String; 6] = cells.try_into().map_err(|_| unreadable("six numbers in all"))?;
+        let numbers = cells.each_ref().map(|cell| cell.parse().unwrap_or(f64::NAN));
+        if !numbers.iter().all(|number| number.is_finite()) {
+            return Err(unreadable("each a finite number"));
+        }
+        Ok(Self { mechanism, given, cells, numbers })
+    }
+
+    /// The printed characters of a column.
+    pub fn printed(&self, column: Column) -> &str {
+        &self.cells[column as usize]
+    }
+
+    /// The printed number of a column, in the column's own unit.
+    pub fn number(&self, column: Column) -> f64 {
+        self.numbers[column as usize]
+    }
+
+    /// By how many units of its last printed place a computed number of a column is greater than the printed one.
+    pub fn misfit(&self, column: Column, computed: f64) -> f64 {
+        (computed - self.number(column)) / column.unit()
+    }
+
+    /// The friction, dimensionless.
+    pub fn friction(&self) -> f64 {
+        self.number(Column::Friction)
+    }
+
+    /// The torque, in in lb.
+    pub fn torque(&self) -> f64 {
+        self.number(Column::Torque)
+    }
+
+    /// The row's name: mechanism, friction and torque.
+    pub fn slug(&self) -> String {
+        let [friction, torque, ..] = &self.cells;
+        format!("{}.mu-0{friction}.k-0{torque}", slug(self.mechanism))
+    }
+}
+
+/// A mechanism's name; the thesis names mechanisms by the pins.
+pub fn slug(mechanism: Mechanism) -> String {
+    format!("{}-pin", mechanism.pins())
+}
+
+/// The rows of one mechanism and one friction, by rising torque, of rows in the order of their tables; nothing else
+/// changes among them.
+pub fn series(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
+    rows.chunk_by(|one, other| {
+        one.mechanism == other.mechanism && one.printed(Column::Friction) == other.printed(Column::Friction)
+    })
+}
