@@ -14,10 +14,14 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("figures", &["kinematics", "dynamics", "mimic"]),
     ("proofread", &[]),
     ("workshop", &["kinematics"]),
-    ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "proofread", "proofread-page"]),
+    ("ask", &["kinematics", "dynamics", "figures", "workshop"]),
+    ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop", "ask"]),
+    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "ask", "live", "proofread", "proofread-page"]),
     ("proofread-page", &["proofread"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"]),
+    (
+        "geneva",
+        &["kinematics", "dynamics", "mimic", "ledger", "figures", "ask", "proofread", "workshop", "live", "press"],
+    ),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
@@ -138,6 +142,7 @@ fn no_printed_decimal_stands_outside_the_ledger() {
         "crates/mimic",
         "crates/figures",
         "crates/workshop",
+        "crates/ask",
         "crates/press",
         "crates/geneva",
         "tests",
@@ -169,6 +174,7 @@ fn formulas_use_no_mathematics_of_the_platform() {
         "crates/ledger/src",
         "crates/figures/src",
         "crates/workshop/src",
+        "crates/ask/src",
         "crates/proofread/src",
     ] {
         for (path, text) in crate::files(package, &[".rs"]) {

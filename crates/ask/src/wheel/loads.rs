@@ -1,54 +1,54 @@
 //! The loads of a wheel, as they are reported.
 
-use super::cycle::degrees_told;
-use super::made::Made;
-use crate::fields::Field;
+use super::design::Design;
+use crate::written::degrees;
+use crate::{Error, Field};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
-pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
-    let loads = made.loads()?;
-    let kind = made.wheel.kind();
+pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
+    let loads = design.loads()?;
+    let kind = design.wheel.kind();
     let [torque, moment, crank] = match &loads {
         Some(loads) => [loads.wheel_torque(), loads.pin_moment(), loads.crank_torque()].map(Some),
         None => [None; 3],
     };
-    let force = |peak: Peak| made.force(peak.value);
+    let force = |peak: Peak| design.force(peak.value);
     let driving = |peaks: Option<Peaks>| peaks.map(|peaks| peaks.driving);
     let braking = |peaks: Option<Peaks>| peaks.and_then(|peaks| peaks.braking);
     let place = |peak: Option<Peak>| {
-        peak.map_or_else(String::new, |peak| kind.place(peak.angle.to_degrees(), &degrees_told(peak.angle)))
+        peak.map_or_else(String::new, |peak| kind.place(peak.angle.to_degrees(), &degrees(peak.angle)))
     };
     let at = |peak: Option<Peak>| peak.map(|peak| peak.angle.to_degrees());
     let reversal = loads.as_ref().and_then(|loads| loads.reversal());
     let holds = match reversal {
         Some((from, until)) => {
-            let [from, until] = [from, until].map(degrees_told);
+            let [from, until] = [from, until].map(degrees);
             format!("the pin holds the wheel back from {from}° to {until}° past {}", kind.middle())
         }
         None => "nowhere: friction alone slows the wheel down enough".to_owned(),
     };
-    let pressure = driving(moment).and_then(force).map(|force| made.pressure(force)).transpose()?.flatten();
-    let from = Field::new("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()));
+    let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
+    let from = Field::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
     let fields = vec![
-        Field::in_unit("inertia_kgm2", made.inertia, "kg m²")
+        Field::in_unit("inertia_kgm2", design.inertia, "kg m²")
             .line("moment of inertia", "of the wheel and everything that turns with it"),
-        Field::in_unit("wheel_inertia_kgm2", made.wheel_inertia, "kg m²")
+        Field::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
             .line("", "part of the wheel itself, from its outline, thickness and density"),
-        Field::in_unit("friction_torque_nm", made.friction_torque, "N m")
+        Field::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included"),
         Field::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
-        Field::new("peak_wheel_torque_at_deg", at(driving(torque))),
+        Field::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),
         Field::in_unit("peak_pin_force_n", driving(moment).and_then(force), "N")
             .line("peak pin force", place(driving(moment))),
-        Field::new("peak_pin_force_at_deg", at(driving(moment).filter(|_| made.crank_radius.is_some()))),
+        Field::in_unit("peak_pin_force_at_deg", at(driving(moment).filter(|_| design.crank_radius.is_some())), "°"),
         Field::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
             .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)"),
         Field::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
-        Field::new("peak_crank_torque_at_deg", at(driving(crank))),
+        Field::in_unit("peak_crank_torque_at_deg", at(driving(crank)), "°"),
         Field::in_unit("peak_power_w", loads.as_ref().map(|loads| loads.peak_power()), "W")
             .line("peak power", "at the same angle"),
         Field::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
@@ -62,7 +62,7 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
         Field::in_unit("braking_crank_torque_nm", braking(crank).map(|peak| peak.value), "N m")
             .line("braking crank torque", place(braking(crank))),
         from,
-        Field::new("braking_until_deg", reversal.map(|(_, until)| until.to_degrees())),
+        Field::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
     Ok(fields)
 }
