@@ -15,7 +15,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("proofread", &[]),
     ("workshop", &["kinematics"]),
     ("ask", &["kinematics", "dynamics", "figures", "workshop"]),
-    ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop", "ask"]),
+    ("live", &["kinematics", "dynamics", "mimic", "figures", "ask"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "ask", "live", "proofread", "proofread-page"]),
     ("proofread-page", &["proofread"]),
     (

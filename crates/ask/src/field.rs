@@ -43,8 +43,8 @@ pub enum Rounding {
     Significant(usize),
     /// To so many digits after the point.
     Decimals(usize),
-    /// Down to so many digits after the point: a limit that must not be exceeded.
-    Down(usize),
+    /// To so many digits after the point, in per cent.
+    Percent(usize),
 }
 
 impl Field {
@@ -53,9 +53,9 @@ impl Field {
         Self::in_unit(key, value, "")
     }
 
-    /// A value with a unit, without a line: lengths in millimetres to three decimals, as on a drawing, all else to four digits.
+    /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
     pub fn in_unit(key: &'static str, value: impl Into<Value>, unit: &'static str) -> Self {
-        let rounding = if unit == "mm" { Rounding::Decimals(3) } else { Rounding::Significant(4) };
+        let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
         Self { key, value: value.into(), unit, rounding, line: None, is_on_pages: false }
     }
 

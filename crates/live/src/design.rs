@@ -1,14 +1,12 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{Answer, Number, shown};
+use crate::answer::{self, Answer, Number};
 use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
-use geneva_dynamics::line_contact::{LineContact, MATERIALS};
-use geneva_dynamics::wheel_loads::WheelLoads;
+use geneva_ask::wheel::{Design, Effort, Question};
+use geneva_ask::{Error, Field};
+use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
-use geneva_kinematics::KinematicsError;
-use geneva_kinematics::wheel::{Choices, Contact, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{Layout, dxf};
-use std::f64::consts::TAU;
+use geneva_kinematics::wheel::{Contact, Sizes};
 
 pub const LIVE: Live = Live {
     name: "design",
@@ -93,12 +91,15 @@ pub const LIVE: Live = Live {
         File {
             name: "dxf",
             label: "Drawing for the machine (DXF)",
-            make: |settings| Ok(dxf(&sizes(settings)?, Layout::Apart)),
+            make: |settings| design(settings)?.dxf().map_err(words),
         },
         File {
             name: "svg",
             label: "Drawing with sizes (SVG)",
-            make: |settings| Ok(stations::dimensions(&sizes(settings)?).standalone()),
+            make: |settings| {
+                let design = design(settings)?;
+                Ok(stations::dimensions(design.sizes.as_ref().ok_or(NO_SIZES)?).standalone())
+            },
         },
         File { name: "csv", label: "These numbers (CSV)", make: numbers_file },
     ],
@@ -108,37 +109,38 @@ pub const LIVE: Live = Live {
 /// Materials of the wheel, as they are called and in the order of [`MATERIALS`].
 const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze", "acetal"];
 
-fn sizes(settings: &Settings) -> Result<Sizes, String> {
-    let wheel =
-        Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
-    let scale = Scale::CrankRadius(settings.value("radius")?);
-    let choices = Choices {
+/// The wheel of these settings, whose clearances are looked for no longer than a tenth of a second.
+fn design(settings: &Settings) -> Result<Design, String> {
+    let wall = *MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
+    let question = Question {
+        stations: Some(settings.count("stations")?),
+        pins: Some(settings.count("pins")?),
+        crank_radius: Some(settings.value("radius")?),
         pin_diameter: settings.moved("pin")?,
-        play: settings.moved("play")?.map(Play::of),
+        play: settings.moved("play")?,
+        bore_play: settings.moved("bore-play")?,
         wheel_shaft: settings.moved("wheel-shaft")?,
-        ..Choices::default()
+        rpm: Some(settings.value("speed")?),
+        inertia: Some(settings.value("inertia")?),
+        friction_torque: Some(settings.value("friction")?),
+        thickness: Some(settings.value("thickness")?),
+        pin_material: Some(MATERIALS[0]),
+        wheel_material: Some(wall),
+        centre_error: settings.value("error")?,
+        effort: Effort { clearance: 40_000, tolerance: 12_000 },
+        ..Question::default()
     };
-    let sized = |choices: &Choices| Sizes::new(wheel, scale, choices).map_err(|error| error.to_string());
-    match settings.moved("bore-play")? {
-        None => sized(&choices),
-        // The other play is the one that it has without.
-        Some(bore) => {
-            let others = Choices { wheel_shaft: None, ..choices };
-            sized(&Choices { play: Some(Play { bore, ..sized(&others)?.play }), ..choices })
-        }
-    }
+    Design::new(question).map_err(words)
 }
 
-/// Crank angles at which the least clearance is looked for, and clearances with the axes apart, for each of a few turns: a tenth
-/// of a second.
-const ANGLES: u32 = 40_000;
-const ANGLES_EACH: u32 = 12_000;
+/// A wheel without a crank radius, which the control always gives.
+const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radius";
 
-/// What was found, if it was found in time.
-fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, String> {
-    match found {
-        Err(KinematicsError::TooManyAngles { .. }) => Ok(None),
-        found => found.map(Some).map_err(|error| error.to_string()),
+/// An error without the arguments that only the command line has.
+fn words(error: Error) -> String {
+    match error {
+        Error::Sizes { error, .. } => error.to_string(),
+        other => other.to_string(),
     }
 }
 
@@ -153,15 +155,15 @@ fn millimetres(name: &'static str, value: f64) -> Number {
 
 /// Names, values and texts of all numbers, a line for each.
 fn numbers_file(settings: &Settings) -> Result<String, String> {
-    let Answer { numbers, followers, .. } = draw(settings)?;
+    let Answer { numbers, followers, further, .. } = draw(settings)?;
     let label = |name: &str| {
-        let all = LIVE.quantities.iter().chain(LIVE.others);
+        let all = LIVE.quantities.iter().chain(LIVE.others).chain(&further);
         all.into_iter().find(|of| of.name == name).map_or("", |of| of.label)
     };
     let mut lines = vec!["quantity,value,text".to_owned()];
     for control in LIVE.controls {
         let value = match followers.iter().find(|(name, _)| *name == control.name) {
-            Some((_, value)) => shown(*value),
+            Some((_, value)) => answer::shown(*value),
             None => settings.value(control.name)?,
         };
         let text = match control.kind {
@@ -174,12 +176,44 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
     Ok(lines.join("\n") + "\n")
 }
 
+/// Numbers as the wheel's question answers them: the name here, the key there, and the text about the number.
+type Shown = (&'static str, &'static str, &'static str);
+const TIMES_AND_LOADS: [Shown; 8] = [
+    ("index", "indexing_time_s", "{}"),
+    ("dwell", "dwell_time_s", "{}"),
+    ("torque", "peak_wheel_torque_nm", "{}"),
+    ("force", "peak_pin_force_n", "{}"),
+    ("crank", "peak_crank_torque_nm", "{}"),
+    ("rms", "rms_crank_torque_nm", "{}"),
+    ("power", "peak_power_w", "{}"),
+    ("mean", "mean_crank_torque_nm", "{}"),
+];
+const BACKLASH: [Shown; 4] = [
+    ("backlash", "dwell_backlash_deg", "±{}"),
+    ("greatest", "greatest_dwell_backlash_deg", "{}"),
+    ("held", "dwell_backlash_held_fraction", "{} of the dwell"),
+    ("before", "greatest_dwell_backlash_until_entry_deg", "{} of the crank"),
+];
+
+fn shown<'a>(asked: &'a [Field], list: &'a [Shown]) -> impl Iterator<Item = Number> + 'a {
+    list.iter().filter_map(|(name, key, about)| {
+        let number = Number::of(name, asked.iter().find(|field| field.key == *key)?)?;
+        Some(Number { text: about.replace("{}", &number.text), ..number })
+    })
+}
+
 fn draw(settings: &Settings) -> Result<Answer, String> {
-    let sizes = sizes(settings)?;
-    let error = settings.value("error")?;
-    let mut numbers = parts(&sizes);
-    let clearance = in_time(sizes.least_clearance_within(sizes.centre_distance + error, ANGLES))?;
-    let tolerance = in_time(sizes.centre_tolerance_within(ANGLES_EACH))?;
+    let design = design(settings)?;
+    let asked: Vec<Field> = design.sections().map_err(words)?.into_iter().flat_map(|(_, fields)| fields).collect();
+    let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
+    let mut numbers: Vec<Number> =
+        shown(&asked, &[("centres", "centre_distance_mm", "{}"), ("wheel", "wheel_radius_mm", "{}")]).collect();
+    numbers.push(Number {
+        text: format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
+        ..millimetres("slot", sizes.slot_width)
+    });
+    numbers.extend(shown(&asked, &[("disc", "locking_radius_mm", "{}")]));
+    let clearance = design.clearance().map_err(words)?;
     if let Some((nearest, tolerance)) = clearance {
         numbers.push(Number::new("clearance", nearest.distance, decimals(tolerance), "mm"));
         let angle = nearest.crank_angle.to_degrees().abs();
@@ -188,15 +222,27 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
         numbers.push(Number { text, ..at });
     }
-    if let Some(tolerance) = tolerance {
-        numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
-        numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
+    numbers.extend(shown(&asked, &[("nearer", "centres_nearer_mm", "{}"), ("farther", "centres_farther_mm", "{}")]));
+    numbers.extend(shown(&asked, &TIMES_AND_LOADS));
+    let own =
+        design.question.wheel_material.map(|of| design.own_inertia(of.density)).transpose().map_err(words)?.flatten();
+    numbers.extend(own.map(|own| Number::significant("own", own, 3, "kg m²")));
+    numbers.extend(shown(&asked, &[("pressure", "peak_contact_pressure_mpa", "{}")]));
+    // With the axes apart the play is another.
+    if error == 0.0 {
+        numbers.extend(shown(&asked, &BACKLASH));
     }
-    let speed = settings.value("speed")? * TAU / 60.0;
-    loads(settings, &sizes, speed, &mut numbers)?;
-    let is_met = play(&sizes, error, speed * sizes.crank_radius, &mut numbers);
-    let figure = stations::dimensions_on_a_page(&sizes);
+    let entry = sizes.entry(error).zip(design.pin_speed());
+    numbers.extend(entry.map(|(entry, pin)| Number::significant("blow", entry.closing_speed * pin, 3, "mm/s")));
+    if error == 0.0 {
+        numbers.extend(shown(&asked, &[("hardest", "greatest_knock_mm_s", "{}")]));
+    }
+    let figure = stations::dimensions_on_a_page(sizes);
     numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
+    let on_pages = || asked.iter().filter(|field| field.is_on_pages);
+    numbers.extend(on_pages().filter_map(|field| Number::of(field.key, field)));
+    let further = on_pages().filter_map(|field| Some(Quantity { name: field.key, label: field.line.as_ref()?.name }));
+    let further = further.collect();
     let followers = vec![
         ("pin", sizes.pin_diameter),
         ("play", sizes.play.slot),
@@ -204,72 +250,9 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         ("bore-play", sizes.play.bore),
     ];
     let depth = clearance.map(|(nearest, _)| nearest.distance);
-    let message = message(&sizes, error, is_met, depth, clearance.is_none() || tolerance.is_none());
-    Ok(Answer { followers, message, ..Answer::new(figure, numbers) })
-}
-
-fn parts(sizes: &Sizes) -> Vec<Number> {
-    let mut numbers = vec![
-        millimetres("centres", sizes.centre_distance),
-        millimetres("wheel", sizes.wheel_radius),
-        Number {
-            text: format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
-            ..millimetres("slot", sizes.slot_width)
-        },
-    ];
-    numbers.extend(sizes.locking_disc.map(|disc| millimetres("disc", disc.radius)));
-    numbers
-}
-
-/// Times, torques and forces, with the axes at the right distance.
-fn loads(settings: &Settings, sizes: &Sizes, speed: f64, numbers: &mut Vec<Number>) -> Result<(), String> {
-    let told = |error: &dyn std::fmt::Display| error.to_string();
-    let loads = WheelLoads::new(&sizes.wheel, settings.value("inertia")?, settings.value("friction")?, speed)
-        .map_err(|error| told(&error))?;
-    let index = sizes.wheel.indexing_time(speed).map_err(|error| told(&error))?;
-    let dwell = sizes.wheel.dwell_time(speed).map_err(|error| told(&error))?;
-    // A moment at the crank radius, which is in millimetres.
-    let force = 1000.0 * loads.pin_moment().driving.value / sizes.crank_radius;
-    let wall = MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
-    let thickness = settings.value("thickness")?;
-    let contact = LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, &MATERIALS[0], wall);
-    let pressure = contact.and_then(|contact| contact.pressure(force)).map_err(|error| told(&error))?;
-    let own = sizes.outline().wheel.moment_of_inertia(thickness, wall.density).map_err(|error| told(&error))?;
-    for (name, value, digits, unit) in [
-        ("index", index, 4, "s"),
-        ("dwell", dwell, 4, "s"),
-        ("torque", loads.wheel_torque().driving.value, 4, "N m"),
-        ("force", force, 4, "N"),
-        ("crank", loads.crank_torque().driving.value, 4, "N m"),
-        ("rms", loads.rms_crank_torque(), 4, "N m"),
-        ("power", loads.peak_power(), 3, "W"),
-        ("mean", loads.mean_crank_torque(), 3, "N m"),
-        ("own", own, 3, "kg m²"),
-        ("pressure", pressure / 1e6, 3, "MPa"),
-    ] {
-        numbers.push(Number::significant(name, value, digits, unit));
-    }
-    Ok(())
-}
-
-/// Backlash and blows of a pin of this speed in mm/s; whether the pin meets the slot at all.
-fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) -> bool {
-    // With the axes apart the play is another.
-    if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
-        let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
-        numbers.push(Number { text: format!("±{}", middle.text), ..middle });
-        numbers.push(Number::new("greatest", play.greatest.to_degrees(), 3, "°"));
-        let held = Number::new("held", 100.0 * play.held, 0, "%");
-        numbers.push(Number { text: format!("{} of the dwell", held.text), ..held });
-        let before = Number::new("before", play.until_entry.to_degrees(), 1, "°");
-        numbers.push(Number { text: format!("{} of the crank", before.text), ..before });
-    }
-    let Some(entry) = sizes.entry(error) else { return false };
-    numbers.push(Number::significant("blow", entry.closing_speed * pin_speed, 3, "mm/s"));
-    if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
-        numbers.push(Number::significant("hardest", knock.drifted * pin_speed, 3, "mm/s"));
-    }
-    true
+    let is_late = clearance.is_none() || numbers.iter().all(|number| number.name != "nearer");
+    let message = message(sizes, error, entry.is_some(), depth, is_late);
+    Ok(Answer { further, followers, message, ..Answer::new(figure, numbers) })
 }
 
 /// What is to be said of the setting; `depth` is the least clearance in millimetres, if it was found.

@@ -59,9 +59,7 @@ impl Design {
             (None, None) => None,
         };
         let wheel_inertia = match (sizes, question.thickness, question.density) {
-            (Some(sizes), Some(thickness), Some(density)) => {
-                Some(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
-            }
+            (Some(sizes), Some(thickness), Some(density)) => Some(own_inertia(&sizes, thickness, density)?),
             _ => None,
         };
         let inertia = match (wheel_inertia, question.inertia) {
@@ -109,6 +107,16 @@ impl Design {
         self.speed().zip(self.crank_radius).map(|(speed, radius)| speed * radius)
     }
 
+    /// Moment of inertia of the wheel alone, in kg m², of this density in kg/m³, if size and thickness are given.
+    ///
+    /// # Errors
+    ///
+    /// A thickness or a density that is not above zero.
+    pub fn own_inertia(&self, density: f64) -> Result<Option<f64>, Error> {
+        let outline = self.sizes.zip(self.question.thickness);
+        outline.map(|(sizes, thickness)| own_inertia(&sizes, thickness, density)).transpose()
+    }
+
     /// The pressure in MPa between pin and slot under a force in N, if thickness and materials are given.
     pub(super) fn pressure(&self, force: f64) -> Result<Option<f64>, Error> {
         Ok(self.contact.map(|contact| contact.pressure(force)).transpose()?.map(|pressure| pressure / MEGA))
@@ -135,6 +143,10 @@ impl Design {
 
 /// Pascals of a megapascal.
 const MEGA: f64 = 1e6;
+
+fn own_inertia(sizes: &Sizes, thickness: f64, density: f64) -> Result<f64, Error> {
+    Ok(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
+}
 
 /// The one length that was given.
 fn scale(question: &Question) -> Option<Scale> {

@@ -15,68 +15,35 @@ const OF_CENTRE_DISTANCE: f64 = 1e-4;
 /// has use for.
 const MOST_CORNERS: f64 = 200_000.0;
 
-/// The kinds of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum File {
-    /// Outlines of all parts side by side, with true arcs.
-    Dxf,
-    /// A moving model for OpenSCAD.
-    Scad,
-    /// Meshes of the parts.
-    Stl,
-}
-
-impl File {
-    /// Its name, which is also the ending.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Dxf => "dxf",
-            Self::Scad => "scad",
-            Self::Stl => "stl",
-        }
-    }
-}
-
 impl Design {
-    /// Refuses a file of a wheel that isn't external.
+    /// Outlines of all parts side by side, in millimetres, with true arcs.
     ///
     /// # Errors
     ///
-    /// What to choose instead.
-    pub fn has_parts_for(&self, file: File) -> Result<(), Error> {
-        let name = file.name();
-        if self.wheel.kind() != Kind::External {
-            return Err(refused!(
-                "--format {name} is not available for {} wheels, whose parts are not worked out; choose --type external, or \
-                 --format svg for a drawing",
-                self.wheel.kind().name()
-            ));
-        }
-        Ok(())
+    /// A wheel that isn't external, or has no size.
+    pub fn dxf(&self) -> Result<String, Error> {
+        Ok(dxf(self.parts("dxf")?, Layout::Apart))
     }
 
-    /// A file from which the wheel is made, in millimetres, if it is an external wheel with a size, and has a thickness where
-    /// the file needs one.
+    /// A moving model for OpenSCAD, in millimetres.
     ///
     /// # Errors
     ///
-    /// What is missing.
-    pub fn file(&self, file: File) -> Result<String, Error> {
-        self.has_parts_for(file)?;
-        let name = file.name();
-        let Some(sizes) = &self.sizes else {
-            return Err(refused!(
-                "--format {name} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM"
-            ));
-        };
-        if file == File::Dxf {
-            return Ok(dxf(sizes, Layout::Apart));
-        }
-        let Some(thickness) = self.question.thickness else {
-            return Err(refused!("--format {name} needs a thickness; add --thickness MM"));
-        };
-        let solid = Solid { thickness, tolerance: tolerance(sizes) };
-        let corners = if file == File::Stl { corners(sizes, solid.tolerance) } else { 0.0 };
+    /// A wheel that isn't external, or has no size or no thickness.
+    pub fn scad(&self) -> Result<String, Error> {
+        let sizes = self.parts("scad")?;
+        Ok(scad(sizes, self.solid("scad", sizes)?)?)
+    }
+
+    /// Meshes of the parts, in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, has no size or no thickness, or takes more corners than a printer has use for.
+    pub fn stl(&self) -> Result<String, Error> {
+        let sizes = self.parts("stl")?;
+        let solid = self.solid("stl", sizes)?;
+        let corners = corners(sizes, solid.tolerance);
         if corners > MOST_CORNERS {
             return Err(refused!(
                 "--format stl, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, but \
@@ -84,7 +51,38 @@ impl Design {
                 as_typed(sizes.play.slot)
             ));
         }
-        Ok(if file == File::Stl { stl(sizes, solid)? } else { scad(sizes, solid)? })
+        Ok(stl(sizes, solid)?)
+    }
+
+    /// Refuses a file with this ending of a wheel that isn't external.
+    ///
+    /// # Errors
+    ///
+    /// What to choose instead.
+    pub fn is_made_from(&self, ending: &str) -> Result<(), Error> {
+        if self.wheel.kind() == Kind::External {
+            return Ok(());
+        }
+        Err(refused!(
+            "--format {ending} is not available for {} wheels, whose parts are not worked out; choose --type external, or \
+             --format svg for a drawing",
+            self.wheel.kind().name()
+        ))
+    }
+
+    fn parts(&self, ending: &str) -> Result<&Sizes, Error> {
+        self.is_made_from(ending)?;
+        self.sizes.as_ref().ok_or_else(|| {
+            refused!(
+                "--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM"
+            )
+        })
+    }
+
+    fn solid(&self, ending: &str, sizes: &Sizes) -> Result<Solid, Error> {
+        let thickness = self.question.thickness;
+        let thickness = thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))?;
+        Ok(Solid { thickness, tolerance: tolerance(sizes) })
     }
 }
 

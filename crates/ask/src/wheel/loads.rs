@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use crate::written::degrees;
-use crate::{Error, Field};
+use crate::{Error, Field, Rounding};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
@@ -45,16 +45,19 @@ pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
             .line("peak pin force", place(driving(moment))),
         Field::in_unit("peak_pin_force_at_deg", at(driving(moment).filter(|_| design.crank_radius.is_some())), "°"),
         Field::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
-            .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)"),
+            .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
+            .rounded(Rounding::Significant(3)),
         Field::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
         Field::in_unit("peak_crank_torque_at_deg", at(driving(crank)), "°"),
         Field::in_unit("peak_power_w", loads.as_ref().map(|loads| loads.peak_power()), "W")
-            .line("peak power", "at the same angle"),
+            .line("peak power", "at the same angle")
+            .rounded(Rounding::Significant(3)),
         Field::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
             .line("RMS crank torque", "over a turn of the driver; this heats a motor"),
         Field::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
-            .line("mean crank torque", "over a turn of the driver; this is what the friction torque takes"),
+            .line("mean crank torque", "over a turn of the driver; this is what the friction torque takes")
+            .rounded(Rounding::Significant(3)),
         Field::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
             .line("braking wheel torque", place(braking(torque))),
         Field::in_unit("braking_pin_force_n", braking(moment).and_then(force), "N")

@@ -10,7 +10,6 @@ mod report;
 mod times;
 
 pub use design::Design;
-pub use files::File;
 pub use kind::{AnyWheel, Kind};
 pub use times::{Times, proposals};
 

@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use crate::written::degrees as degrees_told;
-use crate::{Error, Field, Value};
+use crate::{Error, Field, Rounding, Value};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, Sizes, Warning};
 
@@ -94,9 +94,11 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
     let nearest = mm("least_clearance_mm", least.map(|least| least.distance))
         .line("least clearance", least.map_or_else(String::new, |least| nearest_told(design, &least)));
     let nearer = mm("centres_nearer_mm", tolerance.map(|tolerance| tolerance.nearer))
-        .line("axes nearer", "at most, or parts touch; loose shafts bring the axes nearer by the bore play");
+        .line("axes nearer", "at most, or parts touch; loose shafts bring the axes nearer by the bore play")
+        .rounded(Rounding::Significant(4));
     let farther = mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
-        .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch");
+        .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch")
+        .rounded(Rounding::Significant(4));
     let play = sizes.and_then(Sizes::dwell_play);
     let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
     let at_greatest = play.map_or_else(String::new, |play| {
@@ -106,8 +108,10 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
         )
     });
     let knock = sizes.and_then(Sizes::knock).zip(design.pin_speed());
-    let speed =
-        |key, of: fn(&Knock) -> f64| Field::in_unit(key, knock.as_ref().map(|(knock, pin)| of(knock) * pin), "mm/s");
+    let speed = |key, of: fn(&Knock) -> f64| {
+        let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
+        Field::in_unit(key, speed, "mm/s").rounded(Rounding::Significant(3))
+    };
     Ok(vec![
         not_found(nearest, "least clearance", least.is_some()),
         Field::new("least_clearance_at_deg", least.map(|least| least.crank_angle.to_degrees())),
@@ -128,9 +132,11 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
         degrees("dwell_backlash_deg", play.map(|play| play.middle))
             .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
         Field::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
-            .line("", "part of the dwell, about its middle, in which it is no greater"),
+            .line("", "part of the dwell, about its middle, in which it is no greater")
+            .rounded(Rounding::Percent(0)),
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
-        degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry)),
+        degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
+            .rounded(Rounding::Decimals(1)),
         speed("knock_mm_s", |knock| knock.centred)
             .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
         speed("knock_within_backlash_mm_s", |knock| knock.within)

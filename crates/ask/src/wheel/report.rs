@@ -17,7 +17,20 @@ impl Design {
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
     pub fn answer(&self) -> Result<Answer, Error> {
-        let sections = vec![
+        let sections = self.sections()?;
+        let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
+        let (title, introduction) = (title(self), self.wheel.kind().introduction());
+        let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
+        if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
+    }
+
+    /// The fields of the answer, without the motion at angles.
+    ///
+    /// # Errors
+    ///
+    /// Speeds and inertias that no wheel has.
+    pub fn sections(&self) -> Result<Vec<(&'static str, Vec<Field>)>, Error> {
+        Ok(vec![
             ("Given", given(self)),
             ("Geometry", geometry(self)),
             ("Parts", parts::parts(self)),
@@ -26,11 +39,7 @@ impl Design {
             ("Cycle", cycle(self)?),
             ("Speed and acceleration of the wheel", motion(self)),
             ("Loads", loads::fields(self)?),
-        ];
-        let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
-        let (title, introduction) = (title(self), self.wheel.kind().introduction());
-        let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
-        if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
+        ])
     }
 }
 

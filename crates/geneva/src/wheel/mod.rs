@@ -7,7 +7,7 @@ use crate::fields;
 use crate::typed;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use geneva_ask::wheel::{Design, File, Kind, Question, Times, proposals};
+use geneva_ask::wheel::{Design, Kind, Question, Times, proposals};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// Options of `geneva wheel`.
@@ -179,22 +179,20 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
         };
     }
     let design = Design::new(question)?;
-    let file = match format {
-        Format::Dxf => Some(File::Dxf),
-        Format::Scad => Some(File::Scad),
-        Format::Stl => Some(File::Stl),
-        _ => None,
-    };
-    file.map_or(Ok(()), |file| design.has_parts_for(file))?;
+    if matches!(format, Format::Dxf | Format::Scad | Format::Stl) {
+        design.is_made_from(format.name())?;
+    }
     idle::refused(&design.question, format)?;
-    Ok(match (format, file) {
-        (_, Some(file)) => design.file(file)?,
-        (Format::Svg, _) => design.drawing().standalone(),
-        (Format::Csv, _) => {
+    Ok(match format {
+        Format::Svg => design.drawing().standalone(),
+        Format::Dxf => design.dxf()?,
+        Format::Scad => design.scad()?,
+        Format::Stl => design.stl()?,
+        Format::Csv => {
             let rows = design.cycle()?;
             fields::csv(rows.first(), rows.iter().cloned())?
         }
-        (Format::Json, _) => fields::json(&design.answer()?)?,
+        Format::Json => fields::json(&design.answer()?)?,
         _ => fields::sheet(&design.answer()?),
     })
 }
