@@ -1,7 +1,7 @@
 //! Questions that the chapters ask of mechanisms, each stated once, and numbers of the answers as a sentence says them.
 
 use crate::computed::with_unit;
-use crate::lookup::{named, unknown};
+use crate::lookup::{claim, unknown};
 use crate::numbers::fixed;
 use anyhow::{Context, anyhow};
 use geneva_ask::wheel::{Design, Question};
@@ -22,8 +22,9 @@ macro_rules! worked {
     };
 }
 
-/// Names and questions, as they are typed at the command line.
-const QUESTIONS: [(&str, &str); 16] = [
+/// Names and questions, as they are typed at the command line. In braces is the claim whose printed characters are typed.
+const QUESTIONS: [(&str, &str); 17] = [
+    ("example", "wheel --stations {jazar.ex.stations} --centre-distance 100 --rpm {jazar.ex.rpm} --inertia 0.002"),
     ("worked", worked!("25", "60", "--pin-material steel --wheel-material phosphor-bronze")),
     ("worked-twice-as-fast", worked!("25", "120", "")),
     // A wheel of steel adds its own inertia.
@@ -43,9 +44,20 @@ const QUESTIONS: [(&str, &str); 16] = [
     ("eight", "wheel --stations 8 --rpm 25"),
 ];
 
+/// The names of all questions; each is asked in some chapter.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    QUESTIONS.iter().map(|(name, _)| *name)
+}
+
 /// The question of this name, as it is typed behind `geneva`.
 pub fn question(name: &str) -> anyhow::Result<String> {
-    Ok(named("question", name, &QUESTIONS)?.to_owned())
+    let found = QUESTIONS.iter().find(|(known, _)| *known == name);
+    let (_, question) = found.ok_or_else(|| unknown("question", name, names()))?;
+    let words = question.split(' ').map(|word| match word.strip_prefix('{').and_then(|id| id.strip_suffix('}')) {
+        Some(id) => Ok(claim(id)?.printed),
+        None => Ok(word),
+    });
+    Ok(words.collect::<anyhow::Result<Vec<_>>>()?.join(" "))
 }
 
 /// The wheel of the question of this name.
@@ -58,10 +70,9 @@ pub fn design(name: &str) -> anyhow::Result<Design> {
 /// The answer to the question of this name.
 pub fn answer(name: &str) -> anyhow::Result<&'static Answer> {
     static ANSWERS: [OnceLock<Result<Answer, String>>; QUESTIONS.len()] = [const { OnceLock::new() }; QUESTIONS.len()];
-    let all: Vec<_> = QUESTIONS.iter().zip(&ANSWERS).map(|((name, _), answer)| (*name, answer)).collect();
-    let found = named("question", name, &all)?;
+    let at = names().position(|known| known == name).ok_or_else(|| unknown("question", name, names()))?;
     let asked = || design(name).and_then(|design| Ok(design.answer()?)).map_err(|error| format!("{error:#}"));
-    found.get_or_init(asked).as_ref().map_err(|error| anyhow!("question `{name}`: {error}"))
+    ANSWERS[at].get_or_init(asked).as_ref().map_err(|error| anyhow!("question `{name}`: {error}"))
 }
 
 /// A number of an answer, `QUESTION.KEY` or `QUESTION.KEY:DIGITS`.
@@ -106,5 +117,42 @@ fn unit(field: &Field) -> String {
         "" | "°" => field.unit.to_owned(),
         ratio if ratio.starts_with('×') => String::new(),
         unit => format!("&nbsp;{}", unit.replace(' ', "&nbsp;")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_is_said_with_its_unit_and_the_digits_that_are_asked_for() {
+        for (asked, said) in [
+            ("worked.crank_radius_mm", "25&nbsp;mm"),
+            ("worked.crank_radius_mm:.2", "25.00&nbsp;mm"),
+            ("worked.friction_torque_nm:2", "0.10&nbsp;N&nbsp;m"),
+            ("worked.engagement_half_angle_deg:.1", "60.0°"),
+            ("worked.centre_distance_ratio:.2", "2.00"),
+            ("instant.crank_angle_deg:.0", "−20°"),
+            ("instant.crank_angle_deg:size.0", "20°"),
+            ("loaded.crank_radius_mm:limit", "106.066&nbsp;mm"),
+            ("sized.rpm:3", "30.0"),
+        ] {
+            assert_eq!(number(asked).expect(asked), said, "{asked}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_is_answered_with_the_nearest_or_with_what_to_give() {
+        for (asked, words) in [
+            ("wroked.pin_diameter_mm", "`wroked`; the nearest is `worked`"),
+            ("worked.pin_diametre_mm", "`pin_diametre_mm`; the nearest is `pin_diameter_mm`"),
+            ("worked", "give QUESTION.KEY"),
+            ("worked.pin_diameter_mm:x", "give digits such as 3 or .3"),
+            ("internal.pin_diameter_mm", "its question gives too little"),
+            ("worked.type", "has no number"),
+        ] {
+            let error = format!("{:#}", number(asked).expect_err(asked));
+            assert!(error.contains(words), "{asked}: {error}");
+        }
     }
 }

@@ -32,7 +32,7 @@ pub mod fields;
 pub mod records;
 
 // What stands for a placeholder.
-mod asked;
+pub mod asked;
 pub mod bibliography;
 pub mod computed;
 pub mod figures;

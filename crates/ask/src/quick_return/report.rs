@@ -62,10 +62,10 @@ impl Design {
             lever_acceleration: unsigned_zero(motion.accelerations.follower_acceleration),
         };
         let given = vec![
-            Field::new("ground_m", linkage.ground()),
-            Field::new("crank_m", linkage.crank()),
+            Field::in_unit("ground_m", linkage.ground(), "m"),
+            Field::in_unit("crank_m", linkage.crank(), "m"),
             Field::new("rpm", *rpm),
-            Field::new("crank_speed_rad_s", drive.speed),
+            Field::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
         ];
         let (velocities, accelerations) = seen.motion(&motion);
         let answer = Answer {

@@ -13,6 +13,8 @@ pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
         Some(loads) => [loads.wheel_torque(), loads.pin_moment(), loads.crank_torque()].map(Some),
         None => [None; 3],
     };
+    let half_angle = design.wheel.indexing().engagement_half_angle();
+    let entry = loads.as_ref().map(|loads| loads.at(-half_angle)).transpose()?;
     let force = |peak: Peak| design.force(peak.value);
     let driving = |peaks: Option<Peaks>| peaks.map(|peaks| peaks.driving);
     let braking = |peaks: Option<Peaks>| peaks.and_then(|peaks| peaks.braking);
@@ -38,6 +40,9 @@ pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
             .line("", "part of the wheel itself, from its outline, thickness and density"),
         Field::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included"),
+        Field::in_unit("entry_wheel_torque_nm", entry.map(|entry| entry.wheel_torque), "N m")
+            .line("entry wheel torque", "as a pin enters: it comes all at once")
+            .on_pages(),
         Field::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
         Field::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),

@@ -114,7 +114,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
     };
     Ok(vec![
         not_found(nearest, "least clearance", least.is_some()),
-        Field::new("least_clearance_at_deg", least.map(|least| least.crank_angle.to_degrees())),
+        degrees("least_clearance_at_deg", least.map(|least| least.crank_angle)),
         not_found(nearer, "axes nearer", tolerance.is_some()),
         not_found(farther, "axes farther", tolerance.is_some()),
         mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap)).line(

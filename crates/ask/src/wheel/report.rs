@@ -57,7 +57,7 @@ fn given(design: &Design) -> Vec<Field> {
         Field::new("stations", wheel.stations()),
         Field::new("pins", wheel.pins()),
         Field::new("rpm", design.question.rpm),
-        Field::new("crank_radius_mm", design.crank_radius),
+        Field::in_unit("crank_radius_mm", design.crank_radius, "mm"),
     ]
 }
 
@@ -127,7 +127,7 @@ fn motion(design: &Design) -> Vec<Field> {
         Field::in_unit("peak_acceleration_rad_s2", speed.map(|speed| speed * speed * acceleration.ratio), "rad/s²")
             .also(),
         // Of the peak of deceleration; that of acceleration is as far before the middle.
-        Field::new("peak_acceleration_angle_deg", acceleration.angle.to_degrees()),
+        Field::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
         Field::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
             .line("peak jerk", format!("{jerk_at}; not counting the jumps at the ends")),
         Field::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³").also(),
