@@ -3,6 +3,7 @@
 use crate::data::{Row, Value};
 use crate::written::{angle, number};
 use serde::ser::{Serialize, Serializer};
+use std::borrow::Cow;
 
 /// A value under its key, in its unit, with its name and its meaning where it has a line of a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,23 +18,28 @@ pub struct Field {
     pub rounding: Rounding,
     /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
     pub line: Option<Line>,
-    /// Whether a figure that a reader moves says it, too, without being told to.
-    pub is_on_pages: bool,
 }
 
-/// A number under its name, and its explanation. Number, unit and direction are empty where words say it all.
+/// The line of a field: its name, and what its number means.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// Its name; nothing where the line above has it.
     pub name: &'static str,
-    /// The number, to the digits of a sheet.
-    pub number: String,
-    /// The number's unit.
-    pub unit: &'static str,
-    /// Which way a vector points.
-    pub direction: String,
     /// What the number means.
-    pub meaning: String,
+    pub meaning: Cow<'static, str>,
+    /// Which number it shows.
+    pub shows: Shows,
+}
+
+/// The number of a line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shows {
+    /// The value, in its unit.
+    Value,
+    /// The size of a value that is signed or has a direction, in the value's unit, and the direction.
+    Size(f64, String),
+    /// None: words say it all.
+    Words,
 }
 
 /// How a number is rounded.
@@ -56,20 +62,12 @@ impl Field {
     /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
     pub fn in_unit(key: &'static str, value: impl Into<Value>, unit: &'static str) -> Self {
         let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
-        Self { key, value: value.into(), unit, rounding, line: None, is_on_pages: false }
+        Self { key, value: value.into(), unit, rounding, line: None }
     }
 
     /// The field with its line: a name, and what the number means. What is missing has none.
-    pub fn line(mut self, name: &'static str, meaning: impl Into<String>) -> Self {
-        let number = match self.value {
-            Value::Missing => return self,
-            Value::Number(degrees) if self.unit == "°" => angle(degrees),
-            Value::Number(value) => number(value),
-            Value::Count(count) => count.to_string(),
-            _ => String::new(),
-        };
-        self.line = Some(Line { name, number, unit: self.unit, direction: String::new(), meaning: meaning.into() });
-        self
+    pub fn line(self, name: &'static str, meaning: impl Into<Cow<'static, str>>) -> Self {
+        if self.value == Value::Missing { self } else { self.with(name, meaning.into(), Shows::Value) }
     }
 
     /// The field with its line under another that says the same in another unit.
@@ -78,29 +76,36 @@ impl Field {
     }
 
     /// The field with a line without a number: words say it all, also of what is missing.
-    pub fn words(mut self, name: &'static str, words: impl Into<String>) -> Self {
-        let (number, direction) = (String::new(), String::new());
-        self.line = Some(Line { name, number, unit: "", direction, meaning: words.into() });
-        self
+    pub fn words(self, name: &'static str, words: impl Into<Cow<'static, str>>) -> Self {
+        self.with(name, words.into(), Shows::Words)
+    }
+
+    fn with(self, name: &'static str, meaning: Cow<'static, str>, shows: Shows) -> Self {
+        Self { line: Some(Line { name, meaning, shows }), ..self }
     }
 
     /// The field with another number on its line: the size of what is signed or has a direction, which stands beside it.
     pub fn of_size(mut self, size: f64, direction: String) -> Self {
         if let Some(line) = &mut self.line {
-            line.number = number(size);
-            line.direction = direction;
+            line.shows = Shows::Size(size, direction);
         }
         self
+    }
+
+    /// The number of its line, to the digits of a sheet; nothing where words say it all.
+    pub fn on_a_sheet(&self) -> String {
+        match (self.line.as_ref().map(|line| &line.shows), &self.value) {
+            (Some(Shows::Size(size, _)), _) => number(*size),
+            (Some(Shows::Value), Value::Number(degrees)) if self.unit == "°" => angle(*degrees),
+            (Some(Shows::Value), Value::Number(value)) => number(*value),
+            (Some(Shows::Value), Value::Count(count)) => count.to_string(),
+            _ => String::new(),
+        }
     }
 
     /// The field with its own rounding.
     pub fn rounded(self, rounding: Rounding) -> Self {
         Self { rounding, ..self }
-    }
-
-    /// The field as one that figures show without being told to.
-    pub fn on_pages(self) -> Self {
-        Self { is_on_pages: true, ..self }
     }
 
     /// Its number, if it is one and isn't missing.

@@ -28,7 +28,7 @@ pub mod wheel;
 pub mod written;
 
 pub use data::{Row, Value};
-pub use field::{Answer, Field, Item, Line, Rounding};
+pub use field::{Answer, Field, Item, Line, Rounding, Shows};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;
@@ -47,12 +47,12 @@ pub enum Error {
     #[error(transparent)]
     Dynamics(#[from] geneva_dynamics::Error),
     /// Parts of a wheel that don't fit, with the arguments that change them.
-    #[error("{error}{}", if arguments.is_empty() { String::new() } else { format!(" ({arguments})") })]
+    #[error("{error}{}", typed(arguments))]
     Sizes {
         /// Why they don't fit.
         error: SizesError,
-        /// The arguments with their values.
-        arguments: String,
+        /// The arguments with their values in millimetres, if they have any.
+        arguments: Vec<(&'static str, Option<f64>)>,
     },
     /// A drawing that there is not.
     #[error(transparent)]
@@ -60,4 +60,11 @@ pub enum Error {
     /// An argument that is impossible here.
     #[error("{0}")]
     Argument(String),
+}
+
+/// Arguments as they are typed, in brackets behind an error; nothing if there are none.
+fn typed(arguments: &[(&str, Option<f64>)]) -> String {
+    let value = |value: &Option<f64>| value.map_or_else(|| "MM".to_owned(), written::as_typed);
+    let all: Vec<_> = arguments.iter().map(|(name, of)| format!("--{name} {}", value(of))).collect();
+    if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
 }

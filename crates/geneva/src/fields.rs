@@ -2,28 +2,48 @@
 //! escapement.
 
 use crate::output::{heading, wrapped};
-use geneva_ask::{Answer, Line};
+use geneva_ask::{Answer, Field, Shows};
 
 pub use geneva_press::fields::{Row, csv, json};
 
+/// A line as it is written.
+struct Written<'a> {
+    name: &'static str,
+    number: String,
+    unit: &'static str,
+    direction: &'a str,
+    meaning: &'a str,
+}
+
+impl<'a> Written<'a> {
+    fn of(field: &'a Field) -> Option<Self> {
+        let line = field.line.as_ref()?;
+        let (unit, direction) = match &line.shows {
+            Shows::Value => (field.unit, ""),
+            Shows::Size(_, direction) => (field.unit, direction.as_str()),
+            Shows::Words => ("", ""),
+        };
+        Some(Self { name: line.name, number: field.on_a_sheet(), unit, direction, meaning: &line.meaning })
+    }
+}
+
 /// An answer as a sheet for reading, with the numbers under one another.
 pub fn sheet(answer: &Answer) -> String {
-    let items = answer.list.iter().flat_map(|(_, items)| items);
-    let items = items.map(|item| (item.heading, &item.fields));
-    let sections: Vec<_> = answer.sections.iter().map(|(title, fields)| (*title, fields)).chain(items).collect();
-    let all = sections.iter().flat_map(|(_, fields)| *fields);
-    let lines: Vec<_> = all.filter_map(|field| field.line.as_ref()).collect();
-    let widest = |part: fn(&Line) -> &str| lines.iter().map(|line| length(part(line))).max().unwrap_or(0);
-    let (name, unit) = (widest(|line| line.name), widest(|line| line.unit));
-    let whole = widest(|line| split(&line.number).0);
-    let decimals = widest(|line| split(&line.number).1);
+    let items = answer.list.iter().flat_map(|(_, items)| items).map(|item| (item.heading, &item.fields));
+    let sections = answer.sections.iter().map(|(title, fields)| (*title, fields)).chain(items);
+    let sections: Vec<(_, Vec<_>)> =
+        sections.map(|(title, fields)| (title, fields.iter().filter_map(Written::of).collect())).collect();
+    let widest =
+        |part: fn(&Written) -> usize| sections.iter().flat_map(|(_, lines)| lines).map(part).max().unwrap_or(0);
+    let (name, unit) = (widest(|line| length(line.name)), widest(|line| length(line.unit)));
+    let whole = widest(|line| length(split(&line.number).0));
+    let decimals = widest(|line| length(split(&line.number).1));
 
     let bold = heading();
     let mut page = format!("{bold}{}{bold:#}\n", wrapped("", &answer.title).trim_end());
     page += &wrapped("", answer.introduction);
-    for (title, fields) in sections {
-        let lines: Vec<_> = fields.iter().filter_map(|field| field.line.as_ref()).collect();
-        let direction = lines.iter().map(|line| length(&line.direction)).max().unwrap_or(0);
+    for (title, lines) in &sections {
+        let direction = lines.iter().map(|line| length(line.direction)).max().unwrap_or(0);
         if !lines.is_empty() {
             page += &format!("\n{bold}{title}{bold:#}\n");
         }
@@ -36,7 +56,7 @@ pub fn sheet(answer: &Answer) -> String {
             if direction > 0 {
                 lead += &format!("{:>direction$}  ", line.direction);
             }
-            page += &wrapped(&lead, &line.meaning);
+            page += &wrapped(&lead, line.meaning);
         }
     }
     if answer.note.is_empty() { page } else { page + "\n" + &wrapped("", &answer.note) }

@@ -2,11 +2,12 @@
 
 use crate::answer::{self, Answer, Number};
 use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
+use geneva_ask::Error;
 use geneva_ask::wheel::{Design, Effort, Question};
-use geneva_ask::{Error, Field};
 use geneva_dynamics::line_contact::MATERIALS;
+use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::stations;
-use geneva_kinematics::wheel::{Contact, Sizes};
+use geneva_kinematics::wheel::{Contact, Sizes, Wheel};
 
 pub const LIVE: Live = Live {
     name: "design",
@@ -140,7 +141,10 @@ const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radi
 fn words(error: Error) -> String {
     match error {
         Error::Sizes { error, .. } => error.to_string(),
-        other => other.to_string(),
+        Error::Kinematics(error) => error.to_string(),
+        Error::Dynamics(error) => error.to_string(),
+        Error::Argument(message) => message,
+        Error::Escapement(_) | Error::Figure(_) => "another mechanism; give a wheel".to_owned(),
     }
 }
 
@@ -176,44 +180,12 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
     Ok(lines.join("\n") + "\n")
 }
 
-/// Numbers as the wheel's question answers them: the name here, the key there, and the text about the number.
-type Shown = (&'static str, &'static str, &'static str);
-const TIMES_AND_LOADS: [Shown; 8] = [
-    ("index", "indexing_time_s", "{}"),
-    ("dwell", "dwell_time_s", "{}"),
-    ("torque", "peak_wheel_torque_nm", "{}"),
-    ("force", "peak_pin_force_n", "{}"),
-    ("crank", "peak_crank_torque_nm", "{}"),
-    ("rms", "rms_crank_torque_nm", "{}"),
-    ("power", "peak_power_w", "{}"),
-    ("mean", "mean_crank_torque_nm", "{}"),
-];
-const BACKLASH: [Shown; 4] = [
-    ("backlash", "dwell_backlash_deg", "±{}"),
-    ("greatest", "greatest_dwell_backlash_deg", "{}"),
-    ("held", "dwell_backlash_held_fraction", "{} of the dwell"),
-    ("before", "greatest_dwell_backlash_until_entry_deg", "{} of the crank"),
-];
-
-fn shown<'a>(asked: &'a [Field], list: &'a [Shown]) -> impl Iterator<Item = Number> + 'a {
-    list.iter().filter_map(|(name, key, about)| {
-        let number = Number::of(name, asked.iter().find(|field| field.key == *key)?)?;
-        Some(Number { text: about.replace("{}", &number.text), ..number })
-    })
-}
-
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let design = design(settings)?;
-    let asked: Vec<Field> = design.sections().map_err(words)?.into_iter().flat_map(|(_, fields)| fields).collect();
     let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
-    let mut numbers: Vec<Number> =
-        shown(&asked, &[("centres", "centre_distance_mm", "{}"), ("wheel", "wheel_radius_mm", "{}")]).collect();
-    numbers.push(Number {
-        text: format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
-        ..millimetres("slot", sizes.slot_width)
-    });
-    numbers.extend(shown(&asked, &[("disc", "locking_radius_mm", "{}")]));
+    let mut numbers = parts(sizes);
     let clearance = design.clearance().map_err(words)?;
+    let tolerance = design.centre_tolerance().map_err(words)?;
     if let Some((nearest, tolerance)) = clearance {
         numbers.push(Number::new("clearance", nearest.distance, decimals(tolerance), "mm"));
         let angle = nearest.crank_angle.to_degrees().abs();
@@ -222,27 +194,17 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
         numbers.push(Number { text, ..at });
     }
-    numbers.extend(shown(&asked, &[("nearer", "centres_nearer_mm", "{}"), ("farther", "centres_farther_mm", "{}")]));
-    numbers.extend(shown(&asked, &TIMES_AND_LOADS));
-    let own =
-        design.question.wheel_material.map(|of| design.own_inertia(of.density)).transpose().map_err(words)?.flatten();
-    numbers.extend(own.map(|own| Number::significant("own", own, 3, "kg m²")));
-    numbers.extend(shown(&asked, &[("pressure", "peak_contact_pressure_mpa", "{}")]));
-    // With the axes apart the play is another.
-    if error == 0.0 {
-        numbers.extend(shown(&asked, &BACKLASH));
+    if let Some(tolerance) = tolerance {
+        numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
+        numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
     }
-    let entry = sizes.entry(error).zip(design.pin_speed());
-    numbers.extend(entry.map(|(entry, pin)| Number::significant("blow", entry.closing_speed * pin, 3, "mm/s")));
-    if error == 0.0 {
-        numbers.extend(shown(&asked, &[("hardest", "greatest_knock_mm_s", "{}")]));
-    }
+    numbers.extend(loads(&design, &sizes.wheel).map_err(words)?);
+    let is_met = play(sizes, error, design.pin_speed().unwrap_or(f64::NAN), &mut numbers);
     let figure = stations::dimensions_on_a_page(sizes);
     numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
-    let on_pages = || asked.iter().filter(|field| field.is_on_pages);
-    numbers.extend(on_pages().filter_map(|field| Number::of(field.key, field)));
-    let further = on_pages().filter_map(|field| Some(Quantity { name: field.key, label: field.line.as_ref()?.name }));
-    let further = further.collect();
+    let more = design.on_pages(&sizes.wheel).map_err(words)?;
+    numbers.extend(more.iter().filter_map(|field| Number::of(field.key, field)));
+    let further = more.iter().filter_map(|of| Some(Quantity { name: of.key, label: of.line.as_ref()?.name })).collect();
     let followers = vec![
         ("pin", sizes.pin_diameter),
         ("play", sizes.play.slot),
@@ -250,9 +212,66 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         ("bore-play", sizes.play.bore),
     ];
     let depth = clearance.map(|(nearest, _)| nearest.distance);
-    let is_late = clearance.is_none() || numbers.iter().all(|number| number.name != "nearer");
-    let message = message(sizes, error, entry.is_some(), depth, is_late);
+    let message = message(sizes, error, is_met, depth, clearance.is_none() || tolerance.is_none());
     Ok(Answer { further, followers, message, ..Answer::new(figure, numbers) })
+}
+
+fn parts(sizes: &Sizes) -> Vec<Number> {
+    let mut numbers = vec![
+        millimetres("centres", sizes.centre_distance),
+        millimetres("wheel", sizes.wheel_radius),
+        Number {
+            text: format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
+            ..millimetres("slot", sizes.slot_width)
+        },
+    ];
+    numbers.extend(sizes.locking_disc.map(|disc| millimetres("disc", disc.radius)));
+    numbers
+}
+
+/// Times, torques and forces, with the axes at the right distance.
+fn loads(design: &Design, wheel: &Wheel) -> Result<Vec<Number>, Error> {
+    let loads = design.loads(wheel)?;
+    let load = |of: fn(&WheelLoads<Wheel>) -> f64| loads.as_ref().map(of);
+    let times = design.times(wheel)?;
+    let force = load(|loads| loads.pin_moment().driving.value).and_then(|moment| design.force(moment));
+    let pressure = force.map(|force| design.pressure(force)).transpose()?.flatten();
+    let own = design.question.wheel_material.map(|of| design.own_inertia(of.density)).transpose()?.flatten();
+    let all = [
+        ("index", times.map(|[index, _]| index), 4, "s"),
+        ("dwell", times.map(|[_, dwell]| dwell), 4, "s"),
+        ("torque", load(|loads| loads.wheel_torque().driving.value), 4, "N m"),
+        ("force", force, 4, "N"),
+        ("crank", load(|loads| loads.crank_torque().driving.value), 4, "N m"),
+        ("rms", load(|loads| loads.rms_crank_torque()), 4, "N m"),
+        ("power", load(|loads| loads.peak_power()), 3, "W"),
+        ("mean", load(|loads| loads.mean_crank_torque()), 3, "N m"),
+        ("own", own, 3, "kg m²"),
+        ("pressure", pressure, 3, "MPa"),
+    ];
+    let number =
+        |(name, value, digits, unit): (_, Option<f64>, _, _)| Some(Number::significant(name, value?, digits, unit));
+    Ok(all.into_iter().filter_map(number).collect())
+}
+
+/// Backlash and blows of a pin of this speed in mm/s; whether the pin meets the slot at all.
+fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) -> bool {
+    // With the axes apart the play is another.
+    if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
+        let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
+        numbers.push(Number { text: format!("±{}", middle.text), ..middle });
+        numbers.push(Number::new("greatest", play.greatest.to_degrees(), 3, "°"));
+        let held = Number::new("held", 100.0 * play.held, 0, "%");
+        numbers.push(Number { text: format!("{} of the dwell", held.text), ..held });
+        let before = Number::new("before", play.until_entry.to_degrees(), 1, "°");
+        numbers.push(Number { text: format!("{} of the crank", before.text), ..before });
+    }
+    let Some(entry) = sizes.entry(error) else { return false };
+    numbers.push(Number::significant("blow", entry.closing_speed * pin_speed, 3, "mm/s"));
+    if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
+        numbers.push(Number::significant("hardest", knock.drifted * pin_speed, 3, "mm/s"));
+    }
+    true
 }
 
 /// What is to be said of the setting; `depth` is the least clearance in millimetres, if it was found.

@@ -10,8 +10,9 @@ use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel};
-use std::cell::OnceCell;
+use geneva_kinematics::wheel::{
+    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel,
+};
 use std::f64::consts::PI;
 
 /// A wheel, and what its question says about it.
@@ -31,7 +32,6 @@ pub struct Design {
     pub wheel_inertia: Option<f64>,
     /// The pin on the wall of its slot, if thickness and materials are given.
     pub contact: Option<LineContact>,
-    clearance: OnceCell<Result<Option<(Nearest, f64)>, KinematicsError>>,
 }
 
 impl Design {
@@ -72,8 +72,7 @@ impl Design {
             }
             _ => None,
         };
-        let clearance = OnceCell::new();
-        Ok(Self { question, wheel, crank_radius, sizes, inertia, wheel_inertia, contact, clearance })
+        Ok(Self { question, wheel, crank_radius, sizes, inertia, wheel_inertia, contact })
     }
 
     /// The drawing: in true size with dimensions if the parts have sizes, otherwise not to scale.
@@ -86,15 +85,27 @@ impl Design {
         self.question.rpm.map(|rpm| rpm * PI / 30.0)
     }
 
-    /// Torques and forces, if speed and inertia are given.
+    /// Times of an index and of a dwell of its wheel in s, if the speed is given.
+    ///
+    /// The wheel is an argument so that a page for wheels of one kind loads no code for the others.
+    ///
+    /// # Errors
+    ///
+    /// A speed that no driver has.
+    pub fn times(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Option<[f64; 2]>, Error> {
+        let times = |speed| Ok([wheel.indexing_time(speed)?, wheel.dwell_time(speed)?]);
+        self.speed().map(times).transpose()
+    }
+
+    /// Torques and forces of its wheel, if speed and inertia are given.
     ///
     /// # Errors
     ///
     /// A speed, an inertia or a friction that no wheel has.
-    pub fn loads(&self) -> Result<Option<WheelLoads<'_, dyn Indexing + '_>>, Error> {
+    pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
         let friction = self.question.friction_torque.unwrap_or(0.0);
-        Ok(Some(WheelLoads::new(self.wheel.indexing(), inertia, friction, speed)?))
+        Ok(Some(WheelLoads::new(wheel, inertia, friction, speed)?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -118,7 +129,11 @@ impl Design {
     }
 
     /// The pressure in MPa between pin and slot under a force in N, if thickness and materials are given.
-    pub(super) fn pressure(&self, force: f64) -> Result<Option<f64>, Error> {
+    ///
+    /// # Errors
+    ///
+    /// A force below zero.
+    pub fn pressure(&self, force: f64) -> Result<Option<f64>, Error> {
         Ok(self.contact.map(|contact| contact.pressure(force)).transpose()?.map(|pressure| pressure / MEGA))
     }
 
@@ -129,15 +144,19 @@ impl Design {
     ///
     /// A distance of the axes at which the parts can't work together.
     pub fn clearance(&self) -> Result<Option<(Nearest, f64)>, Error> {
-        let find = || {
-            let Some(sizes) = &self.sizes else { return Ok(None) };
-            let centres = sizes.centre_distance + self.question.centre_error;
-            match sizes.least_clearance_within(centres, self.question.effort.clearance) {
-                Err(KinematicsError::TooManyAngles { .. }) => Ok(None),
-                found => found.map(Some),
-            }
-        };
-        Ok(self.clearance.get_or_init(find).clone()?)
+        let Some(sizes) = &self.sizes else { return Ok(None) };
+        let centres = sizes.centre_distance + self.question.centre_error;
+        in_time(sizes.least_clearance_within(centres, self.question.effort.clearance))
+    }
+
+    /// By how much the axes may be nearer and farther; none without sizes, or where it would take too long to find.
+    ///
+    /// # Errors
+    ///
+    /// A distance of the axes at which the parts can't work together.
+    pub fn centre_tolerance(&self) -> Result<Option<CentreTolerance>, Error> {
+        let Some(sizes) = &self.sizes else { return Ok(None) };
+        in_time(sizes.centre_tolerance_within(self.question.effort.tolerance))
     }
 }
 
@@ -146,6 +165,14 @@ const MEGA: f64 = 1e6;
 
 fn own_inertia(sizes: &Sizes, thickness: f64, density: f64) -> Result<f64, Error> {
     Ok(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
+}
+
+/// What was found, if it was found in time.
+fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
+    match found {
+        Err(KinematicsError::TooManyAngles { .. }) => Ok(None),
+        found => Ok(found.map(Some)?),
+    }
 }
 
 /// The one length that was given.
@@ -173,20 +200,18 @@ fn sizes(wheel: Wheel, scale: Scale, question: &Question) -> Result<Sizes, Sizes
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
 fn with_arguments(error: SizesError, question: &Question) -> Error {
     let of = |remedy: &Remedy| match remedy {
-        Remedy::ThinnerPin => ("--pin-diameter", question.pin_diameter),
-        Remedy::ThinnerHorn => ("--horn", question.horn),
-        Remedy::LessPlay => ("--play", question.play),
-        Remedy::LessDepth => ("--bottom-clearance", question.bottom_clearance),
+        Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
+        Remedy::ThinnerHorn => ("horn", question.horn),
+        Remedy::LessPlay => ("play", question.play),
+        Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
     };
     let arguments = match error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
-        SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("--wheel-shaft", question.wheel_shaft)],
-        SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("--driver-shaft", question.driver_shaft)],
+        SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
+        SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
     };
-    let typed =
-        |(name, value): &(&str, Option<f64>)| format!("{name} {}", value.map_or_else(|| "MM".to_owned(), as_typed));
-    Error::Sizes { error, arguments: arguments.iter().map(typed).collect::<Vec<_>>().join(", ") }
+    Error::Sizes { error, arguments }
 }
 
 /// The crank radius in millimetres of a wheel of this scale.

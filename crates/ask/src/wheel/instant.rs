@@ -29,7 +29,7 @@ impl Instant {
         let motion = wheel.at(turns as i64, crank)?;
         let from_pin = wheel.nearest_pin(crank).1;
         let is_engaged = motion.phase == Phase::Advance;
-        let loads = design.loads()?.filter(|_| is_engaged);
+        let loads = design.loads(wheel)?.filter(|_| is_engaged);
         Ok(Self {
             degrees,
             motion,

@@ -3,7 +3,6 @@
 use super::design::Design;
 use crate::written::degrees as degrees_told;
 use crate::{Error, Field, Rounding, Value};
-use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
@@ -77,10 +76,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
     // What is less than the tolerance is not known to be more than none; without play it is none.
     let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight);
     let least = found.map(|(least, _)| least);
-    let tolerance = match sizes.map(|sizes| sizes.centre_tolerance_within(design.question.effort.tolerance)) {
-        Some(Err(KinematicsError::TooManyAngles { .. })) | None => None,
-        found => found.transpose()?,
-    };
+    let tolerance = design.centre_tolerance()?;
     let not_found = |field: Field, name, is_found: bool| {
         if sizes.is_some() && !is_found {
             field.words(

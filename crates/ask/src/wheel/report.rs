@@ -17,20 +17,7 @@ impl Design {
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
     pub fn answer(&self) -> Result<Answer, Error> {
-        let sections = self.sections()?;
-        let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
-        let (title, introduction) = (title(self), self.wheel.kind().introduction());
-        let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
-        if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
-    }
-
-    /// The fields of the answer, without the motion at angles.
-    ///
-    /// # Errors
-    ///
-    /// Speeds and inertias that no wheel has.
-    pub fn sections(&self) -> Result<Vec<(&'static str, Vec<Field>)>, Error> {
-        Ok(vec![
+        let sections = vec![
             ("Given", given(self)),
             ("Geometry", geometry(self)),
             ("Parts", parts::parts(self)),
@@ -39,7 +26,11 @@ impl Design {
             ("Cycle", cycle(self)?),
             ("Speed and acceleration of the wheel", motion(self)),
             ("Loads", loads::fields(self)?),
-        ])
+        ];
+        let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
+        let (title, introduction) = (title(self), self.wheel.kind().introduction());
+        let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
+        if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
     }
 }
 
@@ -89,15 +80,15 @@ fn geometry(design: &Design) -> Vec<Field> {
 }
 
 fn cycle(design: &Design) -> Result<Vec<Field>, Error> {
-    let (wheel, speed) = (design.wheel.indexing(), design.speed());
+    let (wheel, times) = (design.wheel.indexing(), design.times(design.wheel.indexing())?);
     Ok(vec![
         Field::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
             .line("motion fraction", "while a pin is in a slot"),
         Field::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
             .line("dwell fraction", "while the wheel is locked"),
-        Field::in_unit("indexing_time_s", speed.map(|speed| wheel.indexing_time(speed)).transpose()?, "s")
+        Field::in_unit("indexing_time_s", times.map(|[index, _]| index), "s")
             .line("indexing time", "from when a pin enters to when it leaves"),
-        Field::in_unit("dwell_time_s", speed.map(|speed| wheel.dwell_time(speed)).transpose()?, "s")
+        Field::in_unit("dwell_time_s", times.map(|[_, dwell]| dwell), "s")
             .line("dwell time", "from when it leaves to when the next pin enters"),
     ])
 }

@@ -59,7 +59,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     }),
     ("making.contact-width", || {
         let design = worked()?;
-        let moment = design.loads()?.context("loads")?.pin_moment().driving.value;
+        let moment = design.loads(design.wheel.indexing())?.context("loads")?.pin_moment().driving.value;
         let (contact, force) = design.contact.zip(design.force(moment)).context("a contact and a force")?;
         Ok(with_unit(contact.width(force)? * 1e6, 2, "µm"))
     }),
@@ -134,7 +134,8 @@ fn play_before_entry(until: f64) -> anyhow::Result<String> {
 fn rubbing() -> anyhow::Result<(f64, f64)> {
     const STEPS: u32 = 2000;
     let design = worked()?;
-    let (wheel, loads) = (design.wheel.indexing(), design.loads()?.context("loads")?);
+    let wheel = design.wheel.indexing();
+    let loads = design.loads(wheel)?.context("loads")?;
     let end = wheel.engagement_half_angle();
     let (mut peak, mut sum) = (0.0_f64, 0.0);
     for step in 0..STEPS {
