@@ -1,8 +1,9 @@
 //! One row: an escapement, and its motion or why it has none.
 
 use super::grid::Cell;
-use crate::escapement::{engagement, rise};
+
 use crate::fields::Row;
+use geneva_ask::escapement::{engagement, rise};
 use geneva_dynamics::steady::SteadyState;
 use geneva_dynamics::{Error, Inertias, Parameters};
 
