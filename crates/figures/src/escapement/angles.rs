@@ -63,9 +63,9 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
             significant(distance, 4)
         ),
         format!(
-            "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}; both angles are \
-             negative before the line of centres. Either angle gives the same distance of the pin from \
-             the line of centres: R sin θ = r sin φ. The foot of that distance divides l into R cos θ and r cos φ.",
+            "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}. Both angles are \
+             negative before the line of centres, and both give the distance of the pin from that line: R sin θ = r \
+             sin φ. The foot of the perpendicular from the pin divides l into R cos θ and r cos φ.",
             escapement.pins(),
             escapement.slots()
         ),
@@ -95,7 +95,8 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) 
     angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::part("θ"));
     let mark = (MARK * reach).max(22.0);
     angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::part("φ"));
-    let sides = [(&at.axis, pin, Label::part("R").shade(DRIVER)), (&at.pivot, pin, Label::part("r").shade(FOLLOWER))];
+    let sides =
+        [(&at.axis, pin, Label::part("R").in_colour(DRIVER)), (&at.pivot, pin, Label::part("r").in_colour(FOLLOWER))];
     for (from, to, label) in sides {
         placing.put(canvas, &label, beside_line(from, to, &NEAR));
     }

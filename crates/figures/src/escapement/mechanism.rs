@@ -57,7 +57,7 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
             "At the left the driver, a disc with {m} pins all round, turning counter-clockwise about B. At the right \
              the follower, a star with {n} slots, turning clockwise about O, {} crank radii from B; its rim has a \
              radius of {}. Lines from B and O to the places where a pin enters and leaves make angles of {} \
-             and {} with the line of centres. The engaged pin stands at θ = {}, its slot at φ = {}.",
+             and {} with the line of centres. The engaged pin is at θ = {}, its slot at φ = {}.",
             significant(ratio, 4),
             significant(rim, 4),
             degrees(escapement.engagement_half_angle()),
@@ -67,8 +67,8 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
         ),
         format!(
             "The escapement with {m} pins and {n} slots, to scale. The driver, at the left, turns counter-clockwise, the \
-             follower clockwise. A pin enters at the lower crossing of the dashed lines and leaves at the upper one, \
-             π/{m} before and after the line of centres."
+             follower clockwise. A pin enters where the lower dashed lines cross, π/{m} before the line of centres, \
+             and leaves where the upper ones cross, π/{m} past it."
         ),
     );
     Ok(words.figure(canvas, Kind::Mechanism, series))
@@ -79,8 +79,8 @@ fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapeme
     let (theta, phi) = (escapement.engagement_half_angle(), escapement.follower_half_angle());
     for sense in [1.0, -1.0] {
         let place = at.on_driver(1.0, sense * theta);
-        for (centre, shade) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
-            canvas.draw(Shape::line(centre, &place).stroke(shade, 1.3).dashed("10 4").class("half-angle"));
+        for (centre, colour) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
+            canvas.draw(Shape::line(centre, &place).stroke(colour, 1.3).dashed("10 4").class("half-angle"));
             placing.avoid(centre, &place, 1.0);
         }
     }
@@ -93,9 +93,9 @@ fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapeme
 /// Names of the bodies above them, and of the axes.
 fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Mechanism) {
     let (row, right) = (20.0, Vector2::new(1.0, 0.0));
-    let driver = Label::words(&format!("driver, {} pins", escapement.pins())).shade(DRIVER);
+    let driver = Label::words(&format!("driver, {} pins", escapement.pins())).in_colour(DRIVER);
     canvas.label(&Vector2::new(0.0, row), &right, 14.0, &driver);
-    let follower = Label::words(&format!("follower, {} slots", escapement.slots())).shade(FOLLOWER);
+    let follower = Label::words(&format!("follower, {} slots", escapement.slots())).in_colour(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, row), &-right, 14.0, &follower);
     placing.put(canvas, &Label::words("B"), around(&at.axis, -FRAC_PI_2 - 0.4, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, -FRAC_PI_2 + 0.4, &NEAR));

@@ -47,7 +47,7 @@ pub fn order() -> Figure {
         panel = panel.curve(points.iter().copied(), stroke).marks(points.iter().copied(), marker.class("point"));
         let middle = |points: &[(f64, f64)]| points.iter().copied().skip(3).take(4).collect::<Vec<_>>();
         panel = panel.near(middle(&reference), FRAC_PI_2, Label::words(&format!("slope {slope}")));
-        panel = panel.near(middle(&points), -FRAC_PI_2, Label::words(name).shade(stroke.shade));
+        panel = panel.near(middle(&points), -FRAC_PI_2, Label::words(name).in_colour(stroke.colour));
     }
 
     let [smooth, switched] = [observed_order(&errors, |at| at.smooth), observed_order(&errors, |at| at.switched)]
@@ -59,11 +59,12 @@ pub fn order() -> Figure {
         "Error over step length, for a smooth problem and for one with a switch",
         format!(
             "Two rows of points on logarithmic axes, the step length to the right, the error upwards. The errors of \
-             the smooth problem lie along a line of slope 4 (observed: {smooth}), those of the problem with a switch, \
-             far above, along one of slope 1 (observed: {switched})."
+             the smooth problem follow a line of slope 4 (observed: {smooth}). The errors of the problem with a switch \
+             are far above and follow a line of slope 1 (observed: {switched})."
         ),
-        "While the right-hand side is smooth (ẍ = −x), half the step gives a sixteenth of the error. Where \
-             it switches within a step (ẋ = 1, then 2), the error is proportional to the step, whatever the \
+        "Where the right-hand side of the differential equation is \
+         smooth (ẍ = −x), half the step gives a sixteenth of the error. Where the \
+         right-hand side jumps within a step (ẋ = 1, then 2), the error is proportional to the step, whatever the \
              order of the method.",
     );
     Chart::new([panel]).figure(words, series)

@@ -30,12 +30,12 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
         let (stroke, _) = of_mechanism(one.slots());
         panel = panel.curve(rows.iter().map(|row| (row[0], row[1 + 2 * k])), stroke);
         let name = format!("{} pins, {} slots: mean {}", one.pins(), one.slots(), mean(one));
-        key.push(Entry::curve(stroke, Label::words(&name).shade(stroke.shade)));
+        key.push(Entry::curve(stroke, Label::words(&name).in_colour(stroke.colour)));
     }
     for one in escapements {
-        let shade = of_mechanism(one.slots()).0.shade;
-        panel = panel.marks([(0.0, peak(one))], Marker::new(shade, Mark::Disc).class("peak"));
-        let label = Label::words(&significant(peak(one), 3)).shade(shade);
+        let colour = of_mechanism(one.slots()).0.colour;
+        panel = panel.marks([(0.0, peak(one))], Marker::new(colour, Mark::Disc).class("peak"));
+        let label = Label::words(&significant(peak(one), 3)).in_colour(colour);
         panel = panel.near([(0.0, peak(one))], FRAC_PI_2, label);
     }
 
@@ -54,10 +54,10 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
              zero at both ends and greatest on the line of centres. {}.",
             said.join("; ")
         ),
-        "The follower's speed over the driver's, which depends on the geometry alone. It is zero at every \
-             hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, one \
-             with more slots moves gently. The ratio never changes sign, so the follower slows down but never \
-             reverses. Its mean is m/n, pins over slots.",
+        "The follower's speed divided by the driver's. This ratio depends on the geometry alone. It is zero at every \
+         hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, while a follower \
+         with more slots moves gently. The ratio never changes sign, so the follower slows down but never reverses. \
+         The mean of the ratio is m/N, pins over slots.",
     );
     Chart::new([panel]).key(key).figure(words, series)
 }

@@ -58,13 +58,13 @@ pub fn bead_on_a_lever() -> Figure {
     let words = Words::new(
         "quick-return-bead",
         "A bead that slides on a turning lever, at three moments",
-        "A lever in three positions, equal times Δt apart, with a bead on it that slides outwards, at A, B and C. Each \
-         step of the bead is drawn as a slide along the lever by v Δt and a carry around the pivot by the angle ω Δt. \
-         Two strips of equal length show what the second step has more, both across the lever: the slide has turned \
-         with the lever, and the carry is longer because the bead is farther out. Each is v Δt times ω Δt.",
-        "A bead on a turning lever, at three moments Δt apart. Each step is a slide (green) and a carry (blue). Dashed: the \
-         first slide drawn again at B. The two strips show how much farther the second step goes across the lever: by v Δt · ω Δt for each \
-         strip. Both speeds are constant, and the angles are drawn large.",
+        "A lever in three positions, equal times Δt apart, with a bead on it that slides outwards, at A, B and C. Each step of \
+         the bead is drawn as a slide along the lever by v Δt and a carry around the pivot by the angle ω Δt. Two strips of \
+         equal length, both across the lever, show how much farther the second step goes: the slide has turned with the lever, \
+         and the carry is longer because the bead is farther out. Each is v Δt times ω Δt.",
+        "A bead on a turning lever, at three moments Δt apart. Each step is a slide along the lever (green) and a carry around \
+         the pivot (blue). Dashed: the first slide drawn again at B. Across the lever, the second step goes farther than the \
+         first by two strips, each v Δt · ω Δt long. Both speeds are constant, and the angles are drawn large.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }
@@ -80,10 +80,10 @@ fn steps(canvas: &mut Canvas, at: impl Fn(f64, f64) -> Pixels, [one, two, three]
         let turned = Label::symbol("ω").and(" Δ").and_symbol("t");
         canvas.label(&at(62.0, (angle + next) / 2.0), &heading((angle + next) / 2.0), 6.0, &turned);
     }
-    let slid = Label::symbol("v").and(" Δ").and_symbol("t").shade(RELATIVE);
+    let slid = Label::symbol("v").and(" Δ").and_symbol("t").in_colour(RELATIVE);
     canvas.label(&at(MIDDLE - SLIDE / 2.0, one), &Vector2::new(0.0, 1.0), 15.0, &slid);
     canvas.label(&at(MIDDLE + SLIDE / 2.0, two), &heading(two + 1.57), 12.0, &slid);
-    let carried = Label::symbol("r").and("\u{2009}").and_symbol("ω").and(" Δ").and_symbol("t").shade(FOLLOWER);
+    let carried = Label::symbol("r").and("\u{2009}").and_symbol("ω").and(" Δ").and_symbol("t").in_colour(FOLLOWER);
     let right = Vector2::new(1.0, 0.0);
     canvas.label(&at(MIDDLE, one + 0.42 * TURN), &right, 10.0, &carried);
     canvas.label(&at(MIDDLE + SLIDE, two + 0.4 * TURN), &right, 10.0, &carried);
@@ -106,7 +106,7 @@ fn strips(canvas: &mut Canvas, at: impl Fn(f64, f64) -> Pixels, [one, two, three
     for (k, (strip, words)) in strips.iter().zip(words).enumerate() {
         numbered(canvas, &(strip + right * 24.0), k + 1);
         let length = Label::symbol("v").and(" Δ").and_symbol("t").and(" · ");
-        let length = length.and_symbol("ω").and(" Δ").and_symbol("t").shade(CORIOLIS);
+        let length = length.and_symbol("ω").and(" Δ").and_symbol("t").in_colour(CORIOLIS);
         canvas.label(strip, &right, 42.0, &length);
         let line = Vector2::new(26.0, WORDS + LINE * k as f64);
         numbered(canvas, &line, k + 1);

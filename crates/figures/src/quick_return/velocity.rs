@@ -22,7 +22,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     let velocities = &instant.motion.velocities;
     let (pin, slot, sliding) = (velocities.pin_velocity, velocities.slot_point_velocity, velocities.sliding_velocity);
     let arrow =
-        |name, point, tail, vector, shade, if_zero| Arrow { name, symbol: v(point), tail, vector, shade, if_zero };
+        |name, point, tail, vector, colour, if_zero| Arrow { name, symbol: v(point), tail, vector, colour, if_zero };
     let zero = Vector2::zeros();
     let arrows = vec![
         arrow("v-pin", "2", zero, pin, DRIVER, "the crank stands still"),
@@ -30,7 +30,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         arrow("v-sliding", "rel", slot, sliding, RELATIVE, "the pin does not slide"),
     ];
     let across = quarter_turn(&instant.along);
-    let direction = |name, words, from, along, shade| Direction { name, words, from, along, meeting: slot, shade };
+    let direction = |name, words, from, along, colour| Direction { name, words, from, along, meeting: slot, colour };
     let directions = [
         direction("across", "⊥ lever", zero, across, FOLLOWER),
         direction("along", "∥ lever", pin, instant.along, RELATIVE),
@@ -86,14 +86,14 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         format!(
             "Three steps, to scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
              direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
-             right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to \
-             P4, {sliding}, add up to that of P2. The lever's angular velocity is {}{}.",
+             right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to P4, \
+             {sliding}, add up to the velocity of P2. The lever's angular velocity is {}{}.",
             written(omega_4.abs(), "rad/s"),
             turning(omega_4)
         ),
         format!(
-            "The velocity diagram at φ = {phi}, in three steps. We know one vector completely and only the directions of the other two, but two directions are \
-             enough to close the triangle. The pole is o."
+            "The velocity diagram at φ = {phi}, in three steps. We know one vector completely and only the directions of the \
+             other two, but two directions are enough to close the triangle. The pole o is where the vectors start."
         ),
     );
     words.figure(diagram.draw(), Kind::Diagram, Series::new(columns, rows))

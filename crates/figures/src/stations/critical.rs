@@ -48,16 +48,16 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
         "wheel-critical",
         format!("Geometry of a wheel with {} stations as the pin enters", wheel.stations()),
         format!(
-            "A right-angled triangle of the wheel's axis O, the driver's axis B and the pin P, with the right angle at \
-             P. The angle at O is α, {}; that at B is π/2 − α, {}. With a crank of length 1 the centre distance OB is \
-             1 / sin α, {}, and the wheel's radius OP is 1 / tan α, {}. Neighbouring slots make an angle of 2α.",
+            "A right-angled triangle of the wheel's axis O, the driver's axis B and the pin P, with the right angle at P. The \
+             angle at O is α, {}; the angle at B is π/2 − α, {}. With a crank of length 1 the centre distance OB is 1 / sin α, \
+             {}, and the wheel's radius OP is 1 / tan α, {}. Neighbouring slots make an angle of 2α.",
             degrees(alpha),
             degrees(theta),
             significant(l, 4),
             significant(radius, 4)
         ),
-        "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at \
-                  the pin; crank 1, centre distance 1 / sin α and the wheel's radius 1 / tan α follow.",
+        "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at the pin. In crank \
+         radii, the centre distance is 1 / sin α and the wheel's radius 1 / tan α.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }
@@ -67,8 +67,8 @@ fn triangle(canvas: &mut Canvas, at: &Bodies, alpha: f64, pin: &Pixels) {
     canvas.draw(Shape::line(&at.pivot, &next).stroke(FOLLOWER, 1.5).dashed(DASHED).class("next-slot"));
     let sides = [(&at.pivot, &at.axis, INK, "l"), (&at.axis, pin, DRIVER, "R"), (&at.pivot, pin, FOLLOWER, "r")];
     parts::sides(canvas, sides);
-    for (centre, shade) in [(&at.pivot, FOLLOWER), (&at.axis, DRIVER)] {
-        parts::axis(canvas, centre, shade);
+    for (centre, colour) in [(&at.pivot, FOLLOWER), (&at.axis, DRIVER)] {
+        parts::axis(canvas, centre, colour);
     }
     parts::pin(canvas, pin, at.driver.pin * at.view.scale);
 }
@@ -104,9 +104,9 @@ fn lengths(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixel
     let up = Vector2::new(0.0, DIMENSION - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &up);
     canvas.label(&middle, &Vector2::new(0.0, -1.0), 18.0, &Label::words("1 / sin ").and_symbol("α"));
-    let radius = Label::words("1 / tan ").and_symbol("α").shade(FOLLOWER);
+    let radius = Label::words("1 / tan ").and_symbol("α").in_colour(FOLLOWER);
     canvas.label(&at.pivot.lerp(pin, 0.62), &heading(-alpha - PI / 2.0), 16.0, &radius);
-    let crank = Label::words("1").shade(DRIVER);
+    let crank = Label::words("1").in_colour(DRIVER);
     canvas.label(&at.axis.lerp(pin, 0.5), &heading(PI + theta + PI / 2.0), 16.0, &crank);
     canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &heading(0.4), 16.0, &Label::words("B"));

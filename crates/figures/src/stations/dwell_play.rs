@@ -40,19 +40,19 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
     let panel = Panel::new(HEIGHT, &x, &y)
         .curve(points(2), backwards)
         .curve(points(1), forwards)
-        .near(first_third(), 0.0, Label::words("backwards").shade(backwards.shade))
-        .near(last_third(), PI, Label::words("forwards, as it indexes").shade(forwards.shade));
+        .near(first_third(), 0.0, Label::words("backwards").in_colour(backwards.colour))
+        .near(last_third(), PI, Label::words("forwards, as it indexes").in_colour(forwards.colour));
     let words = Words::new(
         "wheel-dwell-play",
         format!("Backlash in the dwell, {} stations", sizes.wheel.stations()),
         format!(
-            "Two curves over the dwell. Each is flat in the middle. The one backwards has a peak of {}° shortly after the pin \
-             has left, the one forwards has as high a peak shortly before the next pin enters.",
+            "Two curves over the dwell, each flat in the middle. The backlash backwards has a peak of {}° shortly after the \
+             pin has left, and the backlash forwards has as high a peak shortly before the next pin enters.",
             fixed(most, 2)
         ),
-        "How far the wheel can turn to each side in the dwell. In the middle both ends of the locking arc touch the disc. Near \
-         the ends of the dwell only the edge of the disc's opening holds the wheel to one side, close to the line of centres, \
-         until a pin is near enough to hold it. Rigid parts with the play of this chapter's design.",
+        "How far the wheel can turn to each side in the dwell. In the middle an end of the locking arc stops the wheel on \
+         either side. Near the ends of the dwell only the edge of the disc's opening, close to the line of centres, \
+         stops it on one side, until a pin is near enough to stop it. Rigid parts with the play of this chapter's design.",
     );
     let columns = [("crank", "deg"), ("forwards", "deg"), ("backwards", "deg")];
     Chart::new([panel]).figure(words, Series::new(columns, rows))

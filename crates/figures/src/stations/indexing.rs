@@ -46,8 +46,9 @@ pub fn indexing(wheel: &Wheel) -> Figure {
             degrees(-peak.angle)
         ),
         format!(
-            "One indexing of a wheel with {} stations, its driver at constant speed. Above: the wheel's angle φ and its \
-             speed over the driver's, φ̇/θ̇. Below: its acceleration over the square of the driver's speed, φ̈/θ̇². The acceleration jumps at entry and at exit, where the jerk is infinite.",
+            "One indexing of a wheel with {} stations, its driver at constant speed. Above: the wheel's angle φ, and its speed \
+             divided by the driver's, φ̇/θ̇. Below: its acceleration divided by the square of the driver's speed, φ̈/θ̇². The \
+             acceleration jumps at entry and at exit, where the jerk is infinite.",
             wheel.stations()
         ),
     );
@@ -141,8 +142,8 @@ fn acceleration(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel
 /// The symbols of the three curves: φ, φ'/θ' and φ''/θ'².
 fn symbols() -> [Label; 3] {
     [
-        Label::symbol("φ").shade(RELATIVE).and(" in rad"),
-        Label::rate("φ", 1).shade(FOLLOWER).and(" / ").and_rate("θ", 1),
-        Label::rate("φ", 2).shade(DRIVER).and(" / ").and_rate("θ", 1).and("²"),
+        Label::symbol("φ").in_colour(RELATIVE).and(" in rad"),
+        Label::rate("φ", 1).in_colour(FOLLOWER).and(" / ").and_rate("θ", 1),
+        Label::rate("φ", 2).in_colour(DRIVER).and(" / ").and_rate("θ", 1).and("²"),
     ]
 }

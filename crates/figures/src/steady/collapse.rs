@@ -84,15 +84,17 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
         format!(
             "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. \
              In each an unbroken curve for every mechanism, and a broken one where the program put the driver back at \
-             another angle. On the curves of what was run lie the {} runs of all torques, one over another. The \
-             farthest from these are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the \
-             periods.",
+             another angle. The {} runs of all torques are on the curves of what was run, one over another. The \
+             farthest differ from these curves by {peak} % in the peaks, {minimum} % in the minima and {period} % in \
+             the periods.",
             rows.len()
         ),
         format!(
-            "The law of similarity: torque and inertias set the scales. Divided by them, the printed rows of all \
-             torques coincide (marks). The solid curves are for the mechanisms, the broken curves for the program \
-             of 1973, which resets the driver's angle after 90°; beside each curve is its number of pins. For four pins both are the same. The rows for six and three pins are on the broken curves, so they \
+            "The law of similarity: torque and inertias set the scales of speed and time. Divided by these scales, the \
+             printed rows of all torques coincide (marks). The solid curves are for the mechanisms, the broken curves \
+             for the program of 1973, which resets the driver's angle after 90°. Beside each curve is its number of \
+             pins. For four pins the two curves are the same. The rows for six and three \
+             pins are on the broken curves, so they \
              are runs of the program and not of the mechanisms. Driver's moment of inertia \
          over the follower's: {inertias}."
         ),
@@ -110,7 +112,7 @@ fn frictions(rows: &[[f64; 11]]) -> Result<Axis, FigureError> {
     let room = 0.06 * (most - least).max(0.1 * most);
     let range = (least - room).max(0.5 * least)..most + room;
     let steps = Axis::spanning(range.start, range.end, 4.0);
-    Ok(Axis { marks: steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
+    Ok(Axis { ticks: steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
 }
 
 /// The curve of the mechanism as it was run, if that is another than its own, and its own.
@@ -139,7 +141,7 @@ fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], 
         let own = rows.iter().filter(|row| row[0] == f64::from(group.mechanism.slots()));
         panel = panel.marks(own.map(|row| (row[1], row[2 + k])), marker.sized(8.0));
         if let Some((_, values)) = both[1].as_ref().and_then(|points| points.last()) {
-            let label = Label::words(&group.mechanism.pins().to_string()).shade(marker.shade);
+            let label = Label::words(&group.mechanism.pins().to_string()).in_colour(marker.colour);
             panel = panel.name(label, Spot::Beside(values[k]));
         }
     }

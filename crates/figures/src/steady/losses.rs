@@ -43,7 +43,7 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
     } else {
         Axis::from_zero(0.0, greatest.max(1.0), 5.0)
     };
-    let titles = ["mean speed over the ideal one", "multiplier"];
+    let titles = ["mean speed over ideal mean speed", "multiplier"];
     let panels = [0, 1].map(|k| {
         let values = || groups[k].iter().flat_map(finite).map(|point| point.1);
         let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
@@ -52,7 +52,7 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
         groups[k].iter().fold(Panel::new(260.0, &x, &y.titled(Label::words(titles[k]))), |panel, line| {
             let (points, (stroke, marker)) = (finite(line), kind(number(line)));
             let panel = panel.curve(points.iter().copied(), stroke.wide(2.2).class("loss"));
-            let name = Label::words(&with_hyphens(&line.name)).shade(stroke.shade);
+            let name = Label::words(&with_hyphens(&line.name)).in_colour(stroke.colour);
             // Named once, where the lines are farthest apart: the looks are the same in both panels.
             let is_named = groups.iter().take(k).any(|lines| lines.iter().any(|other| other.name == line.name));
             let last_half = points.iter().skip(points.len() / 2).copied();
@@ -75,7 +75,8 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
         "joints-losses",
         "What the size of the joints costs",
         format!(
-            "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the multiplier. {}.",
+            "Two panels over the {size}: the mean speed over the mean speed of the ideal mechanism, and the \
+             multiplier. {}.",
             said.join("; ")
         ),
         format!(

@@ -134,7 +134,7 @@ fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: 
     let corner = [0.05, 0.09, 0.13].map(|y| [0.79, y]).to_vec();
     panel = panel.name(Label::words("no single solution").on(FILL).bare(), Spot::Free(corner));
     for (value, points) in lines {
-        panel = panel.name(Label::words(&trimmed(*value, 2)).shade(LINES[k].shade), Spot::On(points.clone()));
+        panel = panel.name(Label::words(&trimmed(*value, 2)).in_colour(LINES[k].colour), Spot::On(points.clone()));
     }
     panel
 }
@@ -205,9 +205,10 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
             if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) }
         ),
         format!(
-            "{pins} pins and {} slots: above, lines of equal mean speed in the steady state, in units of the square root of the spring's torque over the follower's moment of inertia; below, lines of equal rise: the number of \
-            engagements after which a deviation from the steady speed has shrunk to a hundredth. Marks: the runs of the \
-             thesis.",
+            "{pins} pins and {} slots. Above are lines of equal mean speed in the steady state, in units of the square \
+             root of the spring's torque over the follower's moment of inertia. Below are lines of equal rise, which \
+             is the number of engagements after which a deviation from the steady speed has shrunk to a hundredth. The \
+             marks are the runs of the thesis.",
             mechanism.slots()
         ),
     )

@@ -31,8 +31,8 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
     }
     let range = least * (1.0 - ROOM)..most * (1.0 + ROOM);
     let steps = Axis::spanning(least, most, 5.0);
-    let marks = steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect();
-    let x = Axis { marks, range, ..steps }.titled(of_friction());
+    let ticks = steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect();
+    let x = Axis { ticks, range, ..steps }.titled(of_friction());
     let mut rows: Vec<[f64; 3]> = Vec::new();
     let mut curves = Vec::new();
     for one in all {
@@ -57,7 +57,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         panel = panel.curve(curve.iter().copied(), stroke.wide(2.2).class("rate"));
         panel = panel.marks(marks.iter().copied(), marker.sized(8.0));
         if let Some((_, gain)) = curve.last() {
-            let name = Label::words(&one.parameters.mechanism().pins().to_string()).shade(marker.shade);
+            let name = Label::words(&one.parameters.mechanism().pins().to_string()).in_colour(marker.colour);
             panel = panel.name(name, Spot::Beside(*gain));
         }
     }
@@ -80,15 +80,15 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         "timer-friction",
         "What the escapement gains or loses in a day as the friction changes",
         format!(
-            "Three falling curves over the coefficient of friction, which cross at μ = {}, where the escapements were set. \
-             The gain a day falls {}. Three upright lines stand at the frictions of a pair of materials.",
+            "Three falling curves over the coefficient of friction, which cross at μ = {}, where the escapements were \
+             set. The gain a day falls {}. Three vertical lines mark the frictions of a pair of materials.",
             trimmed(set, 2),
             said.collect::<Vec<_>>().join(", ")
         ),
         format!(
-            "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes: computed from the \
-             exact steady motion for each friction. Marks are the frictions of the thesis's runs. The dashed lines are static \
-             handbook values of steel on brass: {}. {}",
+            "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes. It is \
+             computed from the exact steady motion for each friction. Marks are the frictions of the thesis's runs. \
+             The dashed lines are static handbook values of steel on brass: {}. {}",
             trimmed(set, 2),
             pairs
                 .iter()

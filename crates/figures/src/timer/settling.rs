@@ -48,13 +48,13 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
     let panels = looks.map(|(column, title, marker)| {
         let points = || rows.iter().map(move |row| (row[0], row[column]));
         let most = points().map(|point| point.1).fold(0.0, f64::max);
-        let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).shade(marker.shade));
+        let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).in_colour(marker.colour));
         let x = if column == 3 {
-            x.clone().titled(Label::words("follower's inertia over that of the run"))
+            x.clone().titled(Label::words("follower's inertia over the run's inertia"))
         } else {
             x.clone().unnumbered()
         };
-        Panel::new(165.0, &x, &y).curve(points(), Stroke::new(marker.shade).wide(2.0)).marks(points(), marker)
+        Panel::new(165.0, &x, &y).curve(points(), Stroke::new(marker.colour).wide(2.0)).marks(points(), marker)
     });
     let times = || rows.iter().map(|row| row[3]);
     let (quickest, slowest) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
@@ -62,8 +62,8 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
         "timer-settling",
         "How long the escapement takes to settle with a lighter follower",
         format!(
-            "Three panels over the follower's inertia. From the lightest follower to that of the run the number of engagements \
-             falls, the time of each rises, and their product stays between {} and {} ms.",
+            "Three panels over the follower's inertia. From the lightest follower to the run's follower the number of \
+             engagements falls, the time of each engagement rises, and their product stays between {} and {} ms.",
             significant(quickest, 3),
             significant(slowest, 3)
         ),
