@@ -40,6 +40,39 @@ pub(crate) fn lacks_degrees(left: &Value, right: &Value) -> bool {
         || (bare(right) && in_degrees(left) && right.meets(&scaled(left), 0.0))
 }
 
+/// Whether two sides, of which only one is in electronvolts, agree with the charge of an electron rounded to three digits.
+pub(crate) fn rounded_charge(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
+    const VOLTS: [&str; 5] = ["eV", "meV", "keV", "MeV", "GeV"];
+    let Some(volt) = unit("eV").filter(|volt| volt.dimension == left.dimension) else { return false };
+    let rounded = 1.60e-19 / volt.factor;
+    match sides.map(|side| has(side, &VOLTS)) {
+        [true, false] => left.scaled(rounded).meets(right, 0.0),
+        [false, true] => left.meets(&right.scaled(rounded), 0.0),
+        _ => false,
+    }
+}
+
+/// Whether a side turns an angle into degrees by a factor 180/π that lacks its degree sign.
+pub(crate) fn turns_into_degrees(side: &[Token]) -> bool {
+    let is_straight = |of: &[Token]| matches!(of, [one] if one.number() == Some("180"));
+    let is_pi = |of: &[Token]| matches!(of, [one] if one.kind == Kind::Name("π".to_owned()));
+    let stacked = any(side, &|kind| matches!(kind, Kind::Fraction(above, below) if is_straight(above) && is_pi(below)));
+    stacked || side.windows(3).any(|of| is_straight(&of[..1]) && of[1].is('/') && is_pi(&of[2..]))
+}
+
+/// Whether one side is a vector along an axis, and the other one its component without the direction.
+pub(crate) fn lacks_direction(left: &Value, right: &Value) -> bool {
+    let along = |of: &Value| match of.parts.0 {
+        [None, Some(x), None, None] | [None, None, Some(x), None] | [None, None, None, Some(x)] => Some(x),
+        _ => None,
+    };
+    let of = |vector: &Value, scalar: &Value| match (along(vector), scalar.parts.0) {
+        (Some(x), [Some(y), None, None, None]) => x.meets(y, 0.0),
+        _ => false,
+    };
+    of(left, right) || of(right, left)
+}
+
 /// Whether two sides agree once the unit that one of them leaves to be understood is put in: the electronvolt beside meV, the
 /// centimetre beside μm, the revolution beside a division by 2π, the atomic mass unit.
 pub(crate) fn understood(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
@@ -95,10 +128,13 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     decibels != [false, false] || counted(left) != counted(right) || is_one(one) || is_one(other)
 }
 
-/// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, weight, temperature,
-/// amount, number, wave number.
+/// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, energy of a mole, weight,
+/// temperature, amount, number, wave number.
 fn is_convertible(dimension: Dimension) -> bool {
     let of = |word: &str| unit(word).map(|unit| unit.dimension);
     let known = ["kg", "J", "K", "N", "mol", "rad"].map(of);
-    known.contains(&Some(dimension)) || of("m").map(|length| length.power(-1.0)) == Some(dimension)
+    let of_a_mole = of("J").zip(of("mol")).map(|(energy, amount)| energy.times(amount, -1.0));
+    known.contains(&Some(dimension))
+        || of_a_mole == Some(dimension)
+        || of("m").map(|length| length.power(-1.0)) == Some(dimension)
 }

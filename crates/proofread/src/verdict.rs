@@ -261,11 +261,19 @@ impl Pair<'_> {
         if customs::lacks_degrees(left, right) {
             return Ok(judgement(Verdict::Doubtful));
         }
-        if customs::understood(self.sides, left, right) {
+        if customs::understood(self.sides, left, right) || customs::lacks_direction(left, right) {
             return Ok(judgement(Verdict::Units));
         }
+        for (which, turned) in
+            [(0, [left.scaled(PI / 180.0), right.clone()]), (1, [left.clone(), right.scaled(PI / 180.0)])]
+        {
+            let turns = self.inverse && customs::turns_into_degrees(self.sides[which]);
+            if turns && (turned[0].meets(&turned[1], 0.0) || angles(&turned, &points, Reading::USUAL).is_some()) {
+                return Ok(judgement(Verdict::Doubtful));
+            }
+        }
         let loose = customs::looseness(self.sides[0], self.sides[1]);
-        if loose > 0.0 && left.meets(right, loose) {
+        if (loose > 0.0 && left.meets(right, loose)) || customs::rounded_charge(self.sides, left, right) {
             return Ok(fine(Verdict::Rounded));
         }
         if is_continued(left, right) {
