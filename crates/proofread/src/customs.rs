@@ -106,12 +106,13 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     let (one, other) = values;
     let both_printed = one.is_literal() && other.is_literal();
     let decibels = [has(left, &DECIBELS), has(right, &DECIBELS)];
-    if decibels == [true, true] {
+    let are_added = |tokens: &[Token]| has(tokens, &DECIBELS) && any(tokens, &|kind| *kind == Kind::Operator('+'));
+    if decibels == [true, true] && (are_added(left) || are_added(right)) {
         return true;
     }
     // A price.
     let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
-    if money(left) != money(right) && one.has_unit && other.has_unit {
+    if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
         return true;
     }
     if !both_printed || one.parts.is_vector() || other.parts.is_vector() {
@@ -125,7 +126,16 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
         return one.dimension != other.dimension
             && (unity || (is_convertible(one.dimension) && is_convertible(other.dimension)));
     }
-    decibels != [false, false] || counted(left) != counted(right) || is_one(one) || is_one(other)
+    let stands_for_one = (is_one(one) && other.has_unit) || (is_one(other) && one.has_unit);
+    decibels[0] != decibels[1] || counted(left) != counted(right) || stands_for_one
+}
+
+/// Whether one quantity may stand for another one on a drawing: they are of different kinds, or of sizes that no misprint of
+/// a conversion explains.
+pub(crate) fn may_be_to_scale(left: &Value, right: &Value) -> bool {
+    let size = |of: &Value| of.number().map_or(0.0, |number| number.point.abs());
+    let (one, other) = (size(left), size(right));
+    left.dimension != right.dimension || one > 3.0 * other || other > 3.0 * one
 }
 
 /// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, energy of a mole, weight,

@@ -33,6 +33,7 @@ fn a_number_in_a_line_may_go_on_in_a_formula() {
     for text in ["It is 0.52 = 5.2 $\\times10^{-1}$ m.", "about 153,000 = 1.53 $\\times 10^{5}$", "$2 \\cdot$ 4 = 8"] {
         assert_eq!(wrong(text, Format::Markdown), [""; 0], "{text}");
     }
+    assert_eq!(wrong(r"a\cos b + 1 = 0", Format::Markdown), [""; 0]);
     for text in ["It is 0.52 = 5.2 by $x$.", "$x$, so 2 + 2 = 5"] {
         assert_eq!(wrong(text, Format::Markdown).len(), 1, "{text}");
     }

@@ -285,3 +285,24 @@ fn constants_of_nature_may_be_rounded_or_understood() {
         ],
     );
 }
+
+#[test]
+fn a_wrong_conversion_is_no_correspondence() {
+    quiet(
+        Format::Markdown,
+        &[
+            r"On the map, $1\,\text{cm} = 50\,\text{m}$.",
+            r"$60\,\text{dB} + 60\,\text{dB} = 63\,\text{dB}$",
+            r"$1 = 60\,\text{s}$",
+        ],
+    );
+    loud(
+        Format::Markdown,
+        &[
+            r"On that scale, $1.000\,\text{kcal} = 4106\,\text{J}$.",
+            r"$73\,\text{dB} - 70\,\text{dB} = 5\,\text{dB}$",
+            r"$10^4 = 1$",
+            r"$\$600/(\$235/\text{y}) = 2.9\,\text{y}$",
+        ],
+    );
+}

@@ -105,7 +105,7 @@ fn code(text: &str) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {
-                maths = matches!(&kind, CodeBlockKind::Fenced(info) if matches!(&**info, "math" | "latex" | "tex" | "katex"));
+                maths = matches!(&kind, CodeBlockKind::Fenced(info) if matches!(&**info, "math" | "{math}" | "latex" | "tex" | "katex"));
                 skip.push(range);
             }
             Event::End(TagEnd::CodeBlock) => maths = false,
