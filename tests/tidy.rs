@@ -2,6 +2,7 @@
 
 mod examples;
 mod units;
+mod words;
 
 use geneva_ledger::numeric_tokens;
 use toml::Table;

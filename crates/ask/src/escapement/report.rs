@@ -121,7 +121,7 @@ fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
     let (peak, minimum) = (state.peak.angle.to_degrees(), state.minimum.angle.to_degrees());
     // On the line of centres, if the engagement gets there, and past it, if the engagement gets there too.
     let switches: Vec<_> =
-        passes_centres.then_some(0.0).into_iter().chain(state.switch_angle.map(f64::to_degrees)).collect();
+        passes_centres.then_some(0.0).into_iter().chain(state.reversal_angle.map(f64::to_degrees)).collect();
     let told: Vec<_> = switches.iter().map(|degrees| format!("{}°", angle(*degrees))).collect();
     let told = if told.is_empty() {
         "none within the reset angle".to_owned()

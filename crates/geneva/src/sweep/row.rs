@@ -58,7 +58,7 @@ pub fn row(cell: &Cell) -> (Row, Status) {
         ("mean_speed", steady.map(|steady| steady.mean_speed).into()),
         ("period", steady.map(|steady| steady.period).into()),
         ("multiplier", steady.map(|steady| steady.multiplier).into()),
-        ("switch_angle_deg", steady.and_then(|steady| steady.switch_angle).map(f64::to_degrees).into()),
+        ("switch_angle_deg", steady.and_then(|steady| steady.reversal_angle).map(f64::to_degrees).into()),
         ("rise_time", rise_time.into()),
         ("status", status.name().into()),
     ]);

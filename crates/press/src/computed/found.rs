@@ -61,7 +61,11 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.after.third", || after_repairs("third")),
     ("found.after.new", || {
         let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
-        Ok(again.iter().filter(|flag| flag.judgement == Judgement::Real && flag.after == Answer::Yes).count().to_string())
+        Ok(again
+            .iter()
+            .filter(|flag| flag.judgement == Judgement::Real && flag.after == Answer::Yes)
+            .count()
+            .to_string())
     }),
     ("found.sums.signs", || Ok(thousands(sums()?.iter().map(|of| of.signs).sum()))),
     ("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>().to_string())),
