@@ -65,6 +65,18 @@ const TEXTS: [(&str, &str); 7] = [
 ];
 
 #[test]
+fn a_paste_is_checked_at_once_and_what_is_typed_after_a_pause() {
+    let Some(mut browser) = opened() else { return };
+    let busy = of(
+        &mut browser,
+        "(async () => { const by = inputType => { area.value = '2 + 2 = 5'; area.dispatchEvent(new InputEvent('input', { bubbles: \
+         true, inputType })); return place.hasAttribute('aria-busy') }; const typed = by('insertText'), pasted = \
+         by('insertFromPaste'); await settled(); return [typed, pasted, found().length] })()",
+    );
+    assert_eq!(busy, json!([false, true, 1]));
+}
+
+#[test]
 fn the_example_stands_as_the_script_shows_it() {
     let Some(mut browser) = opened() else { return };
     let shown = of(

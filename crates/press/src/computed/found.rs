@@ -1,7 +1,9 @@
 //! Of what proofreading found: how many chains were checked, how many flags a person confirmed, and with what precision.
 
 use super::Number;
-use crate::found::{Answer, Contact, Flag, Judgement, contacts, errata, flags, run, runs, sums, unit_flags, wilson};
+use crate::found::{
+    Answer, Contact, Flag, Judgement, Run, contacts, errata, flags, run, runs, sums, unit_flags, wilson,
+};
 
 /// The numbers of the page.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -42,6 +44,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.second.agreed", || agreed()),
     ("found.third.texts", || texts("third")),
     ("found.third.flags", || Ok(round("third")?.len().to_string())),
+    ("found.third.early", || {
+        let first: Vec<String> = of_run("third")?.into_iter().take(14).map(|run| run.text).collect();
+        Ok(round("third")?.iter().filter(|flag| first.contains(&flag.text)).count().to_string())
+    }),
     ("found.third.real", || Ok(right(&round("third")?).to_string())),
     ("found.third.precision", || share(&round("third")?)),
     ("found.third.faults", || Ok(faults("third")?.to_string())),
@@ -149,13 +155,17 @@ fn after(name: &str) -> anyhow::Result<Vec<Contact>> {
     Ok(contacts()?.into_iter().filter(such).collect())
 }
 
+fn of_run(name: &str) -> anyhow::Result<Vec<Run>> {
+    Ok(runs()?.into_iter().filter(|run| run.run == name).collect())
+}
+
 /// How many texts of the third round were needed for forty flags, by the rule that was written down before, and their flags.
 fn until_stop() -> anyhow::Result<(usize, Vec<Contact>)> {
     const FEWEST_TEXTS: usize = 6;
     const ENOUGH: usize = 40;
     let all = round("third")?;
     let (mut texts, mut found) = (0, Vec::new());
-    for run in runs()?.into_iter().filter(|run| run.run == "third") {
+    for run in of_run("third")? {
         if texts >= FEWEST_TEXTS && found.len() >= ENOUGH {
             break;
         }
