@@ -108,11 +108,15 @@ impl Field {
         Self { rounding, ..self }
     }
 
-    /// Its number, if it is one and isn't missing.
+    /// Its number, or the size of its vector; none if it is something else or missing.
     pub fn number(&self) -> Option<f64> {
-        match self.value {
-            Value::Number(number) => Some(number),
-            Value::Count(count) => Some(count as f64),
+        match &self.value {
+            Value::Number(number) => Some(*number),
+            Value::Count(count) => Some(*count as f64),
+            Value::Object(Row(vector)) => match vector.first() {
+                Some(("magnitude", Value::Number(size))) => Some(*size),
+                _ => None,
+            },
             _ => None,
         }
     }

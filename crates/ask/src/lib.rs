@@ -33,6 +33,7 @@ pub use field::{Answer, Field, Item, Line, Rounding, Shows};
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;
 use geneva_kinematics::{EscapementError, KinematicsError};
+use std::str::FromStr;
 
 /// Why a question has no answer: what is wrong with it, and what to give instead. Arguments are named as at the command line.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -60,6 +61,35 @@ pub enum Error {
     /// An argument that is impossible here.
     #[error("{0}")]
     Argument(String),
+}
+
+/// The answer to a question as it is typed at the command line: `wheel --stations 6`.
+///
+/// # Errors
+///
+/// A mechanism that is not asked so, and what is wrong with the arguments.
+pub fn answer(question: &str) -> Result<Answer, Error> {
+    let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
+    match mechanism {
+        "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.answer(),
+        "quick-return" => quick_return::Design::new(&quick_return::Question::parse(arguments)?)?.answer(),
+        other => Err(refused!("no mechanism {other}; there are wheel and quick-return")),
+    }
+}
+
+/// Arguments and their values, which stand behind them: `--stations 6 --rpm 60`.
+fn pairs(text: &str) -> impl Iterator<Item = Result<(&str, &str), Error>> {
+    let mut words = text.split_whitespace();
+    std::iter::from_fn(move || {
+        let argument = words.next()?;
+        let value = words.next().ok_or_else(|| refused!("{argument} has no value; give one"));
+        Some(value.map(|value| (argument.trim_start_matches("--"), value)))
+    })
+}
+
+/// The number that an argument is given.
+fn number<T: FromStr>(name: &str, text: &str) -> Result<T, Error> {
+    text.replace('−', "-").parse().map_err(|_| refused!("--{name} {text}: not a number; give one"))
 }
 
 /// Arguments as they are typed, in brackets behind an error; nothing if there are none.

@@ -22,8 +22,19 @@ macro_rules! worked {
     };
 }
 
+/// The quick-return mechanism of the examination problem at a lever angle in degrees.
+macro_rules! lever {
+    ($angle:literal) => {
+        concat!(
+            "quick-return --ground {quick-return.ground} --crank {quick-return.crank} --rpm {quick-return.driver-speed} ",
+            "--lever-angle ",
+            $angle
+        )
+    };
+}
+
 /// Names and questions, as they are typed at the command line. In braces is the claim whose printed characters are typed.
-const QUESTIONS: [(&str, &str); 17] = [
+const QUESTIONS: [(&str, &str); 20] = [
     ("example", "wheel --stations {jazar.ex.stations} --centre-distance 100 --rpm {jazar.ex.rpm} --inertia 0.002"),
     ("worked", worked!("25", "60", "--pin-material steel --wheel-material phosphor-bronze")),
     ("worked-twice-as-fast", worked!("25", "120", "")),
@@ -42,6 +53,9 @@ const QUESTIONS: [(&str, &str); 17] = [
     ("loaded", "wheel --stations 4 --centre-distance 150 --rpm 120 --inertia 0.01"),
     ("second", "wheel --stations 4 --centre-distance 80 --rpm 30 --inertia 0.02"),
     ("eight", "wheel --stations 8 --rpm 25"),
+    ("lever", lever!("{quick-return.lever-angle}")),
+    ("lever-at-ten", lever!("10")),
+    ("lever-near", lever!("{quick-return.lever-angle} --branch near")),
 ];
 
 /// The names of all questions; each is asked in some chapter.
@@ -63,7 +77,7 @@ pub fn question(name: &str) -> anyhow::Result<String> {
 /// The wheel of the question of this name.
 pub fn design(name: &str) -> anyhow::Result<Design> {
     let question = question(name)?;
-    let arguments = question.strip_prefix("wheel ").with_context(|| format!("`{question}`: only wheels are asked"))?;
+    let arguments = question.strip_prefix("wheel ").with_context(|| format!("`{question}` asks no wheel"))?;
     Ok(Design::new(Question::parse(arguments)?)?)
 }
 
@@ -71,7 +85,8 @@ pub fn design(name: &str) -> anyhow::Result<Design> {
 pub fn answer(name: &str) -> anyhow::Result<&'static Answer> {
     static ANSWERS: [OnceLock<Result<Answer, String>>; QUESTIONS.len()] = [const { OnceLock::new() }; QUESTIONS.len()];
     let at = names().position(|known| known == name).ok_or_else(|| unknown("question", name, names()))?;
-    let asked = || design(name).and_then(|design| Ok(design.answer()?)).map_err(|error| format!("{error:#}"));
+    let asked =
+        || question(name).and_then(|asked| Ok(geneva_ask::answer(&asked)?)).map_err(|error| format!("{error:#}"));
     ANSWERS[at].get_or_init(asked).as_ref().map_err(|error| anyhow!("question `{name}`: {error}"))
 }
 
@@ -123,6 +138,8 @@ fn unit(field: &Field) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_kinematics::quick_return::{Branch, Motion};
+    use geneva_ledger::quick_return::Instant;
 
     #[test]
     fn a_number_is_said_with_its_unit_and_the_digits_that_are_asked_for() {
@@ -154,5 +171,24 @@ mod tests {
             let error = format!("{:#}", number(asked).expect_err(asked));
             assert!(error.contains(words), "{asked}: {error}");
         }
+    }
+
+    #[test]
+    fn the_senses_that_the_solutions_tell_are_those_of_the_motion() {
+        let motion = |instant: Instant| instant.by_diagrams().expect("off the pivot");
+        let mut ten = Instant::printed().expect("a mechanism");
+        ten.position = ten.linkage.at_lever_degrees(10.0, Branch::Far).expect("reached");
+        let (ten, near) = (motion(ten), motion(Instant::on(Branch::Near).expect("a mechanism")));
+        // Of the lever's angular velocity and acceleration, of the sliding velocity: counter-clockwise, outwards.
+        let senses = |of: &Motion<f64>| {
+            let outwards = of.velocities.sliding_velocity.dot(&of.velocities.position);
+            [of.velocities.follower_speed, of.accelerations.follower_acceleration, outwards].map(f64::signum)
+        };
+        assert_eq!(senses(&ten), [1.0, -1.0, -1.0]);
+        assert_eq!(senses(&near), [-1.0, -1.0, -1.0]);
+        let along = |of: &Motion<f64>| of.accelerations.sliding_tangential.dot(&of.velocities.position).signum();
+        let across = |of: &Motion<f64>| of.velocities.position.perp(&of.accelerations.coriolis).signum();
+        assert_eq!([along(&ten), across(&ten)], [-1.0, -1.0]);
+        assert_eq!([along(&near), across(&near)], [1.0, 1.0]);
     }
 }

@@ -4,8 +4,8 @@ mod instant;
 mod report;
 mod vector;
 
-use crate::Error;
 use crate::written::{as_typed, rounded_down};
+use crate::{Error, number, pairs};
 use geneva_figures::Figure;
 use geneva_figures::quick_return::{acceleration_diagram, mechanism, velocity_diagram};
 use geneva_kinematics::KinematicsError;
@@ -33,6 +33,43 @@ pub enum Place {
     Crank(f64),
     /// Direction from the lever's pivot to the pin, and which of the two points on the lever's ray the pin is at.
     Lever(f64, Branch),
+}
+
+impl Question {
+    /// Reads arguments as they are typed: `--ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60`.
+    ///
+    /// # Errors
+    ///
+    /// An argument that there is not, one that is missing, and a value that it can't have.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let (mut place, mut branch) = (None, Branch::Far);
+        let [mut ground, mut crank, mut rpm] = [None; 3];
+        for pair in pairs(text) {
+            match pair? {
+                ("ground", value) => ground = Some(number("ground", value)?),
+                ("crank", value) => crank = Some(number("crank", value)?),
+                ("rpm", value) => rpm = Some(number("rpm", value)?),
+                ("crank-angle", value) => place = Some(Place::Crank(number("crank-angle", value)?)),
+                ("lever-angle", value) => place = Some(Place::Lever(number("lever-angle", value)?, Branch::Far)),
+                ("branch", "near") => branch = Branch::Near,
+                ("branch", "far") => branch = Branch::Far,
+                (name, value) => {
+                    return Err(refused!(
+                        "--{name} {value}: give --ground, --crank, --rpm, and --crank-angle or --lever-angle, with --branch near \
+                         or far"
+                    ));
+                }
+            }
+        }
+        let missing = |name| move || refused!("--{name} is missing; give it");
+        let place = match place.ok_or_else(missing("lever-angle"))? {
+            Place::Lever(degrees, _) => Place::Lever(degrees, branch),
+            crank => crank,
+        };
+        let [ground, crank, rpm] =
+            [(ground, "ground"), (crank, "crank"), (rpm, "rpm")].map(|(value, name)| value.ok_or_else(missing(name)));
+        Ok(Self { ground: ground?, crank: crank?, place, rpm: rpm? })
+    }
 }
 
 impl Place {

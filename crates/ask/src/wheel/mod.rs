@@ -13,10 +13,9 @@ pub use design::Design;
 pub use kind::{AnyWheel, Kind};
 pub use times::{Times, proposals};
 
-use crate::Error;
 use crate::written::{as_typed, rounded_down};
+use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
-use std::str::FromStr;
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
@@ -99,10 +98,9 @@ impl Question {
     /// An argument that there is not, with all that there are, and a value that it can't have.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let mut question = Self::default();
-        let mut words = text.split_whitespace();
-        while let Some(argument) = words.next() {
-            let value = words.next().ok_or_else(|| refused!("{argument} has no value"))?;
-            question.set(argument.trim_start_matches("--"), value)?;
+        for pair in pairs(text) {
+            let (argument, value) = pair?;
+            question.set(argument, value)?;
         }
         Ok(question)
     }
@@ -184,10 +182,6 @@ impl Design {
         });
         at.iter().map(|degrees| Ok(*degrees)).chain(of_the_wheel).collect()
     }
-}
-
-fn number<T: FromStr>(name: &str, text: &str) -> Result<T, Error> {
-    text.replace('−', "-").parse().map_err(|_| refused!("--{name} {text}: not a number; give one"))
 }
 
 fn material(name: &str, text: &str) -> Result<Material, Error> {

@@ -13,7 +13,6 @@ mod mistake;
 mod never_printed;
 mod pin;
 mod program;
-mod quick_return;
 pub mod runs;
 mod solver;
 mod terminal_speed;
@@ -41,7 +40,6 @@ const ALL: &[&[(&str, Number)]] = &[
     never_printed::NUMBERS,
     pin::NUMBERS,
     program::NUMBERS,
-    quick_return::NUMBERS,
     runs::NUMBERS,
     solver::NUMBERS,
     terminal_speed::NUMBERS,
