@@ -247,16 +247,16 @@ fn made(stations: u32) -> [f64; 2] {
 }
 
 /// The letters of one state, of a driver that has the angular acceleration only if it is unsteady.
-fn state(stations: u32, [part, speed, acceleration, radius]: [f64; 4]) -> Moment {
+fn state(stations: u32, [part, speed, driver_acceleration, radius]: [f64; 4]) -> Moment {
     let [ratio, end] = made(stations);
     let crank = part * end;
-    let [angle, velocity, acceleration, jerk] = rates(ratio, crank, [speed, acceleration]);
+    let [angle, velocity, acceleration, jerk] = rates(ratio, crank, [speed, driver_acceleration]);
     let (across, along) = (libm::sin(crank), ratio - libm::cos(crank));
     Moment::default()
         .with([(r"\alpha", PI / f64::from(stations)), (r"\theta", crank), (r"\phi", angle)])
         .with([
             (r"\dot\theta", speed),
-            (r"\ddot\theta", acceleration),
+            (r"\ddot\theta", driver_acceleration),
             (r"\dot\phi", velocity),
             (r"\ddot\phi", acceleration),
         ])
