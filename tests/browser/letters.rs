@@ -19,11 +19,13 @@ fn strings(value: &Value) -> Vec<String> {
     value.as_array().into_iter().flatten().filter_map(|of| of.as_str().map(str::to_owned)).collect()
 }
 
-/// The mouse in the middle of what stands at `letter` in the page's list of these.
+/// The mouse in the middle of what stands at `letter` in the page's list of these. The page scrolls only where it has to: what it
+/// shows then is painted anew.
 fn point(browser: &mut Browser, number: usize) {
     let place = browser.evaluate(&format!(
-        "{{ const of = firsts[{number}]; of.scrollIntoView({{ block: 'center', behavior: 'instant' }}); const box = \
-         of.getBoundingClientRect(); [box.left + box.width / 2, box.top + box.height / 2] }}"
+        "{{ const of = firsts[{number}], at = of.getBoundingClientRect(); if (at.top < 100 || at.bottom > innerHeight - 100) {{ \
+         of.scrollIntoView({{ block: 'center', behavior: 'instant' }}) }} const box = of.getBoundingClientRect(); [box.left + \
+         box.width / 2, box.top + box.height / 2] }}"
     ));
     browser.command("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": place[0], "y": place[1] }));
 }
