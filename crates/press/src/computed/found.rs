@@ -233,7 +233,7 @@ fn precision(part: usize, all: usize) -> String {
 }
 
 /// The share of planted errors that were noticed, in per cent.
-fn planted(of: fn(&crate::found::Run) -> (Option<u32>, Option<u32>)) -> anyhow::Result<String> {
+fn planted(of: fn(&Run) -> (Option<u32>, Option<u32>)) -> anyhow::Result<String> {
     let run = run("old")?;
     let (Some(tried), Some(noticed)) = of(&run) else { anyhow::bail!("no errors were planted") };
     let share = 100.0 * f64::from(noticed) / f64::from(tried.max(1));
