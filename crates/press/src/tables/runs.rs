@@ -158,7 +158,7 @@ pub fn statistics() -> anyhow::Result<Table> {
         Ok(vec![of.meaning.to_owned(), number, of.by.to_owned(), within])
     });
     let head = ["Number", "First way", "Second way", "Agree <br>to"];
-    let says = "Numbers of this chapter that were computed in two ways, by calculations that share no code";
+    let says = "Statistics of the runs that were computed in two ways, by calculations that share no code";
     table(says, Cells::Words, &head, rows)
 }
 
