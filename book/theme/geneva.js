@@ -29,7 +29,8 @@ if (drawn.length > 0) {
 
     drawn.forEach((figure, number) => {
         const letters = new Set(parts(figure).map(part => part.dataset.letter));
-        const button = letter => `<label><input type="radio" name="letters-${number}" value="${letter}"> ${letter.replaceAll("'", '\u0307').replace('_', '') || 'no letter'}</label>`;
+        const shown = ([stem, index]) => stem.replaceAll("'", '\u0307') + (index ? `<sub>${index}</sub>` : '');
+        const button = letter => `<label><input type="radio" name="letters-${number}" value="${letter}"> ${letter ? shown(letter.split('_')) : 'no letter'}</label>`;
         const row = document.createElement('fieldset');
         row.className = 'letters';
         row.innerHTML = `<legend>Show in the drawing</legend>${['', ...letters].map(button).join('')}`;

@@ -4,8 +4,8 @@
 //! The few misprints that change nothing mean the same, and a rule says why.
 
 use super::Misprints;
-use geneva_ledger::tex::{Class, Misprint, changed_part};
-use geneva_ledger::{Check, Claim, Kind, Work};
+use geneva_ledger::tex::{Class, Misprint, changed_part, misprints, places_changed};
+use geneva_ledger::{Check, Claim, Kind, Work, judge};
 use std::collections::BTreeMap;
 
 /// The equations of all sources.
@@ -70,6 +70,33 @@ fn every_misprint_in_a_source_is_noticed() {
     is_recorded(
         "misprints.csv",
         &format!("refuted,{refuted}\nunreadable,{}\nharmless,{harmless}\n", misprints.unreadable),
+    );
+}
+
+#[test]
+fn a_further_misprint_in_a_wrong_equation_is_noticed() {
+    // The verdict stays that the equation is wrong. But the record says in how many places it is, so only a misprint at one of these
+    // places is not noticed.
+    let (mut noticed, mut at_the_slip) = (0, 0);
+    for claim in equations() {
+        let Some(erratum) = &claim.erratum else { continue };
+        let all = misprints(claim.printed);
+        let elsewhere = |misprint: &&Misprint| places_changed(&misprint.tex, erratum.corrected) != erratum.places;
+        let found = all.iter().filter(elsewhere).count();
+        assert!(found > 0, "{}: none of {} is noticed", claim.id, all.len());
+        (noticed, at_the_slip) = (noticed + found, at_the_slip + all.len() - found);
+    }
+    is_recorded("misprints-of-wrong.csv", &format!("noticed,{noticed}\nat-the-slip,{at_the_slip}\n"));
+
+    let claim = geneva_ledger::claim("meyer.eq-1-17").expect("a claim");
+    let (wrong, changed) = (claim.printed, claim.printed.replacen("I_D", "I_f", 1));
+    assert_ne!(changed, wrong);
+    let judged = judge(Box::leak(Box::new(Claim { printed: changed.leak(), ..claim.clone() })));
+    assert_eq!(judged.verdict, claim.expected);
+    assert!(
+        judged.faults.iter().any(|fault| fault.contains("in 2 places, and one is on record")),
+        "{:?}",
+        judged.faults
     );
 }
 

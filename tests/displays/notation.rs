@@ -4,8 +4,10 @@
 use super::mechanisms::{When, pin, quick_return, wheel};
 use super::{escapement, joints};
 use geneva_figures::notation::NOTATION;
-use geneva_ledger::tex::{Display, Moment};
+use geneva_ledger::tex::{Display, Moment, letters_in};
+use geneva_ledger::{Kind, Work, claims};
 use geneva_press::figures::FIGURES;
+use std::collections::BTreeMap;
 
 /// What holds of the letters of a chapter: which chapter, in which states, which relations.
 type Relations = (&'static str, Vec<Moment>, &'static [&'static str]);
@@ -195,5 +197,63 @@ fn no_drawing_names_a_part_by_a_letter_that_was_given_up() {
             let is_letter = NOTATION.iter().any(|letter| letter.part == part);
             assert!(is_letter || svg.contains(&format!("data-letter=\"{part}\">")), "{name}: {part} is named nowhere");
         }
+    }
+}
+
+/// What is read as a name in a source's equations and is no letter: units and words.
+const NO_LETTERS: [&str; 11] = ["min", "rad", "rev", "s", "in", "lb", "sec", "constant", "since", "if", "ldots"];
+
+/// The letter of a name, without its dots, its marks and its indices, as Unicode.
+fn base(name: &str) -> String {
+    let name = name.trim_start_matches("delta ").trim_start_matches('δ').trim_start_matches('\\');
+    let end = name.find(|c: char| !c.is_alphabetic()).unwrap_or(name.len());
+    match GREEK.iter().find(|(greek, _)| *greek == &name[..end]) {
+        Some((_, letter)) => (*letter).to_owned(),
+        // An index may be set without its mark.
+        None => name.chars().take(1).collect(),
+    }
+}
+
+/// The Greek letters of the sources.
+const GREEK: [(&str, &str); 11] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("theta", "θ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("tau", "τ"),
+    ("phi", "φ"),
+    ("omega", "ω"),
+    ("pi", "π"),
+];
+
+#[test]
+fn every_letter_of_a_source_has_a_line_in_the_table_of_its_chapter() {
+    for work in Work::ALL.iter().filter(|work| **work != Work::Wild) {
+        let table: Vec<String> = work
+            .symbols()
+            .iter()
+            .flat_map(|symbol| symbol.printed.split(", "))
+            .map(|printed| base(printed).replace('ϕ', "φ"))
+            .collect();
+        let mut missing = BTreeMap::new();
+        let mut read = 0;
+        for claim in claims().iter().filter(|claim| claim.work == *work && claim.kind == Kind::Equation) {
+            // These are lines of a program, whose names have a table of their own in its chapter.
+            if ["meyer.listing.", "meyer.app-b.example."].iter().any(|cards| claim.id.starts_with(cards)) {
+                continue;
+            }
+            for name in claim.right_characters().split(['=', '<', '>', '&']).flat_map(letters_in) {
+                read += 1;
+                let derivative = name.contains('/') && name.starts_with('d');
+                if !derivative && !NO_LETTERS.contains(&name.as_str()) && !table.contains(&base(&name)) {
+                    missing.entry(name).or_insert(claim.id);
+                }
+            }
+        }
+        assert!(read > 10, "{work}: only {read} letters are read");
+        assert!(missing.is_empty(), "{work}: the table has no line for {missing:?}");
     }
 }

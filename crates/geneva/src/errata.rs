@@ -81,7 +81,9 @@ fn overview(slips: &[Places]) -> String {
         for places in of {
             let main = places.main();
             let numbers = places.greatest_change().map_or_else(String::new, |change| {
-                format!("; {} wrong by up to {}", count(places.wrong_numbers().count(), "number"), percent(change))
+                let wrong = places.wrong_numbers().count();
+                let up_to = if wrong == 1 { "" } else { "up to " };
+                format!("; {} wrong by {up_to}{}", count(wrong, "number"), percent(change))
             });
             let says = format!("{} -> {}{numbers}", with_unit(&in_full(main.claim), main.claim.unit), right(main));
             page += &wrapped(&format!("  {}  ", places.slip.id), &says);

@@ -1,11 +1,28 @@
 //! What a claim prints, looked up by the claim's id, so that the checks of one claim can refer to others.
 
 use crate::{Claim, Decimal, claim, numeric_tokens};
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
+thread_local! {
+    /// The claims that this thread has looked up.
+    static LOOKED_UP: RefCell<BTreeSet<&'static str>> = const { RefCell::new(BTreeSet::new()) };
+}
+
+/// Runs a route of a claim. Returns its result with the ids of the claims that it looks up by id on the way, so that a test can
+/// tell what the route rests on. What an earlier run has kept for later, or looks up on another thread, is not among them.
+pub fn looked_up_by<T>(route: impl FnOnce() -> T) -> (T, BTreeSet<&'static str>) {
+    let before = LOOKED_UP.take();
+    let found = route();
+    (found, LOOKED_UP.replace(before))
+}
 
 /// The claim with this id. The ids are written in the ledger's own text, so an id that no claim has is a mistake there,
 /// which must not pass for a number or a verdict. The panic ends only the claim that asks: see [`judge`](crate::judge).
 pub(crate) fn named(id: &str) -> &'static Claim {
-    claim(id).unwrap_or_else(|| panic!("no claim has the id {id}"))
+    let named = claim(id).unwrap_or_else(|| panic!("no claim has the id {id}"));
+    LOOKED_UP.with_borrow_mut(|ids| ids.insert(named.id));
+    named
 }
 
 /// The characters printed in the claim with this id.

@@ -389,8 +389,8 @@ impl Claim {
             (found @ None, _) | (found, None) => Finding::of_reading(found),
             (Some(right), Some(_)) => Finding::new(
                 right && (reader.holds)(self.printed) != Some(true),
-                "we read and evaluated the characters wherever they must hold, and the corrected ones are right and the printed \
-                 ones wrong",
+                "we evaluated both forms wherever they must hold, and the corrected characters are right there, but \
+                 the printed ones are wrong",
             ),
         }
     }
@@ -426,12 +426,20 @@ impl Claim {
     /// Records that what is printed is wrong, and what it should be.
     #[must_use]
     pub fn corrected(self, corrected: &'static str, slip: Slip) -> Self {
-        let mut claim = self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, slip });
+        let mut claim = self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, places: 1, slip });
         if let Check::Equation { corrected: form, decide: Some(decide), .. } = &mut claim.check {
             let decide = Arc::clone(decide);
             *form = Some(Arc::new(move || decide(corrected)));
         }
         claim
+    }
+
+    /// In how many places a correction of an equation changes its characters, if not in one.
+    #[must_use]
+    pub fn in_places(mut self, places: usize) -> Self {
+        let Some(erratum) = &mut self.erratum else { self.has_no("a count of places, as nothing is corrected") };
+        erratum.places = places;
+        self
     }
 
     /// Records that the printed digits are what a slip of the source gives.
@@ -444,13 +452,13 @@ impl Claim {
     /// place than the printed ones.
     #[must_use]
     pub fn in_error_for(self, corrected: &'static str, slip: Slip) -> Self {
-        self.expecting(Verdict::ReproducedInError).with_erratum(Erratum { corrected, slip })
+        self.expecting(Verdict::ReproducedInError).with_erratum(Erratum { corrected, places: 1, slip })
     }
 
     /// Records that a slip reaches this claim, where the right number tells whether it changes anything.
     #[must_use]
     pub fn affected_by(self, slip: Slip) -> Self {
-        self.with_erratum(Erratum { corrected: "", slip })
+        self.with_erratum(Erratum { corrected: "", places: 1, slip })
     }
 
     /// A claim is written down once, in the source text; a part that its check does not have is a mistake there.

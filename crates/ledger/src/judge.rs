@@ -1,5 +1,6 @@
 //! The verdict on a claim, derived.
 
+use crate::tex::places_changed;
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
 use crate::{
     Check, Choice, Claim, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Test, Truth, Verdict,
@@ -218,6 +219,18 @@ fn equation(judged: &mut Judged, forms: [Option<&Test>; 2], decide: Option<&Deci
     judged.verdict = verdict(as_printed.holds, correction.as_ref().map(|finding| finding.holds));
     if as_printed.holds && correction.is_some() {
         judged.faults.push("a correction is on record, but the printed form holds".to_owned());
+    }
+    if let Some(erratum) = &claim.erratum {
+        let places = places_changed(claim.printed, erratum.corrected);
+        if places != erratum.places {
+            judged.faults.push(format!(
+                "the correction changes the printed characters in {places} places, and {} on record",
+                match erratum.places {
+                    1 => "one is".to_owned(),
+                    recorded => format!("{recorded} are"),
+                }
+            ));
+        }
     }
     if !witnessed.holds {
         judged.faults.push(format!("the witness ({}) disagrees: {}", witness.evidence, witnessed.how));

@@ -34,6 +34,7 @@ pub mod quick_return;
 pub mod tex;
 pub mod wild;
 
+pub use by_id::looked_up_by;
 pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reader, Reading, Route, Test, Witness};
 pub use claim::{Claim, Kind, Place};
 pub use dimension::Dimension;

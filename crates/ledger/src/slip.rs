@@ -11,6 +11,8 @@ use std::sync::OnceLock;
 pub struct Erratum {
     /// What should be printed there. Empty for a number whose check computes the right one.
     pub corrected: &'static str,
+    /// In how many places of an equation the printed characters are others than the corrected ones.
+    pub places: usize,
     /// The slip.
     pub slip: Slip,
 }

@@ -16,7 +16,8 @@ pub const ARITHMETIC: Tolerance = Tolerance {
     name: "arithmetic",
     relative: 1e-14,
     reason: "a chain of a dozen correctly rounded operations and a few library functions is wrong by at most some ten \
-             units in the last place, so a value closer than that to the edge of the printed interval counts as on it",
+             units in the last place, so a value that is closer than this to the edge of the printed interval counts \
+             as on the edge",
 };
 
 /// For two independent routes to one number.
@@ -31,33 +32,36 @@ pub const ROUTES: Tolerance = Tolerance {
 pub const DIFFERENCES: Tolerance = Tolerance {
     name: "differences",
     relative: 1e-9,
-    reason: "a difference over a thousandth loses three of the sixteen digits, and some more where the letters change \
-             quickly, but a misprint differs in the first few digits",
+    reason: "a difference over a step of a thousandth loses three of the sixteen digits, and some more where the \
+             letters change quickly, but a misprint differs in the first few digits",
 };
 
 /// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
 pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
     relative: 1e-12,
-    reason: "a difference of numbers of the size of one, each wrong by some units in the last place, is not zero but \
-             is some thousand times smaller than this, while a wrong formula leaves a part of the whole",
+    reason: "if two numbers of the size of one are each wrong by some units in the last place, their difference is \
+             not zero, but it is some thousand times smaller than this tolerance. A wrong formula, however, leaves a \
+             difference that is a part of the numbers themselves",
 };
 
 /// For a number that a step-by-step integration gives a second time.
 pub const STEPS: Tolerance = Tolerance {
     name: "steps",
     relative: 1e-5,
-    reason: "a step over a place where the friction changes its sign is less accurate than others, whatever the \
-             method, but the printed tables have three digits, and a wrong equation differs in the first or second",
+    reason: "whatever the method, a step over a place where the friction changes its sign is less accurate than other \
+             steps. But the printed tables have three digits, and a wrong equation differs in the first or second \
+             digit",
 };
 
 /// For a number that the program of 1973 prints, and the same by other steps.
 pub const PROGRAM: Tolerance = Tolerance {
     name: "program",
     relative: 3e-4,
-    reason: "the program takes the sign of friction from the acceleration of a moment before, so where that sign \
-             changes within a step, two ways of stepping see the change at times that are a part of that moment apart. \
-             The printed tables have three digits, and a wrong equation differs in the first or second",
+    reason: "the program takes the sign of friction from the acceleration a moment earlier. If that sign changes \
+             within a step, two ways of stepping see the change at different times, but the times differ by only a \
+             part of that moment. The printed tables have three digits, and a wrong equation differs in the first or \
+             second digit",
 };
 
 /// All tolerances.

@@ -79,8 +79,8 @@ impl Verdict {
             }
             Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
             Self::ReproducedInError => {
-                "what the source did gives the printed digits, but there is a mistake in it, so the right number is \
-                 another"
+                "the source's own way gives the printed digits, but there is a mistake in it, so the right number is \
+                 a different one"
             }
             Self::Corrected => "the printed form fails, but a corrected form passes, and a second witness agrees",
             Self::NotReproduced => "the printed form fails, and no corrected form is known",

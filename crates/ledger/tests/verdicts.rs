@@ -1,10 +1,11 @@
 //! Does every claim stand as recorded, and would it be noticed if it did not?
 
+use geneva_ledger::meyer::runs::data::inputs;
 use geneva_ledger::{
     Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Judged, Kind, Number, Place, Route, Stated, Test,
-    Verdict, Witness, Work, another, claim, claims, judge, numbers_in, slips, verdicts,
+    Verdict, Witness, Work, another, claim, claims, judge, looked_up_by, numbers_in, slips, verdicts,
 };
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::{Arc, Mutex, OnceLock};
 
 #[test]
@@ -342,4 +343,89 @@ fn remembered(check: Check) -> Check {
 
 fn with_printed(claim: &Claim, printed: String) -> &'static Claim {
     Box::leak(Box::new(Claim { printed: printed.leak(), ..claim.clone() }))
+}
+
+/// The evidence of the two routes of a claim, with the ids of the claims that each looks up; of the routes to the right number,
+/// if the others follow a slip. None if there are no routes.
+fn what_routes_rest_on(claim: &Claim) -> Option<[(Evidence, BTreeSet<&'static str>); 2]> {
+    let stated = Stated::right(claim.right_characters());
+    Some(match &claim.check {
+        Check::Number { right: Some(routes), .. } => {
+            routes.each_ref().map(|route| (route.evidence, looked_up_by(|| (route.run)()).1))
+        }
+        Check::Number { computed, witness, .. } => {
+            [computed, witness].map(|route| (route.evidence, looked_up_by(|| (route.run)()).1))
+        }
+        Check::Equation { printed, witness, .. } => [
+            (printed.evidence, looked_up_by(|| (printed.run)()).1),
+            (witness.evidence, looked_up_by(|| (witness.run)(claim)).1),
+        ],
+        Check::Statement { first, witness, .. } => {
+            [first, witness].map(|route| (route.evidence, looked_up_by(|| (route.run)(stated)).1))
+        }
+        Check::Missing { .. } => return None,
+    })
+}
+
+/// Claims with their routes, each by its evidence and the claims that it looks up.
+type Routes<'a> = Vec<(&'a str, [(Evidence, BTreeSet<&'a str>); 2])>;
+
+/// The claims that rest on nothing but each other. What is computed is a ground to rest on. A route that only compares with other
+/// places of the source is one if a claim of one of these places has a ground.
+fn in_circles<'a>(routes: &Routes<'a>) -> Vec<&'a str> {
+    let mut grounded: HashSet<&str> = HashSet::new();
+    loop {
+        let before = grounded.len();
+        for (id, routes) in routes {
+            let ground = |(evidence, ids): &(Evidence, BTreeSet<&str>)| {
+                *evidence != Evidence::OtherPlaceInSource
+                    || ids.is_empty()
+                    || ids.iter().any(|other| other != id && grounded.contains(other))
+            };
+            if routes.iter().any(ground) {
+                grounded.insert(id);
+            }
+        }
+        if grounded.len() == before {
+            return routes.iter().map(|(id, _)| *id).filter(|id| !grounded.contains(id)).collect();
+        }
+    }
+}
+
+#[test]
+fn no_claims_rest_on_nothing_but_each_other() {
+    let (compares, on) = (Evidence::OtherPlaceInSource, |id| BTreeSet::from([id]));
+    let computed = ("computed", [(Evidence::Vectors, on("first")), (compares, on("first"))]);
+    let two = |first| {
+        vec![
+            ("first", [(compares, on(first)), (compares, on("second"))]),
+            ("second", [(compares, on("first")), (compares, on("second"))]),
+        ]
+    };
+    assert_eq!(in_circles(&two("second")), ["first", "second"]);
+    let mut three = two("computed");
+    three.push(computed);
+    assert!(in_circles(&three).is_empty());
+
+    let routes = claims().iter().filter_map(|claim| Some((claim.id, what_routes_rest_on(claim)?))).collect();
+    let circles = in_circles(&routes);
+    assert!(circles.is_empty(), "in circles: {}", circles.join(", "));
+}
+
+#[test]
+fn the_routes_of_a_value_share_no_printed_result() {
+    let given: HashSet<String> = claims()
+        .iter()
+        .filter(|claim| claim.check.evidence() == [Evidence::OtherPlaceInSource; 2])
+        .map(|claim| claim.id.to_owned())
+        .chain(inputs())
+        .collect();
+    let mut shared = Vec::new();
+    for claim in claims().iter().filter(|claim| claim.kind == Kind::Value && !given.contains(claim.id)) {
+        let Some([(_, one), (_, other)]) = what_routes_rest_on(claim) else { continue };
+        for id in one.intersection(&other).filter(|id| !given.contains(**id)) {
+            shared.push(format!("{}: {id}", claim.id));
+        }
+    }
+    assert!(shared.is_empty(), "{}", shared.join("\n"));
 }

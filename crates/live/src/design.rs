@@ -53,7 +53,7 @@ pub const LIVE: Live = Live {
     quantities: &[
         Quantity { name: "centres", label: "centre distance" },
         Quantity { name: "clearance", label: "least clearance" },
-        Quantity { name: "nearer", label: "axes may be too near by" },
+        Quantity { name: "nearer", label: "axes may be too close by" },
         Quantity { name: "farther", label: "axes may be too far apart by" },
         Quantity { name: "index", label: "indexing time" },
         Quantity { name: "dwell", label: "dwell time" },
@@ -69,11 +69,11 @@ pub const LIVE: Live = Live {
     ],
     others: &[
         Quantity { name: "mean", label: "mean torque at the crank" },
-        Quantity { name: "own", label: "of the inertia, the wheel's own" },
+        Quantity { name: "own", label: "the wheel's own part of the inertia" },
         Quantity { name: "pressure", label: "contact pressure of a steel pin" },
         Quantity { name: "where", label: "the least clearance is" },
-        Quantity { name: "held", label: "in mid-dwell for" },
-        Quantity { name: "before", label: "greatest backlash, before entry" },
+        Quantity { name: "held", label: "mid-dwell backlash holds for" },
+        Quantity { name: "before", label: "greatest backlash is before entry by" },
         Quantity { name: "wheel", label: "wheel radius, to the pin at entry" },
         Quantity { name: "slot", label: "slot, width × depth" },
         Quantity { name: "disc", label: "radius of the locking disc" },
@@ -276,7 +276,7 @@ fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) ->
 fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
     if depth.is_some_and(|depth| depth < 0.0) {
         return Some(
-            "With these axes driver and wheel are in each other: a clearance below zero is how deep.".to_owned(),
+            "With these axes, driver and wheel are in each other. A clearance below zero says how deep.".to_owned(),
         );
     }
     if !is_met {

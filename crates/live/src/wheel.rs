@@ -30,7 +30,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "acceleration", label: "acceleration ratio" },
         Quantity { name: "jerk", label: "jerk ratio" },
         Quantity { name: "angle", label: "wheel angle φ" },
-        Quantity { name: "index", label: "turn of the wheel for a pin" },
+        Quantity { name: "index", label: "turn of the wheel for each pin" },
     ],
     others: &[],
     drag: Some(Drag { control: "crank", at_right: 180.0, sense: -1.0 }),

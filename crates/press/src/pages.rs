@@ -118,7 +118,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             ]),
             written: Some([
                 "Errata in displays and words".to_owned(),
-                "These mistakes in the sources change no result and no conclusion. For those that do, see [Errata](errata.md)."
+                "These mistakes in the sources change no result and no conclusion. [Errata](errata.md) lists the mistakes that do."
                     .to_owned(),
             ]),
             ..below("errata-small", "In displays and words")

@@ -16,7 +16,10 @@ pub const OF_A_CLAIM: &[Field] = &[
         "source",
         "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere).",
     ),
-    ("locator", "Where in the source the claim is. Of a page elsewhere: its address, and the day on which we read it."),
+    (
+        "locator",
+        "Where in the source the claim is. For a page elsewhere, this is its address and the day on which we read it.",
+    ),
     (
         "kind",
         "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",
@@ -47,11 +50,12 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("findings.how", "How we know, in words."),
     (
         "truth",
-        "Whether what is printed is right: `right`, `wrong` or `open`. Claims that are wrong only in the copy, whose `consequence` is `copy`, are counted apart in the book.",
+        "Whether what is printed is right: `right`, `wrong` or `open`. The book counts claims separately if they are \
+         wrong only in the copy, that is, if their `consequence` is `copy`.",
     ),
     (
         "right_value",
-        "The right number, where the printed one is not right to all its digits or where a mistake has its place.",
+        "The right number, if the printed number is not right to all its digits or if a mistake is made in this claim.",
     ),
     (
         "slip",
@@ -90,7 +94,7 @@ pub const OF_A_SLIP: &[Field] = &[
     ("meaning", "What the source says there, in our words."),
     ("consequence", "What the mistake changes, as in claims.json."),
     ("origin", "How it came about, as far as we can tell: `copy`, `misprint`, `arithmetic` or `concept`."),
-    ("places", "The claims that it reaches, the one in which it is made among them."),
+    ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("corrected", "What should stand in their place."),
     ("unit", "The unit of both. Empty if there is none."),
@@ -104,7 +108,7 @@ pub const OF_A_SLIP: &[Field] = &[
 /// What the fields of an entry in a line say.
 pub const OF_AN_ENTRY: &[Field] = &[
     ("source", "The source, as in claims.json, without pages elsewhere."),
-    ("line", "The number of the line in the text of the copy, from 1."),
+    ("line", "The number of the line in the text of the copy, counted from 1."),
     (
         "entry",
         "What is in this place of the line: `claim` (a claim is made here), `rest` (more of a claim that began earlier), `again` (a claim's number is printed once more), `reading` (a claim about numbers that another entry accounts for), `label` (the number of an equation or a figure) or `exception` (nothing to check).",
@@ -112,7 +116,8 @@ pub const OF_AN_ENTRY: &[Field] = &[
     ("id", "The claim, the label, or the exception's own name."),
     (
         "numbers",
-        "The printed numbers that the entry accounts for. Strung together, the entries of a line have all its numbers in their order.",
+        "The printed numbers that the entry accounts for. Strung together, the entries of a line have all numbers of \
+         the line in their order.",
     ),
     ("reason", "Why there is nothing to check. Only exceptions have it."),
 ];

@@ -63,9 +63,9 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
             significant(distance, 4)
         ),
         format!(
-            "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}; both angles are \
-             negative before the line of centres. Either angle gives the same distance of the pin from \
-             the line of centres: R sin θ = r sin φ. The foot of that distance divides l into R cos θ and r cos φ.",
+            "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}. Both angles are \
+             negative before the line of centres, and both give the distance of the pin from that line: R sin θ = r \
+             sin φ. The foot of the perpendicular from the pin divides l into R cos θ and r cos φ.",
             escapement.pins(),
             escapement.slots()
         ),

@@ -65,7 +65,8 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
         format!("The hand-over of the escapement with {n} slots and {m} pins"),
         format!(
             "A right-angled triangle: the driver's axis B, the follower's axis O and the leaving pin P, with the right \
-             angle at P. The angle at B is θ₀ = π/{m}, {}; that at O is φ₀ = π/{n}, {}. BP is R, OP is {} R, BO is l, {} \
+             angle at P. The angle at B is θ₀ = π/{m}, {}; the angle at O is φ₀ = π/{n}, \
+             {}. BP is R, OP is {} R, BO is l, {} \
              R. The triangle of the entering pin is its mirror image below the line of centres. \
              The leaving pin moves straight out along its slot, the entering pin straight in along its own.",
             degrees(angles[0]),

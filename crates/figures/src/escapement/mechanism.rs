@@ -57,7 +57,7 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
             "At the left the driver, a disc with {m} pins all round, turning counter-clockwise about B. At the right \
              the follower, a star with {n} slots, turning clockwise about O, {} crank radii from B; its rim has a \
              radius of {}. Lines from B and O to the places where a pin enters and leaves make angles of {} \
-             and {} with the line of centres. The engaged pin stands at θ = {}, its slot at φ = {}.",
+             and {} with the line of centres. The engaged pin is at θ = {}, its slot at φ = {}.",
             significant(ratio, 4),
             significant(rim, 4),
             degrees(escapement.engagement_half_angle()),
@@ -67,8 +67,8 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
         ),
         format!(
             "The escapement with {m} pins and {n} slots, to scale. The driver, at the left, turns counter-clockwise, the \
-             follower clockwise. A pin enters at the lower crossing of the dashed lines and leaves at the upper one, \
-             π/{m} before and after the line of centres."
+             follower clockwise. A pin enters where the lower dashed lines cross, π/{m} before the line of centres, \
+             and leaves where the upper ones cross, π/{m} past it."
         ),
     );
     Ok(words.figure(canvas, Kind::Mechanism, series))

@@ -62,8 +62,8 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
         format!("Force between pin and slot over one engagement, {} slots", parameters.mechanism().slots()),
         format!(
             "Over the driver angle from entry, {}, to exit, {}: the normal force F, as F R / K, at most {} and at \
-             least {}, and the size of the friction's torque over K, at most {}. {} Under the plot, strips tell the flank \
-             and the sign of the quantity between the bars of the equation of motion.",
+             least {}, and the size of the friction's torque over K, at most {}. {} Under the plot, strips show the \
+             flank and the sign of the quantity between the bars of the equation of motion.",
             degrees(-half),
             degrees(half),
             short(greatest(|at| at.normal), 3),
@@ -76,10 +76,10 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
         ),
         format!(
             "One engagement of the steady state. At first the pin drives the follower (F positive). Then the follower runs \
-             ahead and drives the pin, and F changes its sign with the flank. The friction opposes the motion on either \
-             flank, so its torque τ₂ is never positive, and the dashed curve shows its size, −τ₂. The quantity between \
-             the bars of (1-19) changes its sign with the flank too, and also on the line of centres, where the sliding \
-             reverses. {}",
+             ahead and drives the pin, and F changes its sign with the flank. The friction opposes the motion on \
+             either flank, so its torque τ₂ is never positive. The dashed curve shows the size of this torque, −τ₂. \
+             The quantity between the bars of (1-19) changes its sign with the flank, and also on the line of centres, \
+             where the sliding reverses. {}",
             shown(parameters)
         ),
     );

@@ -59,11 +59,12 @@ pub fn order() -> Figure {
         "Error over step length, for a smooth problem and for one with a switch",
         format!(
             "Two rows of points on logarithmic axes, the step length to the right, the error upwards. The errors of \
-             the smooth problem lie along a line of slope 4 (observed: {smooth}), those of the problem with a switch, \
-             far above, along one of slope 1 (observed: {switched})."
+             the smooth problem follow a line of slope 4 (observed: {smooth}). The errors of the problem with a switch \
+             are far above and follow a line of slope 1 (observed: {switched})."
         ),
-        "While the right-hand side is smooth (ẍ = −x), half the step gives a sixteenth of the error. Where \
-             it switches within a step (ẋ = 1, then 2), the error is proportional to the step, whatever the \
+        "Where the right-hand side of the differential equation is \
+         smooth (ẍ = −x), half the step gives a sixteenth of the error. Where the \
+         right-hand side jumps within a step (ẋ = 1, then 2), the error is proportional to the step, whatever the \
              order of the method.",
     );
     Chart::new([panel]).figure(words, series)

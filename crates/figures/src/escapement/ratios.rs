@@ -54,10 +54,10 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
              zero at both ends and greatest on the line of centres. {}.",
             said.join("; ")
         ),
-        "The follower's speed over the driver's, which depends on the geometry alone. It is zero at every \
-             hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, one \
-             with more slots moves gently. The ratio never changes sign, so the follower slows down but never \
-             reverses. Its mean is m/n, pins over slots.",
+        "The follower's speed divided by the driver's. This ratio depends on the geometry alone. It is zero at every \
+         hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, while a follower \
+         with more slots moves gently. The ratio never changes sign, so the follower slows down but never reverses. \
+         The mean of the ratio is m/N, pins over slots.",
     );
     Chart::new([panel]).key(key).figure(words, series)
 }

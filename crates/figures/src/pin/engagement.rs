@@ -52,7 +52,7 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
             "The whole engagement at a driver speed of {driver}. The wheel starts from rest and comes to rest, but its acceleration jumps at both ends. Where the \
              wheel is fastest, the pin stops in the slot and turns back.{}",
             if within {
-                format!(" The dotted line is the instant θ = {}.", degrees(now[0].to_radians()))
+                format!(" The dotted line marks the instant θ = {}.", degrees(now[0].to_radians()))
             } else {
                 String::new()
             }

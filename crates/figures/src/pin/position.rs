@@ -99,8 +99,9 @@ pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
              P lies in a slot of the follower: OP is {r} crank radii long and makes an angle of {slot} with OB."
         ),
         format!(
-            "The wheel S turns about O, the driver D about B with the pin P. To scale, with the crank at \
-             {from_extension} from the extension of OB. So its angle from the line of centres is θ = {theta}. One slot lies along OP."
+            "The wheel S turns about O. The driver D turns about B and carries the pin P. The drawing is to scale. The crank \
+             BP is at {from_extension} from the extension of OB, so its angle from the line of centres is θ = {theta}. One \
+             slot lies along OP."
         ),
     );
     words.figure(canvas, Kind::Mechanism, series)

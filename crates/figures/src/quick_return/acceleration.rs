@@ -69,8 +69,8 @@ pub fn acceleration_diagram(
             "Five steps, to scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2: \
              {}. 3: {}. 4: two \
              dashed lines of known direction, one across the lever, one along it. 5: they meet and close the polygon \
-             with the tangential acceleration of P4, {}, and that of P2 relative to P4, {}; the normal one of P2 \
-             relative to P4 is zero. The lever's angular acceleration is {}{}.",
+             with the tangential acceleration of P4, {}, and the tangential acceleration of P2 relative to P4, {}; the \
+             normal acceleration of P2 relative to P4 is zero. The lever's angular acceleration is {}{}.",
             value("a-pin-normal"),
             value("a-pin-tangential"),
             second,
@@ -81,8 +81,9 @@ pub fn acceleration_diagram(
             turning(alpha_4)
         ),
         format!(
-            "The acceleration diagram at φ = {}, in five steps. The normal and the Coriolis terms follow from the velocities. Of the last two terms we know only the \
-             directions, but two directions are enough to close the polygon. The pole is o.",
+            "The acceleration diagram at φ = {}, in five steps. The normal and the Coriolis terms follow from the velocities. \
+             Of the last two terms we know only the directions, but two directions are enough to close the polygon. The pole o \
+             is where the vectors start.",
             degrees(instant.lever_angle)
         ),
     );

@@ -58,13 +58,13 @@ pub fn bead_on_a_lever() -> Figure {
     let words = Words::new(
         "quick-return-bead",
         "A bead that slides on a turning lever, at three moments",
-        "A lever in three positions, equal times Δt apart, with a bead on it that slides outwards, at A, B and C. Each \
-         step of the bead is drawn as a slide along the lever by v Δt and a carry around the pivot by the angle ω Δt. \
-         Two strips of equal length show what the second step has more, both across the lever: the slide has turned \
-         with the lever, and the carry is longer because the bead is farther out. Each is v Δt times ω Δt.",
-        "A bead on a turning lever, at three moments Δt apart. Each step is a slide (green) and a carry (blue). Dashed: the \
-         first slide drawn again at B. The two strips show how much farther the second step goes across the lever: by v Δt · ω Δt for each \
-         strip. Both speeds are constant, and the angles are drawn large.",
+        "A lever in three positions, equal times Δt apart, with a bead on it that slides outwards, at A, B and C. Each step of \
+         the bead is drawn as a slide along the lever by v Δt and a carry around the pivot by the angle ω Δt. Two strips of \
+         equal length, both across the lever, show how much farther the second step goes: the slide has turned with the lever, \
+         and the carry is longer because the bead is farther out. Each is v Δt times ω Δt.",
+        "A bead on a turning lever, at three moments Δt apart. Each step is a slide along the lever (green) and a carry around \
+         the pivot (blue). Dashed: the first slide drawn again at B. Across the lever, the second step goes farther than the \
+         first by two strips, each v Δt · ω Δt long. Both speeds are constant, and the angles are drawn large.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }

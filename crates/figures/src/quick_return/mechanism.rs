@@ -77,8 +77,9 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
             turning(lever)
         ),
         format!(
-            "The mechanism to scale at φ = {phi}. The pin P₂ on the crank slides in the slot of the lever; P₄ is the point of the lever under it, in the same place at this instant. At the “other point” of its circle the pin would be \
-             with the same φ. Counter-clockwise is positive, and θ counts from the line from O₂ to O₄."
+            "The mechanism to scale at φ = {phi}. The pin P₂ on the crank slides in the slot of the lever. P₄ is the lever's \
+             point under the pin, in the same place at this instant. With the same φ the pin could also be at the “other \
+             point” of its circle. Counter-clockwise is positive, and θ is counted from the line from O₂ to O₄."
         ),
     );
     words.figure(canvas, Kind::Mechanism, series)

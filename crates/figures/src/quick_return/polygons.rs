@@ -74,8 +74,8 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
              accelerations, and the sliding acceleration. The polygon {closes}."
         ),
         format!(
-            "The mechanism at θ = {theta}, with its velocities and accelerations. The Coriolis acceleration is counted {times} \
-             times φ̇ vᵣₑₗ. The polygon {closes}."
+            "The mechanism at θ = {theta}, with its velocities and accelerations. The Coriolis acceleration is counted as \
+             {times} times φ̇ vᵣₑₗ. The polygon {closes}."
         ),
     );
     let columns = [

@@ -46,8 +46,8 @@ pub fn over_a_turn(linkage: &QuickReturn, position: &Position, drive: &Drive<f64
             written(instant.lever_acceleration(&drive), "rad/s²"),
         ),
         format!(
-            "A whole turn of the crank at {}. Tinted: the fast {stroke}. The dashed line marks the instant θ = {theta}, \
-             φ = {phi}. Counter-clockwise is positive.",
+            "A whole turn of the crank at {}. The fast {stroke} is tinted. The dashed line marks the instant θ = {theta}, φ = \
+             {phi}. Counter-clockwise is positive.",
             written(drive.speed, "rad/s")
         ),
     );

@@ -86,14 +86,14 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         format!(
             "Three steps, to scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
              direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
-             right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to \
-             P4, {sliding}, add up to that of P2. The lever's angular velocity is {}{}.",
+             right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to P4, \
+             {sliding}, add up to the velocity of P2. The lever's angular velocity is {}{}.",
             written(omega_4.abs(), "rad/s"),
             turning(omega_4)
         ),
         format!(
-            "The velocity diagram at φ = {phi}, in three steps. We know one vector completely and only the directions of the other two, but two directions are \
-             enough to close the triangle. The pole is o."
+            "The velocity diagram at φ = {phi}, in three steps. We know one vector completely and only the directions of the \
+             other two, but two directions are enough to close the triangle. The pole o is where the vectors start."
         ),
     );
     words.figure(diagram.draw(), Kind::Diagram, Series::new(columns, rows))

@@ -74,7 +74,8 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
              a minimum of the driver's speed, or a period, in one of the 49 runs of Appendix E.",
             &format!("A unit is {units}; the shaded band is one unit either way."),
             "Above: the real mechanisms, each with its own reset angle and its true peaks. Below: the program as \
-             listed, which resets all three after 90°; a peak is the largest speed on its print-out.",
+             listed, which resets the angle after 90° for all three mechanisms. Its peaks are the largest speeds on \
+             its print-out.",
             beyond,
             others,
         ]
@@ -106,8 +107,8 @@ pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
             hypothesis.count()
         ),
         format!(
-            "Each mark is one printed number of Appendix E minus the number computed with {}, in units of its last printed \
-             digit ({units}). In the shaded band, one unit either way, are {}.{beyond}",
+            "Each mark is one printed number of Appendix E minus the number computed with {}, in units of its last \
+             printed digit ({units}). The shaded band, one unit either way, contains {} marks.{beyond}",
             hypothesis.name,
             hypothesis.count()
         ),

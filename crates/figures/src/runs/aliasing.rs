@@ -73,8 +73,8 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
             significant(most, 4)
         ),
         format!(
-            "The driver's speed around five peaks of one run, and the lines of its print-out. After the start \
-             from rest all true peaks are {} rad/s, but the printed peaks swing between {} and {} rad/s, because \
+            "The driver's speed around five peaks of one run, and the lines of its print-out. After the first \
+             engagement all true peaks are {} rad/s, but the printed peaks swing between {} and {} rad/s, because \
              the print-out seldom has a line at the peak. {} Torque K = {} in lb.",
             fixed(actual, 1),
             fixed(least, 1),

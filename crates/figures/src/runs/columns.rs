@@ -59,9 +59,10 @@ pub fn columns(hypotheses: &[[Count; 3]], of: usize) -> Figure {
             said.collect::<Vec<_>>().join("; ")
         ),
         format!(
-            "Each column of the printed tables by itself. A mark says how many of its {of} cells a hypothesis gives to within \
-             one unit of the last digit, and its line begins at the number right to the printed digit. The hypotheses are \
-             numbered as in the table; all three mechanisms together."
+            "Each column of the printed tables by itself. A mark shows how many of the column's {of} cells a \
+             hypothesis gives to within one unit of the last digit. The line to the mark begins at the number of cells \
+             that are right to the printed digit. The hypotheses are numbered as in the table; all three mechanisms \
+             are counted together."
         ),
     );
     let names = [

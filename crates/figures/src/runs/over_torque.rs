@@ -121,22 +121,22 @@ fn words(group: &Group, families: &[Family]) -> Words {
     let [low, high] = spread(3);
     let as_is = if group.own_reset().is_some() {
         let [low, high] = spread(4);
-        format!(" Of the right ones, dashed, they are {low} to {high} times the value.")
+        format!(" They are {low} to {high} times the right values, which are dashed.")
     } else {
         String::new()
     };
     let inertias = format!(
-        "{pins} pins; inertia of the driver {} · 10⁻⁶, of the follower {} · 10⁻⁶ in lb s².",
+        "{pins} pins; inertia of the driver {} · 10⁻⁶ in lb s², of the follower {} · 10⁻⁶ in lb s².",
         fixed(1e6 * group.inertias.driver(), 0),
         fixed(1e6 * group.inertias.follower(), 0)
     );
     let says = match group.own_reset() {
         Some(_) => format!(
-            "The marks are on the solid line, for which the driver's angle is reset after {}, and not on the \
-             dashed line of the mechanism.",
+            "The printed values (marks) are on the solid line, for which the driver's angle is reset after {}, and not \
+             on the dashed line, which is for the mechanism.",
             degrees(group.reset)
         ),
-        None => "Here the reset is right, and the marks are on the mechanism's own line.".to_owned(),
+        None => "Here the reset is right, so the printed values (marks) are on the mechanism's own line.".to_owned(),
     };
     Words::new(
         format!("runs-{name}-pin"),
@@ -147,7 +147,10 @@ fn words(group: &Group, families: &[Family]) -> Words {
              value.{as_is}",
             families.len()
         ),
-        format!("{inertias} Speed is the mean of peak and minimum, the thesis's average terminal velocity. {says}"),
+        format!(
+            "{inertias} The speed is the mean of peak and minimum, which the thesis calls average terminal \
+                 velocity. {says}"
+        ),
     )
 }
 

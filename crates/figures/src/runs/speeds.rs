@@ -88,8 +88,10 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
             fixed(ms(first), 1)
         ),
         format!(
-            "A run from rest. The driver slows down as it speeds the follower up, and it speeds up again as the \
-             follower stops. The follower's speed is counted in its own sense, against the driver's. {others}"
+            "A run from rest. The driver slows down while it speeds the follower up, and it speeds up again as the \
+             follower comes to \
+             rest. The follower turns against the driver, and its speed is counted in its own sense. \
+             {others}"
         )
         .trim_end(),
     );

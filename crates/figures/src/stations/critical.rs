@@ -48,16 +48,16 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
         "wheel-critical",
         format!("Geometry of a wheel with {} stations as the pin enters", wheel.stations()),
         format!(
-            "A right-angled triangle of the wheel's axis O, the driver's axis B and the pin P, with the right angle at \
-             P. The angle at O is α, {}; that at B is π/2 − α, {}. With a crank of length 1 the centre distance OB is \
-             1 / sin α, {}, and the wheel's radius OP is 1 / tan α, {}. Neighbouring slots make an angle of 2α.",
+            "A right-angled triangle of the wheel's axis O, the driver's axis B and the pin P, with the right angle at P. The \
+             angle at O is α, {}; the angle at B is π/2 − α, {}. With a crank of length 1 the centre distance OB is 1 / sin α, \
+             {}, and the wheel's radius OP is 1 / tan α, {}. Neighbouring slots make an angle of 2α.",
             degrees(alpha),
             degrees(theta),
             significant(l, 4),
             significant(radius, 4)
         ),
-        "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at \
-                  the pin; crank 1, centre distance 1 / sin α and the wheel's radius 1 / tan α follow.",
+        "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at the pin. In crank \
+         radii, the centre distance is 1 / sin α and the wheel's radius 1 / tan α.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }

@@ -46,13 +46,13 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
         "wheel-dwell-play",
         format!("Backlash in the dwell, {} stations", sizes.wheel.stations()),
         format!(
-            "Two curves over the dwell. Each is flat in the middle. The one backwards has a peak of {}° shortly after the pin \
-             has left, the one forwards has as high a peak shortly before the next pin enters.",
+            "Two curves over the dwell, each flat in the middle. The backlash backwards has a peak of {}° shortly after the \
+             pin has left, and the backlash forwards has as high a peak shortly before the next pin enters.",
             fixed(most, 2)
         ),
-        "How far the wheel can turn to each side in the dwell. In the middle both ends of the locking arc touch the disc. Near \
-         the ends of the dwell only the edge of the disc's opening holds the wheel to one side, close to the line of centres, \
-         until a pin is near enough to hold it. Rigid parts with the play of this chapter's design.",
+        "How far the wheel can turn to each side in the dwell. In the middle an end of the locking arc stops the wheel on \
+         either side. Near the ends of the dwell only the edge of the disc's opening, close to the line of centres, \
+         stops it on one side, until a pin is near enough to stop it. Rigid parts with the play of this chapter's design.",
     );
     let columns = [("crank", "deg"), ("forwards", "deg"), ("backwards", "deg")];
     Chart::new([panel]).figure(words, Series::new(columns, rows))

@@ -63,8 +63,9 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
              the three, least. {}",
             crossing(&rows)
         ),
-        "More stations, gentler motion: the wheel's peak speed over the driver's, its peak acceleration and its jump of \
-         acceleration at entry over the square of the driver's speed, for a driver of constant speed. The number of stations is an integer, so the dashed lines only join the marks.",
+        "More stations make the motion gentler. The wheel's peak speed is divided by the driver's speed, its peak acceleration \
+         and its jump of acceleration at entry by the square of the driver's speed, which is constant. The number of stations \
+         is an integer, so the dashed lines only join the marks.",
     );
     Chart::new([panel]).figure(words, Series::new(columns, rows))
 }

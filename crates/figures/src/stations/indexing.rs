@@ -46,8 +46,9 @@ pub fn indexing(wheel: &Wheel) -> Figure {
             degrees(-peak.angle)
         ),
         format!(
-            "One indexing of a wheel with {} stations, its driver at constant speed. Above: the wheel's angle φ and its \
-             speed over the driver's, φ̇/θ̇. Below: its acceleration over the square of the driver's speed, φ̈/θ̇². The acceleration jumps at entry and at exit, where the jerk is infinite.",
+            "One indexing of a wheel with {} stations, its driver at constant speed. Above: the wheel's angle φ, and its speed \
+             divided by the driver's, φ̇/θ̇. Below: its acceleration divided by the square of the driver's speed, φ̈/θ̇². The \
+             acceleration jumps at entry and at exit, where the jerk is infinite.",
             wheel.stations()
         ),
     );

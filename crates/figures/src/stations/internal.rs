@@ -148,8 +148,8 @@ pub fn internal_mechanism(wheel: &InternalWheel) -> Figure {
             counted(wheel.stations(), "slot"),
             significant(ring.centre, 4)
         ),
-        "The internal wheel to scale, while it is locked. The driver turns inside it in the same direction, \
-             and its pin moves the wheel for more than half of each turn.",
+        "The internal wheel to scale, while it is locked. The driver turns inside the wheel, in the same direction, and the \
+         pin moves the wheel for more than half of each turn of the driver.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }

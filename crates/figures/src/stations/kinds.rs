@@ -65,13 +65,13 @@ pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
     let words = Words::new(
         "wheel-kinds",
         format!("External, internal and spherical wheels of {first} to {last} stations compared"),
-        "Four charts against the number of stations. Dwell: the external wheel has the longest, which falls towards half a \
-         turn, the spherical one always half a turn, the internal one the shortest, which rises towards half a turn. Peak \
-         acceleration, peak jerk and force of the pin fall with the number of stations; with few stations those of the \
-         external wheel are by far the greatest, and those of the other two near each other.",
-        "Three kinds of wheel, one pin, driver of constant speed: dwell, peak acceleration, peak jerk (without the jumps at \
-         the ends), and the pin's greatest force times the wheel's radius, over moment of inertia and square of the driver's \
-         speed. Rigid parts, no play, no friction.",
+        "Four charts against the number of stations. The external wheel has the longest dwell, which falls towards half a \
+         turn. The spherical wheel always dwells for half a turn. The internal wheel has the shortest dwell, which rises \
+         towards half a turn. Peak acceleration, peak jerk and force of the pin fall with the number of stations; with few \
+         stations they are by far the greatest for the external wheel, and near each other for the other two.",
+        "Three kinds of wheel with one pin and a driver of constant speed, compared by dwell, peak acceleration, peak jerk \
+         (without the jumps at the ends) and the pin's greatest force. The force is multiplied by the wheel's radius and \
+         divided by the moment of inertia and the square of the driver's speed. Rigid parts, no play, no friction.",
     );
     Ok(Chart::new(panels).in_columns(2).key(key).figure(words, Series::of_columns(columns, series.collect())))
 }

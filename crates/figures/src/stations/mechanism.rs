@@ -59,8 +59,8 @@ pub fn mechanism(wheel: &Wheel) -> Figure {
             significant(rim, 4),
             significant(locking_disc, 4)
         ),
-        "The mechanism to scale, while the wheel is locked. The locking disc fills a locking arc until the \
-             pin reaches the next slot.",
+        "The mechanism to scale, while the wheel is locked. The locking disc fills a hollow of the wheel, a locking arc, until \
+         the pin reaches the next slot.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }

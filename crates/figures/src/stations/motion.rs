@@ -58,9 +58,9 @@ pub fn motion(wheel: &Wheel) -> Figure {
             steps.join("; ")
         ),
         format!(
-            "Animated: one cycle of a wheel with {}, the driver at constant speed. Rest the pointer on the upper \
-             drawing to stop it; if your system asks for reduced motion, it stands still. Below it, the same cycle in \
-             {} positions by crank angle θ.",
+            "Animated: one cycle of a wheel with {}, the driver at constant speed. Rest the pointer on the upper drawing to \
+             stop it. If your system asks for reduced motion, the drawing stands still. Below, the same cycle in {} positions, \
+             each with its crank angle θ.",
             counted(wheel.stations(), "station"),
             frames.len()
         ),

@@ -174,8 +174,9 @@ fn words(of: &Misplaced, crank: f64, motion: &Motion, blow: f64) -> Words {
             number(blow)
         ),
         format!(
-            "A wheel with {stations} and {pins}, {distance}: velocity, acceleration and jerk of the wheel over the driver's \
-             speed, its square and its cube. The dots are at the crank angle of the drawing. {IMPULSES}"
+            "A wheel with {stations} and {pins}, {distance}. The curves are the wheel's velocity, acceleration and jerk, \
+             divided by the driver's speed, its square and its cube. The dots are at the crank angle of the drawing. \
+             {IMPULSES}"
         ),
     )
 }

@@ -93,15 +93,15 @@ fn words(formulas: &[Compared], [first, last]: [f64; 2]) -> Words {
         "wrong-formulas",
         format!("What wrong formulas give over what is right, {} to {} slots", trimmed(first, 0), trimmed(last, 0)),
         format!(
-            "Two panels with the same axes, the upright one logarithmic. Above, formulas whose rows of points cross the line \
-             of one at {right} slots. {}. Below, formulas that meet it at no whole number of slots. {}.",
+            "Two panels with the same axes; the vertical axis is logarithmic. Above, formulas whose rows of points cross the \
+             line of one at {right} slots. {}. Below, formulas whose rows meet this line at no whole number of slots. {}.",
             said(true),
             said(false)
         ),
         format!(
-            "What each formula gives, over the right value. On the thin line a formula is right. The formulas in \
-             the upper panel are right for {right} slots and wrong on both sides of it. The formulas in the lower \
-             panel are right for no number of slots."
+            "The value that each formula gives, divided by the right value. On the thin line a formula is right. The formulas \
+             in the upper panel are right for {right} slots and wrong on both sides of it. The formulas in the lower panel are \
+             right for no number of slots."
         ),
     )
 }

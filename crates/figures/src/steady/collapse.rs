@@ -84,15 +84,17 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
         format!(
             "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. \
              In each an unbroken curve for every mechanism, and a broken one where the program put the driver back at \
-             another angle. On the curves of what was run lie the {} runs of all torques, one over another. The \
-             farthest from these are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the \
-             periods.",
+             another angle. The {} runs of all torques are on the curves of what was run, one over another. The \
+             farthest differ from these curves by {peak} % in the peaks, {minimum} % in the minima and {period} % in \
+             the periods.",
             rows.len()
         ),
         format!(
-            "The law of similarity: torque and inertias set the scales. Divided by them, the printed rows of all \
-             torques coincide (marks). The solid curves are for the mechanisms, the broken curves for the program \
-             of 1973, which resets the driver's angle after 90°; beside each curve is its number of pins. For four pins both are the same. The rows for six and three pins are on the broken curves, so they \
+            "The law of similarity: torque and inertias set the scales of speed and time. Divided by these scales, the \
+             printed rows of all torques coincide (marks). The solid curves are for the mechanisms, the broken curves \
+             for the program of 1973, which resets the driver's angle after 90°. Beside each curve is its number of \
+             pins. For four pins the two curves are the same. The rows for six and three \
+             pins are on the broken curves, so they \
              are runs of the program and not of the mechanisms. Driver's moment of inertia \
          over the follower's: {inertias}."
         ),

@@ -43,7 +43,7 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
     } else {
         Axis::from_zero(0.0, greatest.max(1.0), 5.0)
     };
-    let titles = ["mean speed over the ideal one", "multiplier"];
+    let titles = ["mean speed over ideal mean speed", "multiplier"];
     let panels = [0, 1].map(|k| {
         let values = || groups[k].iter().flat_map(finite).map(|point| point.1);
         let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
@@ -75,7 +75,8 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
         "joints-losses",
         "What the size of the joints costs",
         format!(
-            "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the multiplier. {}.",
+            "Two panels over the {size}: the mean speed over the mean speed of the ideal mechanism, and the \
+             multiplier. {}.",
             said.join("; ")
         ),
         format!(

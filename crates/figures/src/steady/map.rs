@@ -205,9 +205,10 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
             if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) }
         ),
         format!(
-            "{pins} pins and {} slots: above, lines of equal mean speed in the steady state, in units of the square root of the spring's torque over the follower's moment of inertia; below, lines of equal rise: the number of \
-            engagements after which a deviation from the steady speed has shrunk to a hundredth. Marks: the runs of the \
-             thesis.",
+            "{pins} pins and {} slots. Above are lines of equal mean speed in the steady state, in units of the square \
+             root of the spring's torque over the follower's moment of inertia. Below are lines of equal rise, which \
+             is the number of engagements after which a deviation from the steady speed has shrunk to a hundredth. The \
+             marks are the runs of the thesis.",
             mechanism.slots()
         ),
     )

@@ -141,8 +141,9 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
         "The driver's speed over its angle, engagement by engagement",
         format!(
             "Speed over angle for {} pins and μ = {}, for three engagements from rest, three from twice the steady \
-             speed, and the steady cycle, which enters at {}, falls to {} and rises to {}. The curves from rest come \
-             from below and those from above from above; the third of each is close to the steady cycle.{switch}",
+             speed, and the steady cycle, which enters at {}, falls to {} and rises to {}. The curves from rest \
+             approach the cycle from below, the other curves from above; the third of each is close to the steady \
+             cycle.{switch}",
             parameters.mechanism().pins(),
             trimmed(parameters.friction(), 4),
             significant(steady.entry_speed / unit, 3),
@@ -150,7 +151,9 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
             significant(steady.peak.speed / unit, 3)
         ),
         format!(
-            "Successive engagements, numbered, from rest and from twice the steady speed; each begins at the left with the speed at which the last one ended at the right. The third is close to the steady cycle. At the \
+            "Three successive engagements from rest, numbered, and three from twice the steady speed. Each begins at \
+             the left with the speed at which the one before it ended at the right. The third is close to the steady \
+             cycle. At the \
              diamonds the follower begins to run ahead of the pin, and the contact changes flank. {}",
             shown(parameters)
         ),

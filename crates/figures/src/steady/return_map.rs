@@ -97,7 +97,8 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
         "steady-return-map",
         "What an engagement makes of the square of the speed",
         format!(
-            "The square of the driver's speed at exit over that at entry, both over K / I_f, for {} pins and μ = {}. \
+            "The square of the driver's speed at exit against its square at entry, both in units of K / \
+             I_f, for {} pins and μ = {}. \
              The curve rises little and crosses the diagonal once, at {}; there its slope is {multiplier}. One \
              staircase climbs to that point from rest, another falls to it from {} times the square; both are there \
              after a few steps. Without friction the curve lies {} above the diagonal throughout and never meets it.",
@@ -110,10 +111,10 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
         format!(
             "The solid line shows the square of the speed at the end of an engagement as a function of the square of the \
              speed at its start. Where the curve crosses the \
-             dashed diagonal, the motion is steady. Go up or down to the curve and across to the diagonal, and the next \
-             engagement begins: the first two from rest and from above have numbers. At the crossing a small difference \
-             shrinks to {multiplier} of itself in each engagement. Without friction (dotted) each engagement adds the \
-             same, and there is no crossing. {}",
+             dashed diagonal, the motion is steady. To follow a motion, go up or down to the curve and then across to \
+             the diagonal, where the next engagement begins. The first two engagements from rest and from above have \
+             numbers. At the crossing a small difference shrinks to {multiplier} of itself in each engagement. Without \
+             friction (dotted) each engagement adds the same amount, and there is no crossing. {}",
             shown(parameters)
         ),
     );

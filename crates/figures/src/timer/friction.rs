@@ -80,15 +80,15 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         "timer-friction",
         "What the escapement gains or loses in a day as the friction changes",
         format!(
-            "Three falling curves over the coefficient of friction, which cross at μ = {}, where the escapements were set. \
-             The gain a day falls {}. Three upright lines stand at the frictions of a pair of materials.",
+            "Three falling curves over the coefficient of friction, which cross at μ = {}, where the escapements were \
+             set. The gain a day falls {}. Three vertical lines mark the frictions of a pair of materials.",
             trimmed(set, 2),
             said.collect::<Vec<_>>().join(", ")
         ),
         format!(
-            "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes: computed from the \
-             exact steady motion for each friction. Marks are the frictions of the thesis's runs. The dashed lines are static \
-             handbook values of steel on brass: {}. {}",
+            "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes. It is \
+             computed from the exact steady motion for each friction. Marks are the frictions of the thesis's runs. \
+             The dashed lines are static handbook values of steel on brass: {}. {}",
             trimmed(set, 2),
             pairs
                 .iter()

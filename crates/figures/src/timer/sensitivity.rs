@@ -86,9 +86,10 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
             said.collect::<Vec<_>>().join("; ")
         ),
         format!(
-            "What one per cent more of each quantity does to the rate. One per cent more torque gains as much at every friction \
-             and with every mechanism, so its line is level. It gains as much with a weak spring as with a strong one. Friction costs about as much as torque gains, with four \
-             pins somewhat less, and the follower's inertia costs most. Marks are the frictions of the thesis's runs. {}",
+            "What one per cent more of each quantity does to the rate. The gain from one per cent more torque is the \
+             same at every friction and with every mechanism, so its line is level. It is also the same with a weak \
+             spring as with a strong spring. Friction costs about as much as torque gains, with four pins somewhat \
+             less, and the follower's inertia costs most. Marks are the frictions of the thesis's runs. {}",
             super::inertias(all)
         ),
     );

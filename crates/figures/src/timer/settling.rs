@@ -50,7 +50,7 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
         let most = points().map(|point| point.1).fold(0.0, f64::max);
         let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).shade(marker.shade));
         let x = if column == 3 {
-            x.clone().titled(Label::words("follower's inertia over that of the run"))
+            x.clone().titled(Label::words("follower's inertia over the run's inertia"))
         } else {
             x.clone().unnumbered()
         };
@@ -62,8 +62,8 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
         "timer-settling",
         "How long the escapement takes to settle with a lighter follower",
         format!(
-            "Three panels over the follower's inertia. From the lightest follower to that of the run the number of engagements \
-             falls, the time of each rises, and their product stays between {} and {} ms.",
+            "Three panels over the follower's inertia. From the lightest follower to the run's follower the number of \
+             engagements falls, the time of each engagement rises, and their product stays between {} and {} ms.",
             significant(quickest, 3),
             significant(slowest, 3)
         ),

@@ -81,11 +81,11 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
             said.collect::<Vec<_>>().join("; ")
         ),
         format!(
-            "The greatest accelerations and the greatest force on the pin in the steady motion, without their signs: the \
-             accelerations times the follower's inertia over the torque, the force over that of the spring at the crank \
-             radius. So each curve holds for every spring. The kink in the four-pin curve is where the driver's greatest \
-             deceleration, caused by friction, overtakes its greatest acceleration, caused by the follower pushing it \
-             forward. Marks are the frictions of the thesis's runs. {}",
+            "The greatest accelerations and the greatest force on the pin in the steady motion, without their signs. \
+             The accelerations are multiplied by the follower's inertia and divided by the torque, and the force is \
+             divided by the spring's force at the crank radius. So each curve holds for every spring. The kink in the \
+             four-pin curve is where the driver's greatest deceleration, caused by friction, overtakes its greatest \
+             acceleration, caused by the follower pushing it forward. Marks are the frictions of the thesis's runs. {}",
             super::inertias(all)
         ),
     );

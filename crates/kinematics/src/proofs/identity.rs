@@ -43,10 +43,15 @@ impl fmt::Display for Proof {
         // Most variables of a large identity are not in it.
         let degrees: Vec<_> = self.degrees.iter().filter(|degree| **degree > 0).map(u32::to_string).collect();
         match &degrees[..] {
-            [] => f.write_str("exactly equal, with no variable left in the difference"),
-            [only] => write!(f, "exactly equal at {} points, enough for degree {only}", self.points),
+            [] => f.write_str("the two sides are exactly equal, with no variable left in the difference"),
+            [only] => write!(f, "the two sides are exactly equal at {} points, enough for degree {only}", self.points),
             [all @ .., last] => {
-                write!(f, "exactly equal at {} points, enough for degrees {} and {last}", self.points, all.join(", "))
+                write!(
+                    f,
+                    "the two sides are exactly equal at {} points, enough for degrees {} and {last}",
+                    self.points,
+                    all.join(", ")
+                )
             }
         }
     }

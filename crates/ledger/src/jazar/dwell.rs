@@ -10,12 +10,13 @@ const C: Place = at("Ex. (c)");
 /// The part of the cycle that moves, in the place of the part that stands still.
 const MOVING_PART: Slip = Slip {
     id: "jazar.ex-c.formula",
-    reason: "The advance takes 180° − 2α of the driver's turn, as the text itself says, and the dwell takes the \
-             rest. The formula gives the part in which the wheel moves instead, and the numbers follow from the \
-             formula.",
-    witness: "In the caption of Fig. 5.28 the four-station wheel is locked for three quarters of the cycle. For six \
-              stations, we get the right part from where the wheel of the power series is at rest, and also from where \
-              the state of the wheel changes.",
+    reason: "The advance takes 180° − 2α of the driver's turn, as the handout itself says, where α is half the angle \
+             between two slots. The dwell takes the rest of the turn. But the printed formula gives the part of the \
+             cycle in which the wheel moves, and the printed numbers follow from this formula.",
+    witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle. For \
+              six stations, we get the right part from the crank angle at which the wheel is at rest, by power series. \
+              We also get this part from the crank angle at which the wheel in this book's code changes between \
+              indexing and dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \
@@ -33,7 +34,7 @@ pub fn claims() -> Vec<Claim> {
         C.value("jazar.ex-c.cycle", "1/6", "s", "duration of a cycle")
             .by(ClosedForm, || 60.0 / printed("jazar.ex.rpm"))
             .by(OtherPlaceInSource, || 1.0 / printed("jazar.ex-a.advances")),
-        C.equation("jazar.ex-c.product", r"\tau = \lambda T", "the time of the dwell is its part of the cycle's time")
+        C.equation("jazar.ex-c.product", r"\tau = \lambda T", "the dwell lasts its part λ of the time T of the cycle")
             .in_letters(PARTS),
         C.value("jazar.ex-c.dwell", "1/18", "s", "duration of the dwell, as a fraction")
             .by(ClosedForm, || seconds(printed("jazar.ex-c.fraction")))

@@ -46,7 +46,11 @@ fn root_choice() -> Claim {
 
 fn alpha_range() -> Claim {
     at("Ex. (e), choice of the root")
-        .statement("jazar.ex-e.alpha-range", r"0 < \alpha < 60^{\circ}", "the allowable range of α")
+        .statement(
+            "jazar.ex-e.alpha-range",
+            r"0 < \alpha < 60^{\circ}",
+            "the allowable range of α, which is half the angle between two slots",
+        )
         .by(ExactIdentity, |stated| {
             let Some((range, closed)) = range(stated) else { return Finding::new(false, "not a range") };
             let [Ok(start), Ok(end)] = range.map(Rational::try_from) else { return Finding::new(false, "not a range") };
@@ -74,7 +78,7 @@ fn alpha_range() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "α is greatest with three stations, {greatest:.4}°, and the range {} up to there",
+                    "α is greatest with three stations, {greatest:.4}°, and the range {} up to this angle",
                     if holds { "goes" } else { "does not go" }
                 ),
             )
@@ -83,9 +87,10 @@ fn alpha_range() -> Claim {
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "Three stations, the least number that the text allows, have α = 60° exactly, and what the \
-                         text says of the root holds there too. The copy may have lost a stroke of the sign. But the \
-                         text has the right sign nowhere else, so we put this mistake down to the handout.",
+                reason: "Three stations, the least number that the handout allows, have α = 60° exactly, and what the \
+                         handout says about the choice of the root holds for them too. The copy may have lost a stroke \
+                         of the sign. But the right sign is nowhere else in the handout, so we put this mistake down \
+                         to the handout.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
                 origin: Origin::Misprint,

@@ -8,11 +8,11 @@ const CLOSURE: Place = at("Eq. (5.25)");
 /// Eq. (5.29) without its sign.
 pub(super) const LOST_SIGN: Slip = Slip {
     id: "jazar.eq-5.29",
-    reason: "The display before it has a minus sign in front of this term, but here the sign is lost, so the wheel \
-             would first slow down and then speed up. Where the equation is made general the sign is there, and \
-             nothing that the copy shows is computed without it. So we put the loss down to the copy. We cannot tell \
-             whether the handout has the sign. If it does not, the curve of Fig. 5.30, which is not in the copy, may \
-             be upside down.",
+    reason: "The display before this equation has a minus sign in front of this term, but here the sign is lost, so \
+             the wheel would first slow down and then speed up. Where the text makes the equation general, the sign \
+             is there, and nothing that the copy shows is computed without it. So we put the loss down to the copy. \
+             We cannot tell whether the handout has the sign. If it does not, the curve of Fig. 5.30, which is not in \
+             the copy, may be upside down.",
     witness: "Eq. (5.32) of the same source has the sign, and it gives the corrected form for four stations.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,

@@ -11,8 +11,8 @@ pub(super) fn journal_bearing() -> Claim {
         .statement(
             "jazar.journal-bearing",
             "journal bearing",
-            "while it holds, the wheel's arc and the driver's journal form a bearing, because they have the same \
-             centre",
+            "while the wheel is held, its arc and the driver's journal form a bearing, because arc and journal have \
+             the same centre",
         )
         .by(ClosedForm, |stated| {
             for_all_stations(
@@ -113,13 +113,12 @@ pub(super) fn most_stations() -> Claim {
             "with very many stations the arcs that lock the wheel become too short",
         )
         .missing(
-            "The text does not say by what measure an arc is too short, and the measures disagree. With a journal of \
-             six to nine tenths of the crank radius, the arcs get shorter and shorter in wheel radii, from four \
-             stations on. But they grow in crank radii, or by the angle that they embrace, and with any number of \
-             stations they lock, whichever way the wheel is pushed. Measured in wheel radii, the arcs of a spherical \
-             wheel get just as short as those of a planar one, although the handout says that the spherical wheel \
-             stays locked. No measure that we tried makes both \
-             sentences true",
+            "The text does not say by what measure an arc is too short, and the measures disagree. Take a locking disc \
+             whose radius is six to nine tenths of the crank radius. Measured in wheel radii, the arcs get shorter and \
+             shorter from four stations on. But measured in crank radii, or by the angle that they embrace, they grow. \
+             With any number of stations they lock, whichever way the wheel is pushed. In wheel radii, the arcs of a \
+             spherical wheel get just as short as the arcs of a planar wheel, although the handout says that the \
+             spherical wheel stays locked. No measure that we tried makes both sentences true",
         )
 }
 

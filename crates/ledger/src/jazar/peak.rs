@@ -13,12 +13,13 @@ const E: Place = at("Ex. (e)");
 /// A ratio that Eq. (5.32) does not give.
 const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
-    reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because it is \
-             larger than the largest value that the equation takes for six stations. We can only suggest a possible \
-             origin: the equation gives the printed digits if the angle, in the denominator alone, has a 5 in place of \
-             the 9. The answer is this ratio times the square of the right speed.",
-    witness: "We took the pin's position as a power series and brought its third derivative to zero by halving \
-              intervals.",
+    reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because the \
+             printed ratio is larger than the largest value that the equation takes for six stations. We can only \
+             suggest a possible origin. If a 5 replaces the 9 of the printed angle, and only in the denominator, the \
+             equation gives the printed digits. The answer to (e) is the ratio times the square of the right speed.",
+    witness: "We took the pin's position as a power series, and from it the angle at which the pin is seen from the \
+              wheel's axis. By halving intervals, we found where this angle's third derivative is zero, which is where \
+              the acceleration peaks.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
     changes: "The peak of the wheel's angular acceleration, which is the answer to (e), becomes smaller.",

@@ -63,8 +63,8 @@ fn slider_crank() -> Claim {
         .statement(
             "jazar.slider-crank",
             "inverted slider crank",
-            "while it advances, it is an inverted slider crank, because the pin is on a crank and in a slot through \
-             the wheel's axis",
+            "while the wheel advances, the mechanism is an inverted slider crank, because the pin is on a crank and in \
+             a slot through the wheel's axis",
         )
         .by(Vectors, |stated| {
             // The pin's place in the wheel, which turns as the formulas say.

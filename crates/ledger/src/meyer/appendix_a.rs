@@ -153,10 +153,10 @@ fn corrected_centre(claim: Claim) -> Claim {
         "1.155",
         Slip {
             id: "",
-            reason: "One over the sine of 60° is 2/√3, which is a little less than printed. With 1.73 for the root, \
-                     which the appendix itself prints to one place more further down, the printed number is \
-                     reproduced. Or a digit was misread, by the author or in the copy.",
-            witness: "The hand-over, drawn with exact roots.",
+            reason: "The centre distance is one over the sine of 60°, or 2/√3, which is a little less than the printed \
+                     number. With 1.73 for √3 we get the printed number, but further down the appendix itself prints \
+                     √3 to one place more. It is also possible that a digit was misread, by the author or in the copy.",
+            witness: "We computed the hand-over by coordinates, with exact roots.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Number,
             changes: "The last digit of one centre distance is wrong, but nothing is computed from it.",
@@ -170,9 +170,9 @@ fn corrected_radius(claim: Claim) -> Claim {
         Slip {
             id: "",
             reason: "The ratio of the two printed sines is one over the root of three. No rounding of the sines gives \
-                     the printed digits, nor does the printed centre distance. The middle digit is different, and we \
-                     cannot tell whether it was misprinted or misread in the copy.",
-            witness: "The hand-over, drawn with exact roots.",
+                     the printed digits, and the printed centre distance does not give them either. Only the middle \
+                     digit differs, and we cannot tell whether it was misprinted or misread in the copy.",
+            witness: "We computed the hand-over by coordinates, with exact roots.",
             origin: Origin::Misprint,
             consequence: Consequence::Result,
             changes: "A follower for six pins cut to that radius would be too small, so the pins would leave their \

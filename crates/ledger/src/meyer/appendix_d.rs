@@ -28,12 +28,13 @@ fn needed() -> Claim {
         .statement(
             "meyer.app-d.needed",
             "requires a value for the second derivative",
-            "the program would have no acceleration to begin with if the start did not have a line of its own",
+            "without a line of its own for the start, the program would have no first acceleration",
         )
         .missing(
-            "The thesis does not say what the delay gives before there is a value. If it gives nothing, F has no sign \
-             at the start, so a value is required. If it gives zero, the line of the motion begins by itself, with \
-             the same first acceleration, because a pin enters along its slot, where the friction has no arm",
+            "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \
+             F, from which the friction takes its sign, has no sign at the start, so a value is required. If the delay \
+             gives zero, the line that computes the acceleration begins by itself, with the same first value. The \
+             reason is that a pin enters along its slot, where the friction has no moment arm",
         )
 }
 

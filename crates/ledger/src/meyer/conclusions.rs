@@ -90,11 +90,12 @@ fn small_variations() -> Claim {
             "small changes of the parameters change the motion little",
         )
         .missing(
-            "The thesis does not say what it would call serious, and the three obvious measures disagree. In \
+            "The thesis does not say what it would call a serious effect, and the three obvious measures disagree. In \
              all runs, one per cent of torque, friction or an inertia changes peak, minimum and period of the steady \
-             motion by less than one per cent. In some runs it changes the rise time, by the velocity at each angle, \
-             by more. By the average of peak and minimum it does so in none, but a few per cent can take off a whole \
-             engagement, half of the time. And a clock that goes by the mechanism gains or loses minutes a day",
+             motion by less than one per cent. In some runs it changes the rise time by more than one per cent, if the \
+             rise ends only when the velocity is steady at each angle. If it ends when the average of peak and minimum \
+             is steady, this happens in no run, but a few per cent can shorten the rise by a whole engagement, which \
+             is half of the rise time. And a clock that goes by the mechanism gains or loses minutes a day",
         )
 }
 

@@ -111,7 +111,8 @@ fn set_up() -> Vec<Claim> {
                     r"\left[\left\{ I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f ",
                     r"\right\} \dot{\theta} \right]"
                 ),
-                "rate of that derivative, still to be worked out",
+                "rate of the derivative of the kinetic energy with respect to the driver's speed, still to be worked \
+                 out",
             )
             .decided(|tex| proven_of(tex, r"\frac{d}{dt}", r"\frac{\partial T}{\partial \dot{\theta}}", mechanism))
             .read(ClosedForm, |tex| {
@@ -155,7 +156,8 @@ fn by_quotient() -> Vec<Claim> {
                     "By the rule for quotients the term is subtracted. The minus sign has moved into the bracket, but \
                      the next display has it in its place. The brackets of the line do not match either.",
                 ),
-            ),
+            )
+            .in_places(3),
     ]
 }
 
@@ -183,7 +185,7 @@ fn by_speed() -> Vec<Claim> {
                     r"\cos \theta)^2} \left\{ 1 + \frac{2(a \cos \theta - 1)}{(1+a^2-2a \cos \theta)} ",
                     r"\right\} \right]"
                 ),
-                "that part with its factors outside the braces",
+                "the part that comes from the turning of the follower's place, with its factors outside the braces",
             )
             .proven_in(&FACTORED, mechanism)
             .read_in(ClosedForm, &FACTORED, holds),

@@ -110,7 +110,8 @@ fn normal_force() -> Vec<Claim> {
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
-            .corrected(r"NR = I_f \ddot{\phi}", PHI_AS_THETA),
+            .corrected(r"NR = I_f \ddot{\phi}", PHI_AS_THETA)
+            .in_places(2),
         at("1st display of R after Fig. 7")
             .equation(
                 "meyer.slot-radius.by-sines",
@@ -138,7 +139,8 @@ fn normal_force() -> Vec<Claim> {
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
-            .corrected(r"N = \frac{I_f \ddot{\phi}}{R}", PHI_AS_THETA),
+            .corrected(r"N = \frac{I_f \ddot{\phi}}{R}", PHI_AS_THETA)
+            .in_places(2),
         at("2nd display of N before Eq. (1-13)")
             .equation("meyer.normal-force.substituted", SUBSTITUTED, "normal force with Eq. (1-8) and R substituted")
             .proven_by(mechanism)
@@ -162,7 +164,7 @@ fn substituted() -> Vec<Claim> {
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
-            .corrected(FRICTION_SUBSTITUTED_CORRECTED, HALF_POWERS),
+            .corrected(FRICTION_SUBSTITUTED_CORRECTED, HALF_POWERS).in_places(2),
         at("Eq. (1-14)")
             .equation("meyer.eq-1-14", FRICTION_OF_MOTION, "friction torque from the motion of the driver alone")
             .proven_by(mechanism)
@@ -276,7 +278,7 @@ fn as_size(tex: &str) -> Option<bool> {
 
 /// A drawing of which the copy has only the caption.
 fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    let reason = "The copy we had does not contain the drawing. We list what the text reads off it as claims of their \
-                  own";
+    let reason = "The copy we had does not contain the drawing. What the text reads off the drawing is in claims of \
+                  its own";
     at(locator).figure(id, printed, meaning).missing(reason)
 }

@@ -84,26 +84,28 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series().count(),
                 format!(
-                    "with a million times the torque of the tables and four times as much, the rise time goes as the \
+                    "from a million times the torque of the tables to four million times, the rise time goes as the \
                      power {:.6} of the torque, with every mechanism and friction of the runs",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as("From some torque on, more torque does not shorten the rise.")
+        .read_as("We read the sentence in this way: from some torque on, more torque does not shorten the rise.")
         .corrected(
-            "fall without end, as the inverse of the root of the torque, so that every increase reduces it",
+            "fall without end, as the inverse of the root of the torque, so that every increase of the torque reduces \
+             the rise time",
             Slip {
                 id: "",
-                reason: "Eq. (1-19) stays the same for a larger torque if all times are shortened by the root of the \
-                         torque. The inertias set the scale of the times, √(I_f/K), which falls as far as we like as \
-                         K grows. So there is no least time.",
-                witness: "We prove the law of similarity for the equation, and we refute it when the times are not \
-                          changed.",
+                reason: "If the torque grows and all times shrink as the inverse of its root, Eq. (1-19) stays the \
+                         same. All times are in proportion to √(I_f/K), where I_f is the follower's inertia and K the \
+                         torque, and this root falls as far as we like as K grows. So there is no least time.",
+                witness: "We prove the law of similarity for the equation. We also show that the law fails if the \
+                          times are not changed.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,
-                changes: "A stronger spring always shortens the rise. With four times the torque it halves.",
+                changes: "A stronger spring always shortens the rise. With four times the torque, the rise is half as \
+                          long.",
             },
         )
 }
@@ -118,10 +120,10 @@ fn graphs() -> Vec<Claim> {
                 "the rise time that is drawn ends at 99 per cent of the terminal velocity",
             )
             .missing(
-                "The copy we had does not contain the curves, and the thesis does not say of which velocity it is 99 \
-                 per cent. If it means the velocity at each angle, you get one rise time, and if it means the average of \
-                 peak and minimum, you get another. No definition that we tried reproduces even half of the rise times of Appendix E, of which the \
-                 figures are the summary",
+                "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \
+                 cent refer to. If they refer to the velocity at each angle, you get one rise time, and if they refer \
+                 to the average of peak and minimum, you get another. No definition that we tried reproduces even half \
+                 of the rise times of Appendix E, of which the figures are the summary",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),

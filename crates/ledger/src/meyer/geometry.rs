@@ -53,15 +53,15 @@ fn conditions() -> Vec<Claim> {
             .statement(
                 "meyer.always-engaged",
                 "at least one pin",
-                "as an escapement it needs a pin engaged at every instant",
+                "as an escapement, the mechanism needs a pin engaged at every instant",
             )
             .missing(
-                "The thesis does not say whether such an escapement needs a pin at every instant, or whether this one \
-                 shall have it. Without a pin the follower rests. The text calls such intermittent motion \
-                 undesirable, not impossible. If the sentence only states what the designer chose, there is nothing \
-                 to test. As a need it would be false. If some of the pins are \
-                 taken away, and the follower is held between two engagements, each of the three mechanisms comes to \
-                 a steady speed too, with each friction of the runs",
+                "The thesis does not say whether every such escapement needs an engaged pin at every instant, or only \
+                 that this design shall have one. Without an engaged pin the follower rests. The text calls such \
+                 intermittent motion undesirable, not impossible. If the sentence only states what the designer \
+                 chose, there is nothing to test. If the sentence states a need, it would be false. With some of the \
+                 pins taken away, and the follower held between two engagements, each of the three mechanisms comes \
+                 to a steady speed too, with each friction of the runs",
             ),
         at("Fig. 3, caption")
             .figure("meyer.fig-3", "four pin, four slot", "the mechanism that is drawn has four pins and four slots")

@@ -18,8 +18,8 @@ pub fn along_the_slot() -> Claim {
         .statement(
             "meyer.along-the-slot",
             "along the centerline",
-            "for the motion to be continuous, the pin's velocity must be along the slot's centre line as it enters \
-             and leaves",
+            "for the motion to be continuous, the pin's velocity must be along the slot's centre line as the pin \
+             enters and leaves",
         )
         .by(Series, entry_by_series)
         .by(Vectors, entry_by_places)
@@ -33,11 +33,12 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "To work means to reach a terminal velocity, as in the first conclusion. We count a pair of pins and \
-    slots as a configuration if each pin takes over from the one before without a gap, as chapter I requires. We \
-    tested whether the motion reaches a terminal velocity for all pairs of up to eight pins and eight slots, with the frictions of the runs and the inertias \
-                   of the runs with six pins. (With other inertias and more friction some pairs have none, and this \
-                   goes for the three as well.)";
+    let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. We count numbers of pins \
+                   and slots as a configuration if each pin takes over from the pin before without a gap, as chapter I \
+                   requires. We tested whether the motion reaches a terminal velocity for all configurations of up to \
+                   eight pins and eight slots, with the frictions of the runs and the inertias of the runs with six \
+                   pins. (With other inertias and more friction, some configurations have no terminal velocity, and \
+                   this is true of the thesis's three as well.)";
     vec![
         at(locator)
             .statement(
@@ -49,15 +50,15 @@ pub fn conclusion() -> Vec<Claim> {
             .by(RungeKutta, |stated| said_of_pairs(stated, STEPS_TO, works_by_steps))
             .read_as(reading)
             .corrected(
-                "All geometrical configurations with 1/m + 2/n < 1 and inertias that suit the friction, of which only \
-                 three have the follower at rest at each hand-over",
+                "All geometrical configurations of m pins and n slots with 1/m + 2/n < 1 and inertias that suit the \
+                 friction, of which only three have the follower at rest at each hand-over",
                 ENTRY_ALONG_THE_SLOT,
             ),
         at(locator)
             .statement(
                 "meyer.conclusion.the-three",
                 "three pin / six slot mechanism; the four pin / four slot mechanism; and the six pin / three slot",
-                "the three that are named do work",
+                "the three mechanisms that the conclusion names do work",
             )
             .by(ClosedForm, |stated| named_work(stated, works_by_formula))
             .by(RungeKutta, |stated| named_work(stated, works_by_steps))
@@ -239,12 +240,14 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     let working = pairs().filter(|&(pins, slots)| works(pins, slots)).count();
     let other = pairs().find(|&(pins, slots)| works(pins, slots) != said(pins, slots));
     let resting = pairs().filter(|(pins, slots)| 2 * (pins + slots) == pins * slots).count();
-    let but = other
-        .map_or(String::new(), |(pins, slots)| format!("; the claim is wrong about {pins} pins and {slots} slots"));
+    let but = other.map_or(String::new(), |(pins, slots)| {
+        format!("; the claim is wrong, for example, about {pins} pins with {slots} slots")
+    });
     Finding::new(
         other.is_none(),
         format!(
-            "of the pairs up to {most} pins and slots {working} work, and {resting} have the follower at rest{but}"
+            "of the configurations with up to {most} pins and {most} slots, {working} work, and {resting} have the \
+             follower at rest at the hand-over{but}"
         ),
     )
 }

@@ -202,18 +202,20 @@ fn estimate() -> Vec<Claim> {
             .by(ClosedForm, || data().map_or(f64::NAN, |data| MILLIONTHS * disc(data.diameter, data.thickness)))
             .by(LimitCase, || {
                 // A disc is a ring without a hole: half of its mass times the square of its radius.
-                let Some(data) = data() else { return f64::NAN };
-                let weight = steel() * data.thickness * PI * data.diameter * data.diameter / 4.0;
-                MILLIONTHS * weight / data.gravity / 2.0 * data.diameter * data.diameter / 4.0
+                let Some(Data { density, gravity, diameter, thickness }) = data_of_the_sentences() else {
+                    return f64::NAN;
+                };
+                let weight = density * thickness * PI * diameter * diameter / 4.0;
+                MILLIONTHS * weight / gravity / 2.0 * diameter * diameter / 4.0
             })
             .corrected(
                 "0.45",
                 Slip {
                     id: "",
-                    reason: "The numbers of the display before give a little less than 0.45, which to one digit is \
-                             0.4. The thesis writes “approximately equal” here, and its next sentence says “about”. But here, as everywhere, we \
-                             judge the digit that is printed.",
-                    witness: "Half of the disc's mass times the square of its radius.",
+                    reason: "The numbers of the display before this one give a little less than 0.45, which to one \
+                             digit is 0.4. The thesis writes “approximately equal” here, and its next sentence says \
+                             “about”. But here, as everywhere, we judge the digit that is printed.",
+                    witness: "We computed half of the disc's mass times the square of its radius.",
                     origin: Origin::Arithmetic,
                     consequence: Consequence::Number,
                     changes: "",
@@ -256,11 +258,10 @@ fn holds_for_a_disc(tex: &str) -> Option<bool> {
 
 /// Whether the estimate of the moment of inertia holds for the numbers of the text around it, in units of any size.
 fn holds_for_the_estimate(tex: &str) -> Option<bool> {
-    let [diameter, thickness] = sizes(Stated::right(characters("meyer.like-discs")));
-    let gravity = characters("meyer.gravity").split(' ').next()?.parse::<f64>().ok()?;
+    let Data { density, gravity, diameter, thickness } = data_of_the_sentences()?;
     let (inch, pound, second) = (2.0, 3.0, 5.0);
     // By discs of so many inches, in pounds, seconds and inches.
-    let inertia = of_rings(steel() / gravity, diameter / 2.0, thickness) * pound * second * second * inch;
+    let inertia = of_rings(density / gravity, diameter / 2.0, thickness) * pound * second * second * inch;
     let letters = [("in", inch), ("lb", pound), ("sec", second), ("I", inertia)];
     let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
     reading::holds(tex, &[reading::Moment::of(letters)])
@@ -318,6 +319,13 @@ fn data() -> Option<Data> {
     let number = |at: usize| tokens.get(at)?.parse::<f64>().ok();
     // The first number stands behind a bare point: three digits of it.
     Some(Data { density: number(2)? / 1000.0, gravity: number(3)?, diameter: number(5)?, thickness: number(8)? })
+}
+
+/// The data as the sentences around the estimate state them.
+fn data_of_the_sentences() -> Option<Data> {
+    let [diameter, thickness] = sizes(Stated::right(characters("meyer.like-discs")));
+    let gravity = characters("meyer.gravity").split(' ').next()?.parse::<f64>().ok()?;
+    Some(Data { density: steel(), gravity, diameter, thickness })
 }
 
 /// The number of the paragraph before the estimate; it begins with its point.

@@ -100,7 +100,8 @@ fn together() -> Vec<Claim> {
                     r"\theta)^2} \ddot{\theta} \right|"
                 ),
                 LOST_BARS,
-            ),
+            )
+            .in_places(2),
         at("Eq. (1-18), 1st line")
             .equation(
                 EQUATION_OF_MOTION[0],
@@ -132,7 +133,8 @@ fn together() -> Vec<Claim> {
                     r"\theta)^2} \ddot{\theta} \right| = \frac{K}{I_f}"
                 ),
                 LOST_BARS,
-            ),
+            )
+            .in_places(2),
     ]
 }
 
@@ -156,7 +158,8 @@ fn factors() -> Vec<Claim> {
                      so does the program. The letters of a and cos run together here, as they do in the next three \
                      displays.",
                 ),
-            ),
+            )
+            .in_places(5),
         arc(
             "meyer.factor-b",
             "2nd substitution before Eq. (1-19)",
@@ -167,14 +170,16 @@ fn factors() -> Vec<Claim> {
                 r"\right]"
             ),
             r"B = \left[ \frac{a(1-a^2)\sin\theta(a\cos\theta-1)}{(1+a^2-2a\cos\theta)^3} \right]",
-        ),
+        )
+        .in_places(4),
         arc(
             "meyer.factor-c",
             "3rd substitution before Eq. (1-19)",
             "C, the factor of the square of the speed between the bars",
             r"C = \left[ \mu \frac{a^2 \sin^2 \theta (1-a^2)}{(1+a^2-2\text{acos}\theta)^3} \right]",
             r"C = \left[ \mu \frac{a^2 \sin^2 \theta (1-a^2)}{(1+a^2-2a\cos\theta)^3} \right]",
-        ),
+        )
+        .in_places(2),
         arc(
             "meyer.factor-d",
             "4th substitution before Eq. (1-19)",
@@ -184,7 +189,8 @@ fn factors() -> Vec<Claim> {
                 r"(\text{acos}\theta-1)}{(1+a^2-2\text{acos}\theta)^2} \right]"
             ),
             r"D = \left[ \mu \frac{a \sin \theta (a\cos\theta-1)}{(1+a^2-2a\cos\theta)^2} \right]",
-        ),
+        )
+        .in_places(4),
         at("5th substitution before Eq. (1-19)")
             .equation("meyer.factor-e", r"E = \frac{K}{I_f}", "E, what drives")
             .proven_by(mechanism)

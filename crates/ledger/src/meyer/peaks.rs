@@ -18,15 +18,18 @@ const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 /// The driver's peaks are put where a pin enters and the next one leaves.
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
-    reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the \
-             pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D. It is zero at one \
-             speed only, and the steady speed at entry is a different one in every run. How far the peak is from the \
-             entry depends on the ratio of the inertias. In the runs of six pins the driver is heavy, and the peak \
-             follows so soon that it is no more than a unit of the tables higher. In the runs of four and three pins \
-             the driver is light. There the friction exceeds the spring already before the pin leaves, while the pin \
-             bears on the trailing flank, and the peak comes before that. With two discs that are alike, which is the \
-             thesis's own estimate, all three drivers are fastest within three degrees past the entry, where they \
-             have 98 per cent of that speed or more. For these drivers the sentence is nearly right.",
+    reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the pin \
+             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the \
+             friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
+             distance a in crank radii. This acceleration is zero at one speed only, and in every run the steady speed \
+             at entry is a different one. How far the peak is from the entry depends on the ratio of the inertias. In \
+             the runs of six pins the driver is heavy, and the peak follows so soon after the entry that the peak is \
+             higher than the speed at entry by one unit of the tables at most. In the runs of four and three pins the \
+             driver is light. While the pin still bears on the trailing flank, the friction already exceeds the \
+             spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as in \
+             the thesis's own estimate of the inertias, all three drivers are fastest within three degrees past the \
+             entry. At the entry they already have 98 per cent of that speed or more, so for these drivers the \
+             sentence is nearly right.",
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
@@ -37,17 +40,19 @@ const PEAKS_AT_ENTRY: Slip = Slip {
 /// The extremes between two peaks are put on the line of centres.
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
-    reason: "On the line of centres the pin does not slide, so the spring acts unbraked: A θ'' = E, and θ'' is \
-             positive. The driver therefore has its minimum before that line. On the line the follower turns at the \
-             greatest multiple of the driver's speed, so φ'' is as many times θ'' and is positive as well. The \
-             follower is fastest where the pin goes over to the trailing flank of its slot. In the runs of six and \
-             four pins the driver's minimum is so flat that on the line of centres its speed is above the minimum by \
-             less than a unit of the tables. In some runs of three pins the speed there is above it by more, and in \
-             all runs the follower's speed there is below its maximum by more too.",
+    reason: "On the line of centres the pin does not slide, so the spring acts unbraked. By Eq. (1-19), A θ'' = E \
+             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver therefore has its \
+             minimum before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
+             the follower's acceleration φ'' is this ratio times θ'' and is positive as well. The follower is fastest \
+             where the pin goes over to the trailing flank of its slot. In the runs of six and four pins the driver's \
+             minimum is so flat that its speed on the line of centres is above the minimum by less than a unit of the \
+             tables. In some runs of three pins, the driver's speed on the line is above the minimum by more than a \
+             unit. In all runs, the follower's speed on the line is below its maximum by more than a unit.",
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "The follower goes on to gain speed past the line of centres, and the driver gains some speed before it.",
+    changes: "The follower goes on to gain speed past the line of centres, and the driver already gains some speed \
+              before that line.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -179,8 +184,8 @@ fn at_the_centres() -> Vec<Claim> {
                 extremes(stated, all.collect(), rows().len())
             })
             .read_as(
-                "We take every run, in steady motion. An extreme is on the line of centres if the speed there is the \
-                 speed of the extreme, to one unit of the tables' speeds.",
+                "We take every run, in steady motion. An extreme counts as on the line of centres if the speed on the \
+                 line is the extreme speed, to one unit of the tables' speeds.",
             )
             .corrected(
                 "the driver velocity is a minimum 0.48 to 5.8° earlier, and on the line it is up to 2.1 rad/s greater; the \
@@ -276,9 +281,9 @@ fn increases(stated: Stated, found: Vec<Peak>) -> Finding {
     Finding::new(
         !found.is_empty() && stated.pick(rounds_to(&said, stated), rising == found.len()),
         format!(
-            "in {rising} of {} motions it rises all the way, to one unit of the tables; with six pins it falls back \
-             by up to {:.2} rad/s on the way, and with four and three pins it falls from {:.2} to {:.2}° before the \
-             exit on",
+            "in {rising} of {} motions the speed rises all the way, to one unit of the tables. With six pins it falls \
+             back by up to {:.2} rad/s on the way. With four and three pins it begins to fall {:.2} to {:.2}° before \
+             the exit",
             found.len(),
             said[1],
             said[4],
@@ -300,8 +305,8 @@ fn beside_the_hand_over(
         .by(Quadrature, move |stated| peaks(stated, all_peaks(), with_dip))
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
-            "We take every run, in steady motion. A peak is at entry or exit if the driver is as fast there, to one \
-             unit of the tables' speeds.",
+            "We take every run, in steady motion. A peak counts as at entry or exit if the driver's speed there is \
+             the peak speed, to one unit of the tables' speeds.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }
@@ -438,9 +443,9 @@ fn extremes(stated: Stated, found: Vec<Middle>, count: usize) -> Finding {
     Finding::new(
         holds && found.len() == count,
         format!(
-            "the driver is slowest {:.2} to {:.2}° before the line, and on the line in {} of {count} runs it is as \
-             slow to a unit of the tables; the follower is fastest {:.1} to {:.1}° past the line, and on the line in \
-             {} runs it is as fast",
+            "the driver is slowest {:.2} to {:.2}° before the line of centres, and in {} of {count} runs its speed on \
+             the line is this minimum, to one unit of the tables. The follower is fastest {:.1} to {:.1}° past the \
+             line, and in {} runs its speed on the line is this maximum",
             before[0],
             before[1],
             there(0),

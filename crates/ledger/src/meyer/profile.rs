@@ -9,6 +9,7 @@ use super::terms::Start;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::Stated;
+use crate::agreement::joined;
 use geneva_dynamics::steady::{Engagement, SteadyState};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -30,9 +31,10 @@ pub fn claims() -> Vec<Claim> {
         scales(),
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
             "The text does not name the run. In the four-pin runs of the tables the velocity is steady only after 29 \
-             ms or more, by either reading, and no row has this time. The first minima of two of these runs round to \
-             it, but the rise times of the two are longer by half or more. Besides, the run that is drawn need not be \
-             one of the runs of the tables",
+             ms or more, whether we go by the velocity at each angle or by the average of peak and minimum, and no row \
+             has the 25 ms that the text gives. The first minima of two of these runs are at times that round to 25 \
+             ms, but the rise times of these two runs are longer by half or more. Besides, the run that is drawn need \
+             not be one of the runs of the tables",
         ),
         first_minimum(),
     ]
@@ -59,9 +61,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "As printed, we ask only that with each mechanism the curve goes up and down equally often in all runs, \
-             as far as one unit of the tables lets us see. That is the least that a shape can mean. In the \
-             correction, the shape is how deep the minimum is, and how high the speed at entry, relative to the peak.",
+            "Of the printed sentence, we ask only that with each mechanism the curve goes up and down equally often in \
+             all runs, as far as we can see this in whole units of the tables. That is the least that a shape can \
+             mean. In the correction, the shape is how deep the minimum is, and how high the speed at entry is, both \
+             relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",
@@ -69,15 +72,13 @@ fn shape() -> Claim {
                 id: "",
                 reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \
                          change how deep the minimum is relative to the peak and how fast a pin enters. They even \
-                         change how often the curve goes up and down in an engagement. With six pins and little \
-                         friction the second rise after an entry is too small to be seen in the tables' units, but \
-                         with more friction it is not. The tables themselves have curves that are no copies of each \
-                         other, because with four pins a least speed of 25 goes with a peak of 206 and also with a \
-                         peak of 163.",
-                witness: "Motions computed in steps of the angle.",
+                         change how often the curve goes up and down in an engagement. With six pins the speed dips shortly before the hand-over and rises again until just after it. With little friction this second rise is too small to be seen in the tables' units, but with more friction it can be seen. The tables themselves have curves that are no copies of \
+                         each other: with four pins, one run has a least speed of 25 and a peak of 206, and another \
+                         has the same least speed but a peak of 163.",
+                witness: "We computed the motions in steps of the angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
-                changes: "Only curves of different torques are copies of one another.",
+                changes: "Two curves are copies of one another only if nothing but the torque is different.",
             },
         )
 }
@@ -123,22 +124,24 @@ fn first_minimum() -> Claim {
         achieved(stated, &groups().iter().filter_map(lacks).collect::<Vec<_>>(), groups().len())
     })
     .read_as(
-        "We take all runs, as the sentence before says. Steady means within one per cent, as for the rise time. If we \
-         take only the four-pin run of Fig. 8, the claim fails too, whichever run of the tables that is.",
+        "We take all runs, as the sentence before this one in the thesis says. Steady means within one per cent, as \
+         for the rise time. If we take only the four-pin run of Fig. 8, the claim fails too, whichever run of the \
+         tables that is.",
     )
     .corrected(
         "at the first minimum in velocity, the driver is still slower by 1.8 to 28 per cent than at the minimum of its \
          steady state",
         Slip {
             id: "",
-            reason: "The first minimum belongs to an engagement that begins at rest. It is too low in every run, and \
-                     the less the friction, the lower it is. In a few runs it is within a unit of the tables of the \
-                     steady minimum, because the speeds have no decimals.",
-            witness: "Motions computed in steps of the angle.",
+            reason: "The first minimum belongs to an engagement that begins at rest. In every run it is lower than the \
+                     minimum of the steady state, and the less the friction, the lower it is. In a few runs the \
+                     difference is one unit of the tables or less, so the tables, whose speeds have no decimals, \
+                     hardly show it.",
+            witness: "We computed the motions in steps of the angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
-            changes: "The first minimum is no measure of the rise time. The text takes a rise time from it, which is \
-                      the time of a first minimum. We leave that rise time open, because its run is not named.",
+            changes: "The time of the first minimum is no measure of the rise time, although the text takes a rise \
+                      time from it. We leave that rise time open, because its run is not named.",
         },
     )
 }
@@ -157,8 +160,8 @@ fn achieved(stated: Stated, lacks: &[f64], count: usize) -> Finding {
     Finding::new(
         lacks.len() == count && stated.pick(as_said(), steady == count),
         format!(
-            "in {steady} of {count} motions the first minimum agrees with the steady minimum to one per cent; it is \
-             {:.1} to {:.1} per cent too low",
+            "in {steady} of {count} motions the first minimum agrees with the steady minimum to one per cent; the \
+             first minimum is {:.1} to {:.1} per cent too low",
             100.0 * least,
             100.0 * most
         ),
@@ -194,16 +197,18 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
     let counts =
         Mechanism::ALL.map(|mechanism| rows_of(mechanism).filter_map(|row| swings(&speeds(row)?)).collect::<Vec<_>>());
     let same = |own: &Vec<usize>| own.first().is_some_and(|first| own.iter().all(|count| count == first));
-    let ranges: Vec<String> = counts
+    let times = |own: &Vec<usize>| match [own.iter().min(), own.iter().max()].map(|end| end.copied().unwrap_or(0)) {
+        [least, most] if least == most => least.to_string(),
+        [least, most] => format!("{least} to {most}"),
+    };
+    let each: Vec<String> = Mechanism::ALL
         .iter()
-        .map(|own| format!("{} to {}", own.iter().min().unwrap_or(&0), own.iter().max().unwrap_or(&0)))
+        .zip(&counts)
+        .map(|(at, own)| format!("{} times with {} pins", times(own), at.pins()))
         .collect();
     Finding::new(
         counts.iter().all(same),
-        format!(
-            "with six, four and three pins the driver's speed turns from rising to falling, or back, {} times",
-            ranges.join(", ")
-        ),
+        format!("in a cycle, the driver's speed turns from rising to falling, or back, {}", joined(&each)),
     )
 }
 

@@ -70,7 +70,7 @@ fn cyclic_oscillations() -> Claim {
         .by(Quadrature, |stated| {
             // The motion of the mechanism, looked at as often as lines are printed, or fifty times as often.
             let interval = runs::interval() * stated.pick(1.0, 0.02);
-            swinging(&|row| {
+            swinging(looked_at(stated), &|row| {
                 let of = with(row, EXCESSIVE, 1.0)?;
                 let lines = of.run(interval, runs::listing().duration).ok()?;
                 Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
@@ -79,17 +79,18 @@ fn cyclic_oscillations() -> Claim {
         .by(RungeKutta, |stated| {
             // The program with its reset angle, its lagged sign and its own π, printing as often.
             let interval = runs::interval() * stated.pick(1.0, 0.02);
-            swinging(&|row| {
+            swinging(looked_at(stated), &|row| {
                 let program = Program { torque: EXCESSIVE * row.torque(), ..Hypothesis::AS_RUN.program(row)? };
                 let lines = program.run(&Listing { interval, ..runs::listing() }.integrator()).ok()?.lines;
                 Some(lines.iter().map(|line| ((line.turned / program.reset) as usize, line.speed)).collect())
             })
         })
         .read_as(
-            "Excessively high means ten times the greatest torque that the tables have for a mechanism and a \
-             friction. Significant means that the greatest and the least peak differ by one unit of the tables' \
-             peaks, 1 rad/s, or more once the rise is over. By this reading the printed velocities of all groups \
-             swing from about five times that torque on. With three times that torque, not all of them do.",
+            "“Excessively high” means ten times the greatest torque that the tables have for a mechanism and a \
+             friction. “Significant” means that, once the rise is over, the greatest and the least peak differ by 1 \
+             rad/s or more, which is one unit of the tables' peaks. In this sense the printed velocities of all groups \
+             of runs swing from about five times that greatest torque on. With three times that torque, not all groups \
+             swing.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \
@@ -104,12 +105,17 @@ const EXCESSIVE: f64 = 10.0;
 /// Engagements by which a rise is over.
 const RISEN: usize = 8;
 
+/// Which lines are looked at: those of the print-out for its peaks, and closer ones for the peaks of the motion.
+fn looked_at(stated: Stated) -> &'static str {
+    stated.pick("lines as far apart as the printed ones", "lines much closer together than the printed ones")
+}
+
 /// The engagements and speeds of a run's lines.
 type Lines = Vec<(usize, f64)>;
 
 /// Whether the greatest speeds on the lines of successive engagements differ by a unit of the tables or more, in all
-/// groups of runs, each with an excessive torque.
-fn swinging(lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
+/// groups of runs, each with an excessive torque; with words for the lines.
+fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
     let swings = series().filter_map(|own| {
         let lines = lines(own.last()?)?;
         // The last engagement may be cut short.
@@ -128,7 +134,8 @@ fn swinging(lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
     Finding::new(
         swings.len() == series().count() && least >= 1.0,
         format!(
-            "from line to line the peaks differ by {least:.2} to {most:.2} rad/s in {} groups of runs",
+            "on {lines_of}, the greatest and the least peak of a run differ by {least:.2} to {most:.2} rad/s in {} \
+             groups of runs",
             swings.len()
         ),
     )
@@ -141,7 +148,7 @@ mod tests {
     #[test]
     fn from_five_times_the_greatest_torque_on_the_printed_peaks_of_all_groups_swing_and_with_three_times_not() {
         for (times, expected) in [(3.0, false), (5.0, true), (7.0, true), (30.0, true)] {
-            let found = swinging(&|row| {
+            let found = swinging("the printed lines", &|row| {
                 let lines = with(row, times, 1.0)?.run(runs::interval(), runs::listing().duration).ok()?;
                 Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
             });

@@ -32,7 +32,7 @@ fn quantity() -> Vec<Claim> {
         FLAW.statement(
             "meyer.possible-flaw",
             "one possible flaw",
-            "the equation of motion, as it is written, divides by one thing that could be zero",
+            "the equation of motion, as it is written, divides by one quantity that could be zero",
         )
         .by(OtherPlaceInSource, |stated| {
             let solved = stated.pick(None, Some("meyer.app-b.solved"));
@@ -121,7 +121,7 @@ fn quantity() -> Vec<Claim> {
             .equation(
                 "meyer.singularity.assumed",
                 r"1 + a^2 - 2a \cos \theta_\infty = 0",
-                "condition for an angle at which this quantity would be zero",
+                "condition for an angle at which 1 + a² − 2a cos θ would be zero",
             )
             .proven(SingularAngle)
             .read(ClosedForm, with_imaginary_angles),
@@ -129,7 +129,7 @@ fn quantity() -> Vec<Claim> {
             .equation(
                 "meyer.singularity.angle",
                 r"\theta_\infty = \cos^{-1} \left(\frac{1 + a^2}{2a} \right)",
-                "the angle at which this quantity would be zero",
+                "the angle at which 1 + a² − 2a cos θ would be zero",
             )
             .proven(SingularAngle)
             .read(ClosedForm, with_imaginary_angles),
@@ -168,7 +168,7 @@ fn bounds() -> Vec<Claim> {
             r"(a - 1)^2 \leq 0",
         ),
         at("Line after the inequalities")
-            .statement("meyer.singularity.only-one", "a = 1", "only a ratio of one allows it")
+            .statement("meyer.singularity.only-one", "a = 1", "1 + a² − 2a cos θ can be zero only for a ratio of one")
             .by(ClosedForm, |stated| {
                 let square = characters("meyer.singularity.square");
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();

@@ -5,11 +5,12 @@ use crate::{Consequence, Origin, Slip};
 /// The program puts the driver back after a quarter of a turn, whatever the number of pins.
 pub const RESET_ANGLE: Slip = Slip {
     id: "meyer.listing.fold",
-    reason: "The next pin takes over after the driver has turned by 2π/m. That is 90° for four pins, but 60° for six \
-             and 120° for three. With 90°, the pin of the mechanism with six is followed to 60°, which is 30° beyond \
-             the end of its slot, and the pin of the mechanism with three is dropped at 30° while the follower turns.",
-    witness: "Of all pins by their coordinates, the pin nearest to the follower's axis is where the corrected angle \
-              says.",
+    reason: "The next pin takes over after the driver has turned by 2π/m, where m is the number of pins. That is 90° \
+             for four pins, but 60° for six and 120° for three. With 90°, the program follows a pin of the six-pin \
+             mechanism to 60°, although the pin leaves its slot at 30°. In the three-pin mechanism the program drops \
+             the pin at 30°, while the follower still turns.",
+    witness: "We computed all pins by coordinates, and the pin nearest to the follower's axis is at the corrected \
+              angle.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The tables for six and three pins describe no mechanism, and neither do the curves drawn from them.",
@@ -18,22 +19,23 @@ pub const RESET_ANGLE: Slip = Slip {
 /// The inertias of the six-pin runs are swapped in the heading.
 pub const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
-    reason: "The heading has the two members swapped, compared with Fig. 11. Only Fig. 11's choice gives the table's \
-             peaks, minima and periods.",
-    witness: "Fig. 11 prints the two swapped, and it agrees with the inertias that we find from the table's results \
-              by two routes.",
+    reason: "Compared with Fig. 11, the heading swaps the inertias of driver and follower. Only Fig. 11's choice \
+             gives the table's peaks, minima and periods.",
+    witness: "Fig. 11 gives the driver the heading's inertia of the follower, and the follower the heading's inertia \
+              of the driver. These two values agree with the inertias that we find from the table's results by two \
+              routes.",
     origin: Origin::Misprint,
     consequence: Consequence::Result,
-    changes: "If you recompute the table with the inertias of its heading, you do not get its numbers.",
+    changes: "If you recompute the table with the inertias of its heading, you do not get the table's numbers.",
 };
 
 /// The spring's torque is called a rate.
 pub const SPRING_RATE: Slip = Slip {
     id: "meyer.spring-rate",
-    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle, and the text uses it so. But a \
-             rate of a spring is a torque for each radian of winding. An inch-pound per radian can be read as a \
-             torque, the work done per radian, so only the word is wrong.",
-    witness: "In Eq. (1-18) and in the program K stands alone in a place where a torque must stand.",
+    reason: "By Eq. (1-15) the torque of the spring is K itself, whatever the angle, and the text uses K in this way. \
+             But a spring rate is a torque for each radian of winding. Inch-pounds per radian can be read as a torque, \
+             because a torque is the work done per radian, so only the word “rate” is wrong.",
+    witness: "In Eq. (1-18) and in the program, K alone is in a place that needs a torque.",
     origin: Origin::Misprint,
     consequence: Consequence::Wording,
     changes: "",
@@ -42,10 +44,10 @@ pub const SPRING_RATE: Slip = Slip {
 /// The exponent 3/2 is printed for other half powers.
 pub const HALF_POWERS: Slip = Slip {
     id: "meyer.normal-force.substituted",
-    reason: "R has the power 1/2, and two whole powers and a half make 5/2. Three displays in a row have 3/2 for \
-             both. We cannot tell whether the typist or the copy put it there. We count it as the copy's mistake, \
-             because 1/2 is right in the two displays of R just before, and because Eq. (1-14), just after, has the \
-             powers that only the right ones give.",
+    reason: "R has the power 1/2, and two whole powers and a half make 5/2. Three displays in a row print 3/2 in \
+             place of both powers. We cannot tell whether the typist or the copy put it there. We count it as the \
+             copy's mistake, because 1/2 is right in the two displays of R just before, and because Eq. (1-14), just \
+             after, has powers that only the right powers give.",
     witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members, but the \
               printed ones do not.",
     origin: Origin::Copy,
@@ -68,7 +70,7 @@ pub const DRIVER_INDEX: Slip = Slip {
 /// The square of a cos θ − 1 is missing twice in a row.
 pub const MISSING_SQUARE: Slip = Slip {
     id: "meyer.eq-1-17",
-    reason: "The factor of the driver's acceleration is the factor of the line before, where the bracket is squared, \
+    reason: "The factor of the driver's acceleration is the same as in the line before, where the bracket is squared, \
              and Eq. (1-18) has the square again. The square is missing in two displays, and the second of them is \
              put together from the first. We cannot tell whether the typist or the copy lost it. We count it as the \
              copy's mistake, because the square is right in the displays before and after these.",
@@ -82,10 +84,10 @@ pub const MISSING_SQUARE: Slip = Slip {
 /// Bars that are lost.
 pub const LOST_BARS: Slip = Slip {
     id: "meyer.parts-put-in.second-line",
-    reason: "Friction stands between bars in Eq. (1-14), before, and in Eq. (1-19), after. In two displays brackets \
-             stand in their place, and brackets and bars look much alike. In Appendix B the bars are gone, and two \
-             dots with them, just where the text goes on to say how the bars are dealt with. Without the bars \
-             friction would drive the mechanism wherever the pin presses on the other flank.",
+    reason: "Eq. (1-14), before these displays, and Eq. (1-19), after them, have the friction between bars. Two \
+             displays have brackets instead, and brackets look much like bars. In Appendix B the bars and two dots \
+             are gone, just where the text goes on to say how it deals with the bars. Without the bars friction would \
+             drive the mechanism wherever the pin presses on the other flank.",
     witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members, but the \
               printed ones do not.",
     origin: Origin::Copy,
@@ -108,11 +110,11 @@ pub const ARC: Slip = Slip {
 /// One dot is printed for two.
 pub const LOST_DOTS: Slip = Slip {
     id: "meyer.app-b.example",
-    reason: "A second derivative has lost one of its two dots. In the example the text asks for the derivative of the \
-             highest order, and the program computes the second derivative. In Appendix D the factor D belongs to the \
-             acceleration, as in Eq. (1-19), and the speed is zero.",
-    witness: "The corrected characters, read and evaluated, hold for a vibration, and those of Appendix D agree with \
-              Eq. (1-19). The printed characters do not.",
+    reason: "A second derivative has lost one of its two dots. In the example, the text asks for the derivative of \
+             the highest order, which the program computes as a second derivative. In Appendix D the factor D belongs \
+             to the acceleration, as in Eq. (1-19), and the speed is zero.",
+    witness: "We read and evaluated the corrected characters. The example holds for a vibration, and Appendix D \
+              agrees with Eq. (1-19). With the printed characters neither does.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",
@@ -132,10 +134,10 @@ pub const ONE_AS_L: Slip = Slip {
 /// The equation with its bars is said to have no solution for the acceleration.
 pub const SOLVED_WITH_BARS: Slip = Slip {
     id: "meyer.app-b.cannot-be-solved",
-    reason: "Where A > |D|, as in all runs of the thesis, θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − \
-             D²). The left side of the equation then grows with θ'' throughout, so there is one solution, and the \
-             formula gives it whichever sign there is between the bars. So we need to know neither that sign nor an \
-             earlier acceleration.",
+    reason: "Where A > |D|, as in all runs of the thesis, the left side of Aθ'' + Bθ'² + |Cθ'² + Dθ''| = E grows with \
+             θ'' throughout, so there is one solution: θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − D²). \
+             This formula is right whatever the sign of the expression between the bars of the equation. So we need to \
+             know neither that sign nor an earlier acceleration.",
     witness: "With the factors from the mechanism by coordinates and Newton's laws, the formula gives the \
               acceleration that these laws require.",
     origin: Origin::Concept,
@@ -147,46 +149,49 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
 /// A number in a row that nothing explains, because neither the mechanism nor the program gives it.
 pub const UNEXPLAINED: Slip = Slip {
     id: "",
-    reason: "The reset of the program is right for four pins, so both program and mechanism should have the printed \
-             peak. But both are higher: the largest speed that the program prints by more than one and a half units of \
-             the last digit, and the mechanism's own peak, which we give as the right one, by more than two and a half. \
-             The minimum and the period of the same row fit. We do not know how the peak came to be printed.",
+    reason: "With four pins, the program resets the driver's angle correctly, so both program and mechanism should \
+             have the printed peak. But both give a higher peak. The largest speed that the program prints is higher \
+             than the printed peak by more than one and a half units of the last digit, and the mechanism's own peak, \
+             which we give as the right one, by more than two and a half units. The minimum and the period of the same \
+             row fit. We do not know how the printed peak came about.",
     witness: "The steady cycle of the mechanism, by quadrature and by Runge-Kutta steps, has a higher peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The peak of the row is too low, by more than a per cent.",
+    changes: "The printed peak of the row is too low by more than one per cent.",
 };
 
 /// The greatest printed speed is taken for the greatest.
 pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
-    reason: "The lines of a run are a print interval apart, so the peak falls between them, now nearer to one line, \
-             now farther. The stronger the spring, the shorter the peak and the more of it is missed. The peaks of \
-             the steady motion themselves are equal, and they grow as the root of the torque.",
-    witness: "The program with all its particulars shows equal peaks when it prints far more often.",
+    reason: "The print-out has one line for each print interval, so the true peak falls between two lines, sometimes \
+             nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak lasts, \
+             and the more of the peak's height the lines miss. The peaks of the steady motion themselves are equal, \
+             and they grow as the root of the torque.",
+    witness: "If the program prints far more often, with everything else as in the listing, its peaks are equal.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "There is nothing in the mechanism to investigate, because closer lines make the oscillations disappear. \
-              Printed peaks are too small where the peak is short.",
+    changes: "There is nothing in the mechanism to investigate, because the oscillations disappear if the lines of the \
+              print-out are closer together. Where the true peak lasts only a short time, the printed peak is too \
+              small.",
 };
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
 pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     id: "meyer.conclusion.three",
-    reason: "A pin strikes the slot's wall if the two have different velocities across the slot. So the pin must \
-             move along the slot if the follower is at rest, but it must not if the follower turns. The velocity \
-             ratio is an even function of the driver's angle. Therefore the leaving and the entering pin require the \
-             same speed of the follower, whatever the numbers of pins and slots, and nothing strikes (if there are \
-             enough of both to make a mechanism). For example, with five pins, five slots and a centre distance of \
-             the golden ratio times the crank radius, one pin takes over from the one before without a blow although \
-             the follower never stops. Eq. (1-3) says which mechanisms have the follower at rest at each hand-over, \
-             and there are three.",
-    witness: "Pins and slots by coordinates, and the motion of the other pairs in steps, with friction. This motion \
-              reaches a terminal velocity.",
+    reason: "A pin strikes the slot's wall if pin and wall have different velocities across the slot. So if the \
+             follower is at rest, the pin must move along the slot. But if the follower turns, the pin must move \
+             across the slot as fast as the wall does. The velocity ratio is an even function of the driver's angle. \
+             Therefore the leaving pin and the entering pin require the same speed of the follower, and nothing \
+             strikes. This holds for any numbers of pins and slots that are large enough to make a mechanism. For \
+             example, take five pins, five slots and a centre distance of the golden ratio times the crank radius. \
+             Each pin then takes over from the pin before it without a blow, although the follower never stops. Eq. \
+             (1-3) says which mechanisms have the follower at rest at each hand-over, and there are three.",
+    witness: "We checked pins and slots by coordinates. We also computed in steps, with friction, the motion of \
+              mechanisms with other numbers of pins and slots, and each of these motions reaches a terminal velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
-    changes: "There are more than three mechanisms to choose from, because in many others one pin takes over from the \
-              next without a blow.",
+    changes: "There are more than three mechanisms to choose from, because in many other mechanisms, too, each pin \
+              takes over from the pin before it without a blow.",
 };
 
 /// The follower's angle φ has become the driver's angle θ.
@@ -195,7 +200,7 @@ pub const PHI_AS_THETA: Slip = Slip {
     reason: "The follower's angle φ must stand where the copy has the driver's angle θ. In the two equations of \
              moments the index of I_f has become a P as well. We count this as a mistake of the copy, because the \
              displays around each place have φ and I_f.",
-    witness: "Angles, lengths and accelerations, measured between axes and pin at instants of all three escapements.",
+    witness: "We measured angles, lengths and accelerations between axes and pin at instants of all three escapements.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",

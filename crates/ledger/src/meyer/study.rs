@@ -67,7 +67,8 @@ pub fn of_parameters() -> Vec<Claim> {
                     [times.iter().copied().fold(f64::INFINITY, f64::min), times.iter().copied().fold(0.0, f64::max)];
                 let exactly = ends.map(f64::round) == [*bounds.start(), *bounds.end()];
                 let holds = times.len() == 5 && stated.pick(exactly, ends.iter().all(|times| bounds.contains(times)));
-                Finding::new(holds, format!("the inertias of the runs divided by the estimate are {times:.0?}"))
+                let each: Vec<String> = times.iter().map(|times| format!("{times:.0}")).collect();
+                Finding::new(holds, format!("the inertias of the runs divided by the estimate are {}", joined(&each)))
             })
             .by(Quadrature, |stated| {
                 let (bounds, times) = (factors(stated), over_estimate_by_periods());
@@ -82,20 +83,20 @@ pub fn of_parameters() -> Vec<Claim> {
                     ),
                 )
             })
-            .read_as("Somewhat means by less than a power of ten.")
+            .read_as("We read “somewhat” as less than a factor of ten.")
             .corrected(
                 "were 6 to 100 times this figure",
                 Slip {
                     id: "",
                     reason: "The least inertia of the tables is several times the estimate, and the greatest is a \
                              hundred times the estimate. We do not know how the estimate came to be printed beside \
-                             them.",
-                    witness: "Only inertias of about the tables' size give the printed periods of the four-pin \
-                              table, to a unit of their last place.",
+                             such inertias.",
+                    witness: "To within a unit of the last place, only inertias of about the tables' size give the \
+                              printed periods of the four-pin table.",
                     origin: Origin::Concept,
                     consequence: Consequence::Remark,
-                    changes: "The parts in the tables are not like the parts described, because discs as thick would \
-                              have to be more than three times as wide for the greatest inertia.",
+                    changes: "The parts behind the tables are not like the parts described. For the greatest inertia, \
+                              discs of the described thickness would have to be more than three times as wide.",
                 },
             ),
     ]

@@ -42,6 +42,10 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "t", ours: "b", meaning: "thickness of a disc" },
     Symbol { printed: "t", ours: "t", meaning: "time" },
     Symbol { printed: "h", ours: r"\Delta t", meaning: "step of the integration" },
+    Symbol { printed: "x_n, y_n", ours: "x_n, y_n", meaning: "time and state at the beginning of a step" },
+    Symbol { printed: "f_1, f_2, f_3, f_4", ours: "f_1, f_2, f_3, f_4", meaning: "slopes in a step" },
+    Symbol { printed: "x", ours: "x", meaning: "position in the example of the program" },
+    Symbol { printed: "δW", ours: r"\delta W", meaning: "virtual work" },
     Symbol { printed: "I", ours: r"k\sin\theta", meaning: "in the program; elsewhere a moment of inertia" },
 ];
 

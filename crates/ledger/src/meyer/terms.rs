@@ -71,8 +71,9 @@ pub const TERMS: [Term; 8] = [
         word: "rise time",
         known_by: &["rise time"],
         meaning: "the time from rest until the terminal velocity is reached, to one per cent. The thesis leaves open \
-                  which velocity, so both readings count: the velocity at each angle from then on, and the average of \
-                  peak and minimum of an engagement, counted to the end of that engagement",
+                  which velocity this is, so both readings count. In one, the velocity at each angle must be steady \
+                  from then on. In the other, the average of peak and minimum of an engagement must be steady, and \
+                  the time is counted to the end of that engagement",
         rests_on: "introduction, which defines it; axes of Figs. 10 and 11, for the one per cent; chapter II, paragraph on \
                    the rise time, for the steady state velocity profile and for the average",
         measure: "terms::Start::by_integrals",
@@ -98,7 +99,7 @@ pub const TERMS: [Term; 8] = [
         word: "can be used, or works, as a timing device",
         known_by: &["timing device", "timing application", "timing mechanism"],
         meaning: "started from rest, the mechanism comes to a terminal velocity. We do not ask how accurate it is",
-        rests_on: "abstract, which draws the one from the other; chapter II, first paragraph",
+        rests_on: "abstract, which concludes the use from the terminal velocity; chapter II, first paragraph",
         measure: "conclusions::settles",
         claims: &["meyer.conclusion.timing", "meyer.conclusion.three", "meyer.always-engaged"],
     },
@@ -132,7 +133,8 @@ pub const TERMS: [Term; 8] = [
         word: "is a maximum, is a minimum, coincides, slows down, decreases",
         known_by: &[],
         meaning: "within one unit of the tables' speeds, 1 rad/s, of the greatest or the least speed of the cycle. A \
-                  speed falls if it is nowhere more than such a unit above its least value before",
+                  speed slows down or decreases if it is nowhere more than one such unit above the least value that \
+                  it had before",
         rests_on: "Appendix E, whose speeds have no decimals",
         measure: "terms::is_there",
         claims: &[
@@ -147,8 +149,8 @@ pub const TERMS: [Term; 8] = [
         word: "almost",
         known_by: &["almost"],
         meaning: "a straight line misses each velocity by less than a twentieth. The source has no measure of the word",
-        rests_on: "no place, because the measure is ours. Any measure between the greatest miss of the lines and the \
-                   least miss of the lines through the origin gives the same verdict",
+        rests_on: "no place in the thesis, because the measure is ours. Any measure between the greatest miss of the \
+                   straight lines and the least miss of the straight lines through the origin gives the same verdict",
         measure: "general_statements::straight",
         claims: &["meyer.almost-linear"],
     },

@@ -13,9 +13,9 @@ pub const ARROWS: Slip = Slip {
     id: "pin.mark-f",
     reason: "The copy we had shows the letters d, f and i in place of three arrows. The text settles each of them \
              without the drawing, because it gives the sense of the driver and the angle of the crank, and all other \
-             senses follow from these. An arrow before an angle points up or down and to the left or to the right, and \
-             its angle is measured from the horizontal or from the vertical. Of these eight arrows only one fits the \
-             printed angles.",
+             senses follow from these. An arrow before an angle points up or down and to the left or to the right, \
+             and its angle is measured from the horizontal or from the vertical. That makes eight possible arrows, \
+             and only one of them fits the printed angles.",
     witness: "The angles of the crank and of the slot alone give the same directions. A public page that continues the \
               problem prints the arrows of the sliding velocity and of the wheel, and they are the same arrows. \
               However, it prints no velocity of the slot's point.",
@@ -147,8 +147,8 @@ pub fn mark_d() -> Claim {
         .statement(
             "pin.mark-d",
             "d",
-            "the arrow before the angles of the pin's velocity and of its sliding velocity, which says what they are \
-             measured from",
+            "the arrow before the angles of the pin's velocity and of its sliding velocity, which says what these \
+             angles are measured from",
         )
         .by(Jet, |stated| {
             at_the_instant(|_, motion| {
@@ -311,7 +311,7 @@ mod tests {
         ] {
             let right = claim().right_characters();
             let holds = |corrected: &&&'static str| {
-                let erratum = Erratum { corrected, slip: ARROWS };
+                let erratum = Erratum { corrected, places: 1, slip: ARROWS };
                 let judged = judge(Box::leak(Box::new(Claim { erratum: Some(erratum), ..claim() })));
                 judged.verdict == Verdict::Corrected && judged.faults.is_empty()
             };

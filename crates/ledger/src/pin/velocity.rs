@@ -128,8 +128,8 @@ fn wheel() -> Vec<Claim> {
 
 const ROUNDED_ANGLE: Slip = Slip {
     id: "pin.slot-point-speed",
-    reason: "Four digits are printed, but they come from the sine of an angle rounded to three, so the fourth is not \
-             right.",
+    reason: "Four digits are printed, but they come from the sine of an angle that was rounded to three digits, so \
+             the fourth digit is wrong.",
     witness: "If we differentiate the pin's position, which uses no angle, we get the corrected digits.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,

@@ -251,7 +251,7 @@ fn found() -> Vec<Claim> {
             )
             .missing(
                 "The source gives magnitudes only. The lever slows down if the pin slides inwards. In the mirror \
-                 image, which has the same printed numbers, it speeds up",
+                 image, which has the same printed numbers, the pin slides outwards and the lever speeds up",
             ),
     ]
 }

@@ -38,8 +38,8 @@ pub fn claims() -> Vec<Claim> {
             .statement(
                 "quick-return.coriolis-direction",
                 r"\omega_4 \times v_{P2/P4}",
-                "the Coriolis acceleration has the direction of this product, although the text does not say which way \
-                 that is",
+                "the Coriolis acceleration has the direction of this product, although the text does not say which \
+                 direction that is",
             )
             .by(AutomaticDerivative, |stated| {
                 in_both_drawings(|instant| {
@@ -75,10 +75,10 @@ pub fn claims() -> Vec<Claim> {
                 "the sense of the sliding velocity, as in the velocity diagram",
             )
             .missing(
-                "The copy we had does not include the diagram. The pin slides towards the lever's pivot if the lever \
-                 stands where a crank that turns counter-clockwise has passed the line of centres. It slides away from \
-                 the pivot in the mirror image, which has the same printed numbers. The sense of the Coriolis \
-                 acceleration goes with the sense of the sliding",
+                "The copy we had does not include the diagram. Suppose that the crank turns counter-clockwise and has \
+                 passed the line of centres. If the lever is on that side, the pin slides towards the lever's pivot. \
+                 In the mirror image, which has the same printed numbers, it slides away from the pivot. The sense of \
+                 the Coriolis acceleration goes with the sense of the sliding",
             ),
     ]
 }

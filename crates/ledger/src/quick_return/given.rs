@@ -37,8 +37,8 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.velocity-equation",
                 r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
-                "velocity of the pin, as the velocity of the lever's point under it plus its velocity relative to the \
-                 lever",
+                "velocity of the pin, as the velocity of the lever's point under the pin plus the pin's velocity \
+                 relative to the lever",
             )
             .in_letters(VECTORS),
         THREE
@@ -75,10 +75,9 @@ pub fn claims() -> Vec<Claim> {
         DRAWING
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
-                "The copy we had does not include the drawing. The lengths, the angle and the branch follow from the \
-                 solution, but the side of the line of centres on which the lever stands does not. Without that side, \
-                 we do not know the senses of the sliding, of the Coriolis acceleration and of the lever's angular \
-                 acceleration",
+                "The copy we had does not include the drawing. The lengths and the angle follow from the solution, and so does the point of the crank's circle at which the pin is, the far one. But the solution does not show on which side of the line of centres the lever is. Without \
+                 that side, we do not know the senses of the sliding, of the Coriolis acceleration and of the lever's \
+                 angular acceleration",
             ),
     ]
 }

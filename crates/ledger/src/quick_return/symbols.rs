@@ -19,6 +19,7 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "oxy", ours: r"xy", meaning: "the frame that turns with the lever" },
     Symbol { printed: "β", ours: r"\beta", meaning: "angle at the pin between lever and crank" },
     Symbol { printed: "γ", ours: r"|\theta|", meaning: "angle at the crank's axis between crank and ground" },
+    Symbol { printed: "v", ours: "v", meaning: "velocity" },
     Symbol { printed: "a, A", ours: r"a", meaning: "acceleration" },
     Symbol { printed: "n, t", ours: r"\mathrm{n}, \mathrm{t}", meaning: "normal to a path and along it" },
 ];

@@ -12,6 +12,7 @@ mod misprints;
 mod moment;
 mod number;
 mod pieces;
+mod places;
 mod reader;
 mod tree;
 mod value;
@@ -22,6 +23,7 @@ pub use misprints::{Class, Misprint, misprints};
 pub use moment::{Letters, Moment};
 pub use number::Number;
 pub use pieces::{GREEK, Piece, pieces};
+pub use places::places_changed;
 pub use tree::By;
 pub use value::Value;
 

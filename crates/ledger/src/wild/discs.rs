@@ -76,12 +76,13 @@ fn by_tangent(slots: u32) -> Vec<Moment> {
 }
 
 fn arc(place: Place, id: &'static str) -> Claim {
-    let meaning = "radius of the cut in the locking disc, of radius z, for wheel radius b and crank radius a";
+    let meaning = "radius v of the cut in the locking disc, for disc radius z, wheel radius b and crank radius a";
     tried(place, id, "v = b z/a", meaning, ANY, (ClosedForm, by_angle), (Vectors, by_tangent)).read_as(EDGES)
 }
 
 fn centre(place: Place, id: &'static str) -> Claim {
-    let meaning = "distance of the centre of that cut from the driver's axis, towards the pin";
+    let meaning = "distance m of the centre of the cut in the locking disc from the driver's axis, towards the pin, \
+                   for disc radius z and cut radius v";
     tried(place, id, r"m = \sqrt{z^2 + v^2}", meaning, ANY, (ClosedForm, by_angle), (Vectors, by_tangent))
         .read_as(EDGES)
 }
@@ -199,9 +200,10 @@ fn towards_the_wheel(characters: &str, y: f64, b: f64) -> f64 {
 }
 
 /// How the macro's wheels are read.
-const MACRO_WHEELS: &str = "We checked the program's own lines for both wheels that the sizes of its comment give with \
-                            the example's pin and tolerance. One keeps the example's crank, and the other keeps its \
-                            wheel radius. With both sizes as shipped, the wheel cannot turn.";
+const MACRO_WHEELS: &str = "With both radii as shipped, the wheel cannot turn. With the example's pin and tolerance, \
+                            the formulas in the program's comment give two other wheels. One keeps the example's \
+                            crank radius, and the other keeps the example's wheel radius. For both wheels we checked \
+                            what the program's own lines draw.";
 
 fn freecad() -> Claim {
     let clear = |stated: Stated, depth: fn(&Drawn) -> f64| {
@@ -210,14 +212,15 @@ fn freecad() -> Claim {
         let [crank, rim] = depths.map(Drawn::clears);
         Finding::new(
             crank.holds && rim.holds,
-            format!("{} with the crank kept, and {} with the radius kept", crank.how, rim.how),
+            format!("with the example's crank radius, {}, and with the example's wheel radius, {}", crank.how, rim.how),
         )
     };
     MACRO
         .example(
             "wild.freecad.cut",
             "m = c, R = b",
-            "circle that is cut out of the locking disc: distance of its centre from the driver's axis, and radius",
+            "circle cut out of the locking disc, of radius z: distance m of its centre from the driver's axis and its \
+             radius R, for crank radius a, wheel radius b and centre distance c",
         )
         .by(Vectors, move |stated| clear(stated, Drawn::by_crank))
         .by(ClosedForm, move |stated| clear(stated, Drawn::by_triangles))
@@ -225,9 +228,9 @@ fn freecad() -> Claim {
         .corrected(
             "m = c z/a, R = b z/a",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.17 mm, although the play is 0.01 mm. The program \
-                 computes the radius b z/a, which clears them, but does not use it. The version with a window uses \
-                 it.",
+                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.17 mm, although the \
+                 play is 0.01 mm. The program computes the radius b z/a, which would clear the horns, but it does not \
+                 use this radius. The version of the macro that opens a window uses it.",
             ),
         )
 }
@@ -238,7 +241,8 @@ fn freecad_arcs() -> Claim {
         .example(
             "wild.freecad.arcs",
             "x = y - b/2",
-            "place of the centre of the wheel's arcs at rest, from the driver's axis, where the wheel's axis is at -c",
+            "place x, from the driver's axis, of the centre of the wheel's arc at rest, for wheel radius b and arcs of \
+             radius y, with the wheel's axis at −c",
         )
         .by(ClosedForm, move |stated| {
             rests(freecad_wheels().map(|wheel| {
@@ -265,12 +269,12 @@ fn freecad_arcs() -> Claim {
         .corrected(
             "x = 0",
             slip(
-                "While the wheel rests, the disc turns in one of the wheel's arcs, so the arc's centre must be the \
-                 driver's axis. The program makes the disc's radius the radius of the arcs less the tolerance.",
+                "While the wheel rests, the disc turns in one of the wheel's arcs, so the arc's centre must be on the \
+                 driver's axis. In the program, the disc's radius is the radius of the arcs less the tolerance.",
                 "We checked places all along an arc, by coordinates.",
                 "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
-                 loose while it should rest. The edition of the macro that opens a dialog puts this centre on the \
-                 wheel's axis.",
+                 loose while it should rest. The version of the macro that opens a window puts this centre on the \
+                 driver's axis.",
             ),
         )
 }
@@ -281,8 +285,8 @@ fn rests(gaps: [f64; 2]) -> Finding {
     Finding::new(
         gaps.iter().all(|gap| agrees(*gap, tolerance)),
         format!(
-            "the gap between disc and arc is up to {crank:.2} mm with the crank kept and {rim:.2} mm with the radius \
-             kept, and the tolerance is {tolerance} mm"
+            "the gap between disc and arc is up to {crank:.2} mm with the example's crank radius and {rim:.2} mm with \
+             the example's wheel radius, and the tolerance is {tolerance} mm"
         ),
     )
 }
@@ -298,7 +302,8 @@ fn cosmo() -> Claim {
         .example(
             "wild.cosmo.cut",
             "m = c, R = b, b - 0.2 - 0.6",
-            "circle that is cut out of the locking disc, and the wheel's radius less two clearances",
+            "circle that is cut out of the locking disc (distance m of its centre from the driver's axis, radius R), \
+             and the wheel's radius less two clearances",
         )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
@@ -315,7 +320,11 @@ fn openscad() -> Claim {
         stated.pick(wheel.with_clear_cut(), wheel.with_wheel_for_cut())
     };
     OPENSCAD
-        .example("wild.openscad.cut", "v = 25 z/a, 5 slots", "cut in the locking disc of the wheel that is shipped")
+        .example(
+            "wild.openscad.cut",
+            "v = 25 z/a, 5 slots",
+            "radius v of the cut in the locking disc, of radius z, of the wheel that is shipped, for crank radius a",
+        )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as("We ask whether the wheel clears the disc.")
@@ -339,27 +348,29 @@ fn sdfx() -> Claim {
         .example(
             "wild.sdfx.cut",
             "disc 20.0 - 0.1, cut 40.0 + 0.1, rim 40.0 - 0.1, arc 20.0 + 0.1",
-            "radii of the first example with its clearance: the locking disc, the circle about the wheel's axis that \
-             is cut out of it, the wheel's rim, and the arcs in which the disc turns",
+            "radii of the first example with its clearance: of the locking disc, of the circle about the wheel's axis \
+             that is cut out of the disc, of the wheel's rim, and of the arcs in which the disc turns",
         )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as(
-            "We put the pin where the program puts it, although the wheel then starts with a jump. The horns must \
-             clear the disc.",
+            "We put the pin where the program puts it, although the wheel then starts with a jump of its speed. We \
+             only ask whether the horns clear the disc.",
         )
         .corrected(
-            "a cut whose edges stand where the pin enters and leaves",
+            "a cut whose edges are where the pin enters and leaves",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.05 mm, although the clearance is 0.1 mm on either side.",
+                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.05 mm, although the \
+                 clearance is 0.1 mm on either side.",
             ),
         )
 }
 /// The slip of a program that cuts its locking disc along the rim as the rim stands in the middle of a move.
 const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
-        "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. But the \
-         disc turns on, so the horns come inside it on both sides of the middle.",
+        "The program cuts out of the disc a circle of the wheel's radius about the wheel's axis, with the driver in \
+         the middle of a move. But the disc turns together with its cut, so before and after the middle of the move \
+         the horns run into the disc.",
         "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )

@@ -19,10 +19,10 @@ type Moving = fn(&Fit) -> f64;
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        gears(MECHA_EXTERNAL, "wild.mecha-external.gears", LEAST[0], |fit| fit.moving),
+        gears(MECHA_EXTERNAL, "wild.mecha-external.gears", GEARS[0], LEAST[0], |fit| fit.moving),
         reach(MECHA_EXTERNAL, "wild.mecha-external.reach"),
         // An internal wheel is driven on the rest of the turn.
-        gears(MECHA_INTERNAL, "wild.mecha-internal.gears", LEAST[1], |fit| fit.resting),
+        gears(MECHA_INTERNAL, "wild.mecha-internal.gears", GEARS[1], LEAST[1], |fit| fit.resting).in_places(2),
         MECHA_INTERNAL
             .value(
                 "wild.mecha-internal.teeth",
@@ -44,29 +44,33 @@ const LEAST: [&str; 2] = [r"\frac{Z_g}{Z_p} = k \frac{2 n}{n - 2}", r"\frac{Z_g}
 /// The slip of a ratio that need not be an integer. For an internal wheel, the page gives the ratio of an external one.
 const FRACTION: Slip = slip(
     WHOLE_TURNS,
-    "We computed the pin by coordinates, for all ratios in twelfths. It must be on its way along the slot as it leaves \
-     and as it comes to the next one.",
+    "We computed the pin's motion by coordinates, for all ratios up to twice the number of slots in steps of a twelfth. The pin must move \
+     along the slot as it leaves one slot and as it comes to the next one.",
     "The formula is right for three, four and six slots. For five it gives 10/3, so the pin comes back to its place in \
-     every third turn only. Five slots need the ratio 10.",
+     every third turn of the crank only. Five slots need the ratio 10.",
 );
 
-const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and a \
-                           whole number in a turn of the crank. The first condition asks for a multiple of the printed \
-                           ratio with an external wheel, and of 2n/(n + 2) with an internal one. The second asks for \
-                           an integer. So k is the least integer that makes the ratio an integer.";
+const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and \
+                           also in a full turn of the crank. By the first condition, the ratio must be a multiple of \
+                           the printed 2n/(n − 2) for an external wheel, and of 2n/(n + 2) for an internal wheel. By \
+                           the second condition, the ratio must be an integer. So k is the least integer that makes \
+                           the ratio an integer.";
 
-fn gears(place: Place, id: &'static str, corrected: &'static str, moving: Moving) -> Claim {
+/// What the ratio of teeth is for, with an external and with an internal wheel.
+const GEARS: [&str; 2] = [
+    "number of teeth of the fixed gear over the number of teeth of the pinion, for an external wheel of n slots",
+    "number of teeth of the fixed gear over the number of teeth of the pinion, for an internal wheel of n slots",
+];
+
+fn gears(place: Place, id: &'static str, meaning: &'static str, corrected: &'static str, moving: Moving) -> Claim {
     place
-        .equation(
-            id,
-            r"\frac{Z_g}{Z_p} = \frac{2 n}{n - 2}",
-            "number of teeth of the fixed gear over the number of teeth of the pinion",
-        )
+        .equation(id, r"\frac{Z_g}{Z_p} = \frac{2 n}{n - 2}", meaning)
         .evaluated(ClosedForm, move |tex| works(tex, |slots| by_turns(&Fit::by_wheel(slots), moving), moving))
         .read(Vectors, move |tex| Some(works(tex, |slots| by_places(&Fit::by_vectors(slots), moving), moving).holds))
         .read_as(
-            "The formula is given for n slots, so we tried it for 3 to 60. The page shows four, for which it is right. \
-             We count the formula as right if it gives the least ratio with which the mechanism works.",
+            "The formula is given for n slots, so we tried it for 3 to 60. The page shows four slots, for which the \
+             formula is right. We count the formula as right if it gives the least ratio with which the mechanism \
+             works.",
         )
         .corrected(corrected, FRACTION)
 }

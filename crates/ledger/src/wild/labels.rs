@@ -14,15 +14,15 @@ pub fn claims() -> Vec<Claim> {
             WINDOW,
             "wild.freecad-window.slot-width",
             SHIPPED,
-            "We take the pin and the tolerance of the macro that this version is based on, because it has none of its \
-             own. With any others the result is the same.",
+            "This version has no pin and no tolerance of its own, so we take both from the macro on which it is based. \
+             With any other pin and tolerance the result is the same.",
         ),
         half_slot_width(
             WORKBENCH,
             "wild.gear-workbench.slot-width",
             WORKBENCH_SHIPPED,
-            "We take the pin and the tolerance that the program is shipped with. With any others the result is the \
-             same.",
+            "We take the pin and the tolerance that the program is shipped with. With any other pin and tolerance the \
+             result is the same.",
         ),
         slot_centre(MACRO, "wild.freecad.slot-centre", r"s = \text{Slot Center Width}", MACRO_BOX)
             .read_as(ALONG)
@@ -34,9 +34,10 @@ pub fn claims() -> Vec<Claim> {
             .corrected(
                 "Length of slot (s)",
                 word(
-                    "The program draws the slot s long and 2w wide, so the slot is as wide at its centre as everywhere \
-                     else.",
-                    "Coordinates give the rim and the deepest place of the pin's centre, for 3 to 60 slots.",
+                    "The program draws a slot whose length is s. The slot's width is another length, and it is the \
+                     same at the slot's centre as everywhere else.",
+                    "Coordinates give the rim and the deepest place of the pin's centre, for 3 to 60 slots. The slot \
+                     extends from one to the other.",
                     "The drawing does not change.",
                 ),
             ),
@@ -97,10 +98,11 @@ fn pin_diameter() -> Claim {
         .corrected(
             r"p = \text{Drive Pin Radius}",
             word(
-                "The program makes a cylinder with p for its radius. It also cuts the slot w to either side, so by the \
-                 words of its list it draws both twice as wide.",
-                "The version with a window says radius.",
-                "If you enter the diameter, the pin and the slot are twice as wide as you want them.",
+                "The program makes the pin a cylinder of radius p, and it cuts a slot that reaches w = p + t to either \
+                 side of its middle, where t is the tolerance. So pin and slot are twice as wide as the program's list \
+                 of sizes says.",
+                "The version of the macro that opens a window calls p the radius.",
+                "If you enter the pin's diameter for p, the pin and the slot are twice as wide as you want them.",
             ),
         )
 }
@@ -165,7 +167,10 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             let left = stated.pick(1.0, 0.5) * (p + t) - p;
             Finding::new(
                 vanishes(left - t),
-                format!("a slot of that width leaves {left:.2} on either side of the pin, and the tolerance is {t:.2}"),
+                format!(
+                    "a slot of the stated width leaves {left:.2} on either side of the pin, and the tolerance is \
+                     {t:.2}"
+                ),
             )
         })
         .read_as(reading)
@@ -182,7 +187,11 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
 /// What the length s of a slot is called: how far it extends along its middle, or from side to side.
 fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, sizes): Boxed) -> Claim {
     place
-        .statement(id, printed, "what the length s = a + b − c is")
+        .statement(
+            id,
+            printed,
+            "what the length s = a + b − c is, for crank radius a, wheel radius b and centre distance c",
+        )
         .by(Vectors, move |stated| {
             // Two corners of what is cut out, across from one another.
             let ([a, b], [p, t]) = (arms, sizes);
@@ -191,7 +200,7 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
             let extent = stated.pick(across.x, across.y);
             Finding::new(
                 agrees(extent, s),
-                format!("s is {s:.2}, and the slot as it is drawn extends {extent:.2} that way"),
+                format!("s is {s:.2}, and the slot is drawn {extent:.2} {}", stated.pick("long", "wide")),
             )
         })
         .by(ClosedForm, move |stated| {
@@ -204,7 +213,11 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
             let holding = ANY.filter(|slots| holds(*slots)).count();
             Finding::new(
                 holding == ANY.count(),
-                format!("s is that length for {holding} of {} numbers of slots", ANY.count()),
+                format!(
+                    "s is the slot's {} for {holding} of {} numbers of slots",
+                    stated.pick("length", "width"),
+                    ANY.count()
+                ),
             )
         })
 }
@@ -215,15 +228,17 @@ fn stop_arc() -> Claim {
         .statement(
             "wild.generator.stop-arc",
             "1.5 × pin radius",
-            "how much smaller the radius of the wheel's arcs is than the crank radius, where p is the pin's diameter: \
-             y = a - 1.5 p",
+            "crank radius a less the radius y of the wheel's arcs, in a program with y = a − 1.5 p",
         )
         .by(ClosedForm, |stated| {
             let p = 4.0;
             let said = stated.number() * stated.pick(p, p / 2.0);
             Finding::new(
                 agrees(said, 1.5 * p),
-                format!("it is {:.1} for a pin of diameter {p:.1} and is said to be {said:.1}", 1.5 * p),
+                format!(
+                    "the difference a − y is {:.1} for a pin of diameter {p:.1} and is said to be {said:.1}",
+                    1.5 * p
+                ),
             )
         })
         .by(Evidence::OtherPlaceInSource, |stated| {
@@ -233,16 +248,13 @@ fn stop_arc() -> Claim {
             let across = (drawn[0] - drawn[1]).norm();
             let arc = crank - 1.5 * p;
             let said = crank - stated.number() * stated.pick(across, across / 2.0);
-            Finding::new(
-                agrees(arc, said),
-                format!("the arcs have the radius {arc:.1}, and by the comment they have {said:.1}"),
-            )
+            Finding::new(agrees(arc, said), format!("the arcs have the radius {arc:.1} and are said to have {said:.1}"))
         })
         .corrected(
             "1.5 × pin diameter",
             word(
-                "The letter p is the pin's diameter, because the program says so and draws the pin with p/2 for its \
-                 radius.",
+                "In y = a − 1.5 p, the letter p is the pin's diameter, because the program says so and draws the pin \
+                 with the radius p/2.",
                 "We looked at the pin as the program draws it.",
                 "The drawing does not change.",
             ),
@@ -256,14 +268,14 @@ fn aligned() -> Claim {
         let right = |slots: u32| vanishes((angle(slots) - said) / 90.0);
         Finding::new(
             ANY.filter(|slots| !right(*slots)).count() == 0,
-            format!("as the pin enters at rest, slot and crank are {:.1} degrees apart", angle(4)),
+            format!("as the pin enters with the wheel at rest, slot and crank are {:.1} degrees apart", angle(4)),
         )
     };
     ANVILATE
         .statement(
             "wild.anvilate.aligned",
             "aligned with the crank arm",
-            "direction of the slot relative to the crank as the pin enters, so that the wheel starts from rest",
+            "direction of the slot relative to the crank as the pin enters, for a wheel that starts from rest",
         )
         .by(ClosedForm, move |stated| {
             // The law of cosines in the triangle of the axes and the pin.
@@ -287,10 +299,10 @@ fn aligned() -> Claim {
             "at right angles to the crank arm",
             remark(
                 "The pin moves at right angles to the crank, and it must move along the slot. If the slot were along \
-                 the crank, the pin would cross it at full speed.",
+                 the crank, the pin would move across the slot at full speed.",
                 "Coordinates give the pin's place at entry, for 3 to 60 slots.",
-                "Nothing changes, because the next line has the right angle at the pin and the formulas follow from \
-                 it.",
+                "Nothing changes, because the next line of the page puts the right angle at the pin, and the page's \
+                 formulas follow from this.",
             ),
         )
 }
@@ -314,7 +326,7 @@ fn right_angle() -> Claim {
         .statement(
             "wild.anvilate.right-angle",
             "a right angle at the pin",
-            "where the triangle of the axes and the pin has its right angle as the pin enters at rest",
+            "where the triangle of the axes and the pin has its right angle as the pin enters with the wheel at rest",
         )
         .by(ClosedForm, move |stated| is_right(stated, Fit::by_wheel))
         .by(Vectors, move |stated| is_right(stated, Fit::by_vectors))
@@ -333,7 +345,7 @@ fn from_entry() -> Claim {
             "wild.oxiphysics.from-entry",
             "from start of driving phase",
             "where the driver's angle φ is counted from, if the wheel's angle is the inverse tangent of r sin φ/(a − r \
-             cos φ)",
+             cos φ), with crank radius r and centre distance a",
         )
         .by(ClosedForm, move |stated| {
             let off = |slots: u32| {
@@ -364,8 +376,8 @@ fn from_entry() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "at the start, the scalar product of arm and slot is {:.2} of crank times centre distance, but a \
-                     right angle makes it zero",
+                    "at the start of a move, the scalar product of crank and slot is {:.2} of crank radius times \
+                     centre distance, and it would be zero if crank and slot were at right angles",
                     aside(4)
                 ),
             )
@@ -374,8 +386,8 @@ fn from_entry() -> Claim {
             "from the line of centres",
             remark(
                 "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. But \
-                 the driving phase starts half a move before. The wheel's speed, beside it, counts the angle from the \
-                 line of centres, too.",
+                 the driving phase starts half a move earlier. The formula for the wheel's speed, printed beside this \
+                 one, counts the angle from the line of centres, too.",
                 "Coordinates give the pin, and the direction of the slot as the pin enters.",
                 "If you pass an angle counted from the entry, the wheel moves by only half a step.",
             ),

@@ -14,7 +14,7 @@ use nalgebra::Vector2;
 
 const TWICE: &str = "We compared the pin's velocity with the slot's direction, by coordinates.";
 const EXAMPLE: &str = "We take the sizes as an example of a wheel whose pin enters along the slot, although the page \
-                       does not say that it does.";
+                       does not say that the pin does so.";
 
 /// A wheel as it is drawn, lengths in one unit.
 #[derive(Clone, Copy)]
@@ -92,8 +92,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "the pin comes to the rim at {place:.3} half pitches from the line of centres, and the wheel starts \
-                 with {speed:.3} of the driver's speed"
+                "the pin comes to the rim at {place:.3} half pitches from the line of centres (the slot is at 1), and \
+                 the wheel starts with {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -144,7 +144,7 @@ fn freecad() -> Claim {
         MACRO,
         "wild.freecad.example",
         "a = 25.0, b = 60.0, n = 6",
-        "crank radius, wheel radius and slots of the macro as it is shipped, version 1.0",
+        "crank radius a, wheel radius b and number n of slots of the macro as it is shipped, version 1.0",
         |stated| {
             let (crank, rim, slots) = macro_sizes(stated.characters());
             Drawn { slots, crank, centres: libm::hypot(crank, rim), rim }
@@ -152,12 +152,12 @@ fn freecad() -> Claim {
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
-                "The program makes the triangle of the two axes and the pin right-angled for any two radii. Then the \
-                 angle at the wheel's axis is half a pitch for at most one number of slots. A comment of the program \
-                 gives the formulas that leave one radius free.",
+                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. The angle \
+                 at the wheel's axis is then half the angle between two slots for at most one number of slots. A \
+                 comment of the program gives formulas in which you can choose only one radius.",
                 TWICE,
-                "The pin's circle stays clear of the line on which the slot waits, by more than the pin's radius. So \
-                 the pin strikes a horn beside the slot, and the example cannot turn.",
+                "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
+                 strikes a wall beside the slot, and the example cannot turn.",
             ),
         ),
     )
@@ -178,7 +178,7 @@ fn freecad_count() -> Claim {
         .example(
             "wild.freecad.count",
             "range(6), 60",
-            "how many slots are cut for n slots, and how many degrees apart they are",
+            "how many slots are cut if you ask for n, and how many degrees apart they are",
         )
         .by(ClosedForm, move |stated| {
             counted(ANY, |slots| {
@@ -204,8 +204,8 @@ fn freecad_count() -> Claim {
                 "The loops that cut slots and arcs contain the number and the angle of six slots, not the number that \
                  you ask for.",
                 "We went through the directions of all slots, one by one.",
-                "A wheel of any other number of slots gets six. The version with a window cuts as many as you ask \
-                 for.",
+                "If you ask for more or fewer slots than six, the wheel still gets six. The version of the macro that \
+                 opens a window cuts as many slots as you ask for.",
             ),
         )
 }
@@ -215,8 +215,8 @@ fn model3d() -> Claim {
         MODEL3D,
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
-        "rim of the driven wheel, before the slack of 0.015 and the rounding of its tips; before the same slack, the \
-         pin's circle has the right radius, which is the centre distance over the root of two",
+        "radius of the driven wheel, without its slack of 0.015 and the rounding of its tips, in a program whose pin \
+         circle, without the slack, has the right radius (the centre distance over √2)",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }
@@ -224,11 +224,11 @@ fn model3d() -> Claim {
         (
             "4 slots: driven radius 0.9 √2, centres 1.8",
             slip(
-                "The rim is cut short, so when the pin comes to it, it has passed the place where it would slide in \
-                 along the slot.",
+                "The rim is cut short. So when the pin comes to the rim, the pin has passed the place where it would \
+                 slide in along the slot.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed, although the page says that a \
-                 printed one works.",
+                "A pin without thickness or play starts the wheel with a jump of speed, although the page says that a \
+                 3D-printed mechanism works.",
             ),
         ),
     )
@@ -239,7 +239,7 @@ fn cadbuildr() -> Claim {
         CADBUILDR,
         "wild.cadbuildr.example",
         "4 slots: cross 0.8 (2 · 50/√2 + 4), centres 50",
-        "diameter of the driven cross, in a program whose pin circle is right",
+        "diameter of the driven cross, in a program whose pin circle has the right radius",
         |stated| {
             let [across, centres] = ["cross", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim: across / 2.0 }
@@ -247,10 +247,10 @@ fn cadbuildr() -> Claim {
         (
             "4 slots: cross 2 · 50/√2, centres 50",
             slip(
-                "The rim is cut short, so when the pin comes to it, it has passed the place where it would slide in \
-                 along the slot.",
+                "The rim is cut short. So when the pin comes to the rim, the pin has passed the place where it would \
+                 slide in along the slot.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed.",
+                "A pin without thickness or play starts the wheel with a jump of speed.",
             ),
         ),
     )
@@ -261,7 +261,8 @@ fn sdfx() -> Claim {
         SDFX_EXAMPLE,
         "wild.sdfx.example",
         "6 slots: centres 50.0, driven radius 40.0",
-        "first example of the program, which puts the pin where it meets the mouth of the slot",
+        "centre distance and wheel radius of a program's first example, where the pin is put so that it meets the \
+         mouth of the slot",
         |stated| {
             let [centres, rim] = ["centres", "driven radius"].map(|name| size(stated.characters(), name));
             let (slots, twice) = (stated.count(), 2.0 * centres * rim);
@@ -271,10 +272,11 @@ fn sdfx() -> Claim {
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
-                "With any other radius the pin meets the mouth of the slot, but not along the slot.",
+                "With any other wheel radius than the right one, the pin still meets the mouth of the slot, but it \
+                 does not move along the slot there.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed. In the second example of the \
-                 program, with ten slots, the wheel is pushed back first.",
+                "A pin without thickness or play starts the wheel with a jump of speed. In the second example of the \
+                 program, with ten slots, the pin first pushes the wheel back.",
             ),
         ),
     )
@@ -285,7 +287,7 @@ fn counter() -> Claim {
         COUNTER,
         "wild.counter.example",
         "5 slots: r/tan(180/5) - 5 - 0.35",
-        "rim of the wheel as it is drawn, less the pin's radius and a clearance",
+        "radius of the wheel as it is drawn, with the pin's radius and a clearance taken off, for crank radius r",
         |stated| {
             let (slots, crank) = (stated.count(), 25.0);
             let (_, rim) = stated.characters().split_once(": ").unwrap_or_default();
@@ -295,9 +297,10 @@ fn counter() -> Claim {
         (
             "5 slots: r/tan(180/5)",
             slip(
-                "The pin's centre comes to the rim late, when it is no longer where the slot points.",
+                "Because the wheel is drawn too small, the pin's centre comes to the rim late, when it has passed the \
+                 centre line of the slot.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed.",
+                "A pin without thickness or play starts the wheel with a jump of speed.",
             ),
         ),
     )
@@ -343,7 +346,7 @@ fn pitter_cam() -> Claim {
         .example(
             "wild.cherry-pitter.cam",
             "cam radius 22.0, cut width 30.0",
-            "what is cut out of the locking cam, which keeps an arc of 240° according to the drawing",
+            "width of what is cut out of the locking cam, which keeps an arc of 240° according to the drawing",
         )
         .by(ClosedForm, move |stated| {
             let [radius, width] = sizes(stated);
@@ -358,7 +361,8 @@ fn pitter_cam() -> Claim {
         .corrected(
             "cam radius 22.0, cut width 22 √3",
             slip(
-                "The cut must reach to where the pin enters, 60° to either side of the pin, but the box is narrower.",
+                "The cut must reach 60° to either side of the pin, because the pin enters 60° before the line of \
+                 centres. But the box that makes the cut is narrower.",
                 "We checked places all along the cam's rim, by coordinates.",
                 "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
                  centres and holds the wheel.",
@@ -371,7 +375,7 @@ fn pitter_arcs() -> Claim {
         .example(
             "wild.cherry-pitter.arcs",
             "i * 60 for slots and arcs",
-            "the wheel's locking arcs have the directions of its slots",
+            "directions of the wheel's slots and locking arcs in degrees, where i counts them",
         )
         .by(ClosedForm, |stated| {
             let fit = Fit::by_wheel(6);
@@ -387,8 +391,8 @@ fn pitter_arcs() -> Claim {
         .corrected(
             "i * 60 for slots, i * 60 + 30 for arcs",
             slip(
-                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the \
-                 slots that the pin leaves and enters are half a pitch to either side of the arc.",
+                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the slot \
+                 that the pin has left and the slot that it enters next are half a pitch to either side of the arc.",
                 "Coordinates give the place where the pin leaves.",
                 "The arcs cut away the mouths of the slots, and at rest no slot is where the pin arrives.",
             ),
@@ -415,7 +419,8 @@ fn found_a_slot(stated: Stated, leaves: f64) -> Finding {
     Finding::new(
         vanishes(nearest),
         format!(
-            "the pin leaves at {:.0} degrees, and the nearest slot is {:.0} degrees away",
+            "the pin leaves at {:.0} degrees from the line of centres, and the nearest slot is {:.0} degrees away from \
+             there",
             leaves.to_degrees(),
             nearest.to_degrees()
         ),

@@ -87,7 +87,8 @@ fn formulas() -> Vec<Claim> {
             MISCELLANEOUS,
             "wild.firgelli-form.speed",
             r"\omega_{out} = \omega_{in} \frac{\cos\alpha - r}{1 + r^2 - 2 r \cos\alpha}",
-            "speed of the wheel, where r is the crank radius over the centre distance",
+            "speed of the wheel, where r is the crank radius over the centre distance and α the driver's angle from \
+             the line of centres",
             speed,
         )
         .corrected(
@@ -95,11 +96,12 @@ fn formulas() -> Vec<Claim> {
             Slip {
                 origin: Origin::Misprint,
                 ..slip(
-                    "A factor r is lost before the bracket, although it is there in any derivation from the wheel's \
-                     angle.",
+                    "A factor r is missing before the fraction. Any derivation from the wheel's angle gives this \
+                     factor.",
                     TWICE,
-                    "The speed is too high by the centre distance over the crank radius: 1.4 times at four slots, and \
-                     twice at six. Loads that go with the square of the speed are four times too high at six.",
+                    "The speed is too high by a factor, the centre distance over the crank radius: 1.4 times the right \
+                     speed at four slots, and twice at six. Loads that go with the square of the speed are four times \
+                     too high at six slots.",
                 )
             },
         ),
@@ -107,7 +109,8 @@ fn formulas() -> Vec<Claim> {
             RIGID,
             "wild.oxiphysics.speed",
             r"\omega_g/\omega_d = \frac{r \cos\phi}{\sqrt{d^2 + r^2 - 2 d r \sin\phi}}",
-            "speed of the wheel over the speed of the driver, with the driver's angle from the line of centres",
+            "speed of the wheel over the speed of the driver, for crank radius r, centre distance d and driver's angle \
+             φ from the line of centres",
             |of| {
                 let fit = of.fit;
                 let speeds = [(r"\omega_g", 3.0 * of.speed), (r"\omega_d", 3.0)];
@@ -115,22 +118,23 @@ fn formulas() -> Vec<Claim> {
             },
         )
         .read_as(
-            "The page counts the driver's angle from the line of centres. No other origin makes the formula right, \
-             because with the best one the ratio of six slots still differs by up to 0.50.",
+            "The page counts the driver's angle from the line of centres. The formula is not right for an angle \
+             counted from any other place, because even with the best choice the ratio for six slots differs from the \
+             right ratio by up to 0.50.",
         )
         .corrected(
             r"\omega_g/\omega_d = \frac{r (d \cos\phi - r)}{d^2 + r^2 - 2 d r \cos\phi}",
             slip(
                 "The wheel's speed is the pin's speed across the slot over the pin's distance from the wheel's axis. \
-                 Both go with the cosine of the angle from the line of centres. The printed ratio is another quantity, \
-                 because it has no zero where the pin enters.",
+                 Both this speed and this distance depend on the cosine of the driver's angle from the line of \
+                 centres. The printed ratio is another quantity, because it is not zero where the pin enters.",
                 TWICE,
                 "On the line of centres the printed formula gives too small a ratio: with six slots less than one \
-                 half, although the true ratio is one. At entry the ratio is not zero, as if the wheel were struck. \
-                 Another module of the same library has the \
-                 right formula.",
+                 half, although the true ratio is one. At entry the printed ratio is not zero, as if the pin struck \
+                 the wheel. Another module of the same library has the right formula.",
             ),
-        ),
+        )
+        .in_places(4),
         motion(
             CONSTRAINTS,
             "wild.oxiphysics.right-speed",
@@ -169,7 +173,7 @@ fn statements() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| starts(stated, |ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
             .by(AutomaticDerivative, |stated| starts(stated, rate_by_duals))
-            .read_as("Smoothly means here that the wheel starts from rest.")
+            .read_as("“Smoothly” means here that the wheel starts from rest.")
             .but_not("the wheel does so with an angle of 80° at the pin"),
         SPECTRA
             .statement(

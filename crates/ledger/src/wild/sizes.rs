@@ -106,20 +106,22 @@ fn wrong() -> Vec<Claim> {
             driver,
         )
         .read_as(
-            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the centre \
-             distance of the same page, the pin fits for six slots alone, and the rim does not.",
+            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the page's \
+             own formula for the centre distance, the pin's distance is right for six slots alone, and even then the \
+             wheel's radius does not fit.",
         )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",
             slip(
-                "Two circles whose radii add up to the distance of their centres touch in one point, on the line of \
-                 centres. But the pin must be inside the wheel there, in a slot, so its circle cuts the wheel's \
-                 circle.",
+                "By the printed formula, the radii of the wheel and of the pin's circle add up to the centre distance. \
+                 Two such circles touch in one point, on the line of centres. But on this line the pin must be inside \
+                 the wheel, in a slot, so the pin's circle must cut the wheel's rim.",
                 TWICE,
                 "The pin's circle touches the wheel's rim from outside. So the pin never enters a slot, and the wheel \
                  is not moved.",
             ),
-        ),
+        )
+        .in_places(2),
         formula(
             INDEXING,
             "wild.firgelli-indexing.centres",
@@ -135,47 +137,44 @@ fn wrong() -> Vec<Claim> {
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
             slip(
-                "The root is the length of the sum of two arms of one radius, 180°/n apart. But in a Geneva mechanism \
-                 the two arms, crank and wheel radius, are at right angles, and they are equal only for four slots.",
+                "The printed formula gives the length of the vector sum of two arms of this radius, 180°/n apart. But \
+                 in a Geneva mechanism the two arms, crank and wheel radius, are at right angles, and they are equal \
+                 only for four slots.",
                 TWICE,
                 "The formula puts the axes too far apart for three, four and five slots, and too close together for \
                  more. With four slots the distance should be 1.41 crank radii, but the formula gives 1.85, so the pin \
                  does not reach the slot.",
             ),
-        ),
+        )
+        .in_places(3),
     ]
 }
 
 fn oxiphysics() -> Vec<Claim> {
     vec![
-        formula(
-            RIGID,
-            "wild.oxiphysics.crank",
-            r"r = d \sin(\pi/n)",
-            "radius of the pin's circle",
-            ANY,
-            |fit| vec![("r", fit.crank), ("d", fit.centres), ("n", fit.slots)],
-        ),
+        formula(RIGID, "wild.oxiphysics.crank", r"r = d \sin(\pi/n)", "radius of the pin's circle", ANY, |fit| {
+            vec![("r", fit.crank), ("d", fit.centres), ("n", fit.slots)]
+        }),
         formula(
             RIGID,
             "wild.oxiphysics.rim",
             r"R = \sqrt{d^2 + r^2}",
-            "outer radius of the wheel",
+            "outer radius of the wheel, for centre distance d and crank radius r",
             ANY,
             rim,
         )
         .read_as(
             "The page explains the outer radius as the distance from the centre to the bottom of a slot. But the \
-             bottom is d − r from the wheel's axis, so the formula is wrong for that as well.",
+             bottom is d − r from the wheel's axis, so the formula is wrong for that distance as well.",
         )
         .corrected(
             r"R = \sqrt{d^2 - r^2}",
             slip(
-                "The right angle of the triangle is at the pin, not at the driver's axis, so the centre distance is \
-                 its longest side.",
+                "In the triangle of the two axes and the pin, the right angle is at the pin, not at the driver's \
+                 axis. So the centre distance is the longest side.",
                 TWICE,
                 "The formula makes the wheel's radius longer than the centre distance, so the wheel would cover the \
-                 driver's axis. The slot's depth in the same module becomes too long with it.",
+                 driver's axis. As a result, the depth of the slots that the same module computes is too large.",
             ),
         ),
         formula(
@@ -315,8 +314,8 @@ fn generators() -> Vec<Claim> {
             GENEVA_GEN,
             "wild.geneva-gen.rim",
             r"b^2 = c^2 - a^2",
-            "wheel radius, if the crank radius is given, as in the newest version that is stored, whereas both were \
-             given in an older one",
+            "wheel radius from the crank radius, in the newest version that is stored, whereas an older version took \
+             both radii as given",
             ANY,
             |fit| vec![("b", fit.rim), ("c", fit.centres), ("a", fit.crank)],
         ),
@@ -365,7 +364,7 @@ fn of_four() -> Vec<Claim> {
             .statement(
                 "wild.compass.bottom",
                 "tangent to circle",
-                "the slots of a wheel of four end on the circle about its axis that touches the pin's circle",
+                "the slots of a wheel of four end on the circle about the wheel's axis that touches the pin's circle",
             )
             .by(ClosedForm, |stated| bottom(&Fit::by_wheel(4), stated))
             .by(Vectors, |stated| bottom(&Fit::by_vectors(4), stated))

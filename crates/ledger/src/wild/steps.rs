@@ -12,7 +12,7 @@ pub fn claims() -> Vec<Claim> {
             .statement(
                 "wild.probsee.steps",
                 "3 to 18 indexing steps per input revolution",
-                "how many steps there are in a turn of the driver",
+                "number of steps in a turn of the driver",
             )
             .by(ClosedForm, |stated| {
                 // One pin makes a step; the formula crate refuses more pins than there is room for.
@@ -33,10 +33,11 @@ pub fn claims() -> Vec<Claim> {
                     ..slip(
                         "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
                          of steps in a turn of the wheel. A turn of the driver makes one step for each pin. The most \
-                         pins that fit are six, and only on a wheel of three slots. That gives 1 to 6 steps.",
-                        "Each move takes its part of a turn of the driver, and one turn has no room for so many \
-                         parts.",
-                        "A reader expects up to eighteen steps for a turn of the input shaft.",
+                         pins that fit are six, and only with a wheel of three slots. So there are 1 to 6 steps in a \
+                         turn of the driver.",
+                        "Each move takes a certain part of a turn of the driver, and one turn has no room for as many \
+                         moves as the page says.",
+                        "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
                     )
                 },
             ),
@@ -91,7 +92,7 @@ pub fn claims() -> Vec<Claim> {
              pass.",
         ),
         fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0)
-            .read_as("The page says separators, which we read as the slots.")
+            .read_as("The page speaks of “separators”, which we read as the slots.")
             .corrected(
                 "N > 2",
                 Slip {
@@ -100,7 +101,7 @@ pub fn claims() -> Vec<Claim> {
                         "Wheels of three and of four slots work, and all formulas of the page hold for them.",
                         "By coordinates, the pin comes into a slot and leaves it with three slots, but never with \
                          two.",
-                        "The commonest wheel has four slots, but the page leaves it out.",
+                        "The commonest wheel, which has four slots, is excluded by the page.",
                     )
                 },
             ),
@@ -126,7 +127,7 @@ const STEP: &str = "how far the wheel turns in each step";
 /// How few slots a wheel can have, by a number and a sign of inequality. A neighbour says so many less.
 fn fewest(place: Place, id: &'static str, printed: &'static str, less: u32) -> Claim {
     place
-        .statement(id, printed, "how few slots a wheel can have")
+        .statement(id, printed, "least number of slots that a wheel can have")
         .by(ClosedForm, move |stated| least(stated, less, |slots| Wheel::new(slots).is_ok()))
         .by(Vectors, move |stated| {
             // The pin comes into the slot: the driver turns by some angle while it is there.
@@ -171,7 +172,11 @@ fn steps(stated: Stated, by: fn(u32) -> Fit, most: impl Fn(u32) -> Option<u32>) 
     let found: Vec<[u32; 2]> = (first..=last).filter_map(of).collect();
     let least = found.iter().map(|[least, _]| *least).min().unwrap_or(0);
     let most = found.iter().map(|[_, most]| *most).max().unwrap_or(0);
-    Finding::new(stated.numbers() == [least, most].map(f64::from), format!("from {least} to {most} steps"))
+    let turn = stated.pick("wheel", "driver");
+    Finding::new(
+        stated.numbers() == [least, most].map(f64::from),
+        format!("there are {least} to {most} steps in a turn of the {turn}"),
+    )
 }
 
 /// Whether each slot less makes the rest longer; or shorter.

@@ -86,7 +86,7 @@ pub fn claims() -> Vec<Claim> {
                         "500 mm times the square of 10 rad/s is 50,000 mm/s², ten times the printed product. With the \
                          crank radius of the problem, 50 mm, the product is right.",
                         "We used the crank radius of the problem that the page continues.",
-                        "Nothing changes that is printed after it.",
+                        "Nothing changes in what is printed after this number.",
                     )
                 },
             ),
@@ -106,7 +106,7 @@ pub fn claims() -> Vec<Claim> {
                 "wild.holooly.direction",
                 "0",
                 "°",
-                "angle of the pin's acceleration below the horizontal, to the right as its mark shows",
+                "angle of the pin's acceleration below the horizontal, where a mark shows that it points to the right",
             )
             .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))
             .by(Vectors, || {
@@ -123,8 +123,8 @@ pub fn claims() -> Vec<Claim> {
                     origin: Origin::Copy,
                     consequence: Consequence::Copy,
                     ..slip(
-                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost, \
-                         because the stored copy has a degree sign in its place, before the 0.",
+                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost: the \
+                         stored copy has a degree sign before the 0, where the digit should be.",
                         "We used the coordinates of the pin and of the driver's axis.",
                         "We don't know what this error affects, because our copy of the page ends before the direction is used.",
                     )

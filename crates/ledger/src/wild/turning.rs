@@ -7,9 +7,9 @@ use crate::Decimal;
 const TWICE: &str = "The pin's place at entry, by coordinates, confirms the corrected form for 3 to 60 slots.";
 
 /// The page takes the wheel's turn for the driver's turn.
-const TURNED: &str = "While the wheel turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because its crank \
-                      is at right angles to the slot at the start and at the end. The two are the same for four slots \
-                      only.";
+const TURNED: &str = "While a wheel of n slots turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because \
+                      the crank is at right angles to the slot at the start and at the end. The page takes the wheel's \
+                      angle for the driver's angle, but they are equal for four slots only.";
 
 /// How long a wheel moves, of the calculator.
 const DWELL: Slip = Slip {
@@ -55,7 +55,8 @@ fn calculator() -> Vec<Claim> {
             ANY,
             resting,
         )
-        .corrected(r"\theta_{dwell} = 360^{\circ} \frac{n + 2}{2 n}", DWELL),
+        .corrected(r"\theta_{dwell} = 360^{\circ} \frac{n + 2}{2 n}", DWELL)
+        .in_places(2),
         formula(
             CALCULATOR,
             "wild.firgelli-time.index",
@@ -66,7 +67,7 @@ fn calculator() -> Vec<Claim> {
         )
         .read_as(
             "We take the index angle as the wheel's step, as the page says. If it were the driver's angle, the time \
-             would be right, but the dwell angle of the same page would not fit it.",
+             would be right, but the page's own dwell angle would not fit this angle.",
         )
         .corrected(r"t_{index} = \frac{180^{\circ} - \theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}", DWELL),
     ]
@@ -118,7 +119,7 @@ fn star() -> Vec<Claim> {
             "wild.geneva-star.three",
             "2/3",
             "",
-            "part of the time that a wheel with slots at 120° rests",
+            "part of the time that a wheel with slots 120° apart rests",
             3,
             |fit| 1.0 - fit.step / (2.0 * PI),
         )
@@ -126,8 +127,8 @@ fn star() -> Vec<Claim> {
         .in_error(slip(
             TURNED,
             TWICE,
-            "The rest is longer than the page says, and the move takes half of the time that it says. So a wheel of \
-             three slots is quick and rough.",
+            "The rest is longer than the page says, and the move takes half of the time that the page says. So a \
+             wheel of three slots is quick and rough.",
         )),
     ]
 }
@@ -138,19 +139,20 @@ fn oxiphysics() -> Vec<Claim> {
             RIGID,
             "wild.oxiphysics.half-angle",
             r"\alpha = \sin^{-1} \frac{r}{d}",
-            "how far the driver turns from the entry of the pin to the line of centres",
+            "how far the driver turns from the entry of the pin to the line of centres, for crank radius r and centre \
+             distance d",
             ANY,
             |fit| vec![(r"\alpha", fit.moving / 2.0), ("r", fit.crank), ("d", fit.centres)],
         )
         .corrected(
             r"\alpha = \cos^{-1} \frac{r}{d}",
             slip(
-                "The angle whose sine is the crank radius over the centre distance is the wheel's angle, at the other \
-                 end of the line of centres. In the right-angled triangle of the two axes and the pin, the driver's \
-                 angle is a right angle less the wheel's angle.",
+                "The angle whose sine is the crank radius r over the centre distance d is at the wheel's axis, at the \
+                 other end of the line of centres. In the right-angled triangle of the two axes and the pin, the \
+                 driver's angle is a right angle less the wheel's angle.",
                 TWICE,
-                "By this formula the wheel moves during 1/n of the cycle, which is right for four slots \
-                 only. Another module of the same library has the right formula.",
+                "By the printed formula a wheel of n slots moves during 1/n of the cycle, which is right for four \
+                 slots only. Another module of the same library has the right formula.",
             ),
         ),
         formula(
@@ -251,7 +253,7 @@ fn fractions() -> Vec<Claim> {
             MECHANICS,
             "wild.mechanics.ratio",
             r"\frac{t_{on}}{\theta_{off}} = \frac{\pi (1 - \frac{2}{N})}{\pi (1 + \frac{2}{N})}",
-            "time of a move over what is printed behind the colon",
+            "time of a move over the time of a rest",
             ANY,
             times,
         )
@@ -261,10 +263,11 @@ fn fractions() -> Vec<Claim> {
                 consequence: Consequence::Derivation,
                 origin: Origin::Misprint,
                 ..slip(
-                    "The page sets a time beside an angle. The time of a rest is meant, because the two times are as \
-                     the two angles.",
+                    "The page divides the time of a move by the angle through which the driver turns during a rest. \
+                     The page must mean the time of the rest, because the two times have the ratio of the two angles \
+                     on the right side.",
                     TWICE,
-                    "Nothing changes, because the two times that follow are right.",
+                    "Nothing changes, because the formulas for the two times, which follow on the page, are right.",
                 )
             },
         ),
@@ -374,7 +377,7 @@ fn twelve() -> Vec<Claim> {
         of("wild.dmg-lib.part", "0.4167", "", "part of the time in which the wheel moves", |fit| {
             fit.moving / (2.0 * PI)
         }),
-        of("wild.dmg-lib.idle-part", "0.5833", "", "part of the time in which it rests", |fit| {
+        of("wild.dmg-lib.idle-part", "0.5833", "", "part of the time in which the wheel rests", |fit| {
             fit.resting / (2.0 * PI)
         }),
         of("wild.dmg-lib.coefficient", "0.71", "", "time of a move over the time of a rest", |fit| {

@@ -23,12 +23,12 @@ use Evidence::{Assumed, Both, Encyclopedia, Thesis};
 
 /// All control cards, and the names that are known without a card.
 pub static CARDS: [Card; 17] = [
-    card("C * /", "text", Both, "in column 1: a comment. C only before a blank, where columns do not count"),
+    card("C * /", "text", Both, "in column 1: a comment. C needs a blank after it where columns do not count"),
     card(
         "CON",
         "(names)",
         Encyclopedia,
-        "constants: read from the first data cards, once. A card of names begins a new data card",
+        "constants: read once, from the first data cards. Each CON card begins a new data card",
     ),
     card(
         "PAR",
@@ -37,23 +37,30 @@ pub static CARDS: [Card; 17] = [
         "parameters: read from the data cards that follow; the program runs once for each set. A set may take several data \
          cards",
     ),
-    card("DT", "number", Thesis, "time from printed point to printed point; without such a card 0.1, which is assumed"),
+    card("DT", "number", Thesis, "time from printed point to printed point; without such a card, 0.1, which we assume"),
     card("DTMIN", "number", Assumed, "smallest step; without such a card, DT over 2 to the power 30"),
     card("DTMAX", "number", Assumed, "largest step; without such a card, DT"),
     card(
         "FIN",
         "(A, B)",
         Both,
-        "ends the run at the next kept step when A is not below B; of several cards, the first that does counts",
+        "ends the run at the next kept step when A is not below B; of several such cards, the first that ends the run \
+         counts",
     ),
-    card("HDR", "(words)", Both, "heads the columns of the OUT card with the same number, one word for each"),
+    card("HDR", "(words)", Both, "heads the columns of the OUT card that has the same number, one word for each"),
     card("OUT", "(names)", Both, "prints the values of the names at each printed point"),
-    card("PLO", "(X, Y, ...)", Both, "plots Y and what follows against X, one line of print for each step of X"),
+    card(
+        "PLO",
+        "(X, Y, ...)",
+        Both,
+        "plots Y and the names after it against X, with one line of print for each step of X",
+    ),
     card(
         "SCA",
         "(A, B, ...)",
         Thesis,
-        "after PLO: A of X to a line, B of Y to a column, and so on; without it, scales are chosen to fit",
+        "after PLO: X changes by A from line to line, Y by B from column to column, and so on; without this card, \
+         scales are chosen to fit",
     ),
     card("ZER", "(A, B, ...)", Thesis, "after PLO: the value of X on the first line, and of Y in the first column"),
     card("END", "", Both, "ends the deck; data cards may follow"),

@@ -124,15 +124,15 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Integral),
         Both,
-        "integral of A over T; B at T = 0. It stands still under a control variable that is false",
+        "integral of A over T, which is B at T = 0. The integral stands still while its control variable is false",
     ),
     function(
         ("TDL", "A, B, C"),
         (2, 3),
         (Numbers, Delay),
         Thesis,
-        "A at T − B, and 0 before there is one; B must be known before the run. We don't know what C is: perhaps how \
-         many values are kept",
+        "delay: A at T − B, and 0 before A has a value. B must be known before the run. We don't know what C is, \
+         perhaps how many values are kept",
     ),
     function(
         ("FSW", "A, B, C, D"),
@@ -168,8 +168,8 @@ pub static FUNCTIONS: [Function; 26] = [
     function(("SQR", "A"), (1, 1), (Numbers, Plain(Operation::SquareRoot)), Assumed, "square root of A"),
     function(("EXP", "A"), (1, 1), (Numbers, Plain(Operation::Exponential)), Assumed, "e to the power A"),
     function(("LOG", "A"), (1, 1), (Numbers, Plain(Operation::Logarithm)), Assumed, "natural logarithm of A"),
-    function(("MAX", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Greatest)), Assumed, "the greatest of them"),
-    function(("MIN", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Least)), Assumed, "the least of them"),
+    function(("MAX", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Greatest)), Assumed, "greatest argument"),
+    function(("MIN", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Least)), Assumed, "least argument"),
     function(
         ("LIM", "A, B, C"),
         (3, 3),
@@ -191,21 +191,22 @@ pub static FUNCTIONS: [Function; 26] = [
         Assumed,
         "logical switch: B if A is TRUE, C if it is FALSE",
     ),
-    function(("AND", "A, B, ..."), (2, ANY), (Truths, Folded(Operation::And)), Assumed, "TRUE if all are"),
-    function(("IOR", "A, B, ..."), (2, ANY), (Truths, Folded(Operation::Or)), Assumed, "TRUE if at least one is"),
+    function(("AND", "A, B, ..."), (2, ANY), (Truths, Folded(Operation::And)), Assumed, "TRUE if all are TRUE"),
+    function(("IOR", "A, B, ..."), (2, ANY), (Truths, Folded(Operation::Or)), Assumed, "TRUE if at least one is TRUE"),
     function(
         ("EOR", "A, B, ..."),
         (2, ANY),
         (Truths, Folded(Operation::Exclusive)),
         Assumed,
-        "TRUE if an odd number of them are",
+        "TRUE if an odd number of the arguments are TRUE",
     ),
     function(
         ("LIN", "A, B, C, D"),
         (4, 4),
         (Numbers, Limited),
         Assumed,
-        "limited integral of A over T; B at T = 0. It stands still below C while A < 0, and above D while A > 0",
+        "limited integral of A over T, which is B at T = 0. The integral stands still while it is below C and A < 0, \
+         or above D and A > 0",
     ),
     function(
         ("FTR", "A, B, C"),
@@ -219,7 +220,8 @@ pub static FUNCTIONS: [Function; 26] = [
         (3, 3),
         (Numbers, Slope),
         Assumed,
-        "change of A over the change of B since the last kept point; C at T = 0, and unchanged while B rests",
+        "change of A divided by the change of B since the last kept point; C at T = 0, and unchanged while B does not \
+         change",
     ),
     function(
         ("ZOH", "A, B"),
@@ -233,8 +235,9 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Implicit),
         Assumed,
-        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A, at most \
-         1000 times, until the two agree to 1E-12 of their size. It must be alone in its expression",
+        "implicit: the value for which B, which may depend on this value, gives the same value. It is found by \
+         repetition, beginning with A, at most 1000 times, until the two values agree to 1E-12 of their size. IMP must \
+         be alone in its expression",
     ),
     function(("TAN", "A"), (1, 1), (Numbers, Plain(Operation::Tangent)), Assumed, "tangent of A radians"),
 ];

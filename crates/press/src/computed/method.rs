@@ -9,12 +9,16 @@ use std::collections::BTreeMap;
 
 /// Made by the test of the misprints, which fails if it is not as the ledger has it.
 const MISPRINTS: &str = include_str!("../../../../book/records/misprints.csv");
+/// Made by the test of further misprints in equations that are wrong as printed.
+const MISPRINTS_OF_WRONG: &str = include_str!("../../../../book/records/misprints-of-wrong.csv");
 
 /// The numbers of the page.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("method.misprints.refuted", || misprints("refuted")),
     ("method.misprints.unreadable", || misprints("unreadable")),
     ("method.misprints.harmless", || misprints("harmless")),
+    ("method.misprints.of-wrong", || misprints("noticed")),
+    ("method.misprints.at-the-slip", || misprints("at-the-slip")),
     ("method.equations.both", || Ok(equations_read_by(2).to_string())),
     ("method.equations.one", || Ok(equations_read_by(1).to_string())),
     ("method.same-kind", || Ok(of_one_kind(|_| true).to_string())),
@@ -26,9 +30,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("method.readings.again", || Ok(again().to_string())),
 ];
 
-/// A number of the record of misprints.
+/// A number of the records of misprints.
 fn misprints(name: &str) -> anyhow::Result<String> {
-    let lines = MISPRINTS.lines().filter_map(|line| line.split_once(','));
+    let lines =
+        [MISPRINTS, MISPRINTS_OF_WRONG].into_iter().flat_map(str::lines).filter_map(|line| line.split_once(','));
     let found = lines.into_iter().find_map(|(known, number)| (known == name).then(|| number.to_owned()));
     found.with_context(|| format!("the record of misprints has no line `{name}`"))
 }
@@ -85,7 +90,7 @@ mod tests {
 
     #[test]
     fn the_record_of_misprints_has_its_lines() {
-        for name in ["refuted", "unreadable", "harmless"] {
+        for name in ["refuted", "unreadable", "harmless", "noticed", "at-the-slip"] {
             assert!(misprints(name).expect("a line").parse::<usize>().is_ok_and(|number| number > 0), "{name}");
         }
         assert!(misprints("made up").is_err());

@@ -33,7 +33,7 @@ fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
             format!("{} <div>{}</div>", right(judged)?, escape(slip.changes)),
         ])
     });
-    table(caption, Cells::Wide, &["As printed", "Right, and what the printed one does"], rows)
+    table(caption, Cells::Wide, &["As printed", "Right, and what the mistake does"], rows)
 }
 
 /// Whether it is the sizes of an example, which nobody says are right.

@@ -57,7 +57,7 @@ pub fn grave() -> anyhow::Result<Table> {
             escape(slip.changes) + &numbers(places),
         ])
     });
-    let head = ["Where, and what it says", "Printed", "Right", "What it does"];
+    let head = ["Place, and what it says", "Printed", "Right", "What it does"];
     table("What changes a result or a conclusion", Cells::Words, &head, rows)
 }
 
@@ -71,7 +71,7 @@ pub fn summary() -> anyhow::Result<Table> {
     table(
         "Mistakes by what they do",
         Cells::Words,
-        &["Consequence", "What it means", "Mistakes", "Claims reached"],
+        &["Consequence", "What it means", "Mistakes", "Claims affected"],
         rows,
     )
 }
@@ -163,10 +163,13 @@ pub fn right(judged: &Judged) -> anyhow::Result<String> {
 /// How many printed numbers a slip makes wrong, and by how much.
 fn numbers(places: &Places) -> String {
     let number = places.wrong_numbers().count();
-    let of = if number == 1 { "one printed number".to_owned() } else { format!("{number} printed numbers") };
+    let (of, at_most) = match number {
+        1 => ("one printed number".to_owned(), ""),
+        _ => (format!("{number} printed numbers"), " at most"),
+    };
     places.greatest_change().map_or_else(String::new, |change| {
         let decimals = if change < 0.1 { 1 } else { 0 };
-        format!(" ({of}, off by {:.decimals$}&nbsp;% at most)", 100.0 * change)
+        format!(" ({of}, wrong by {:.decimals$}&nbsp;%{at_most})", 100.0 * change)
     })
 }
 

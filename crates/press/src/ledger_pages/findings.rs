@@ -64,7 +64,8 @@ fn forms(judged: &Judged) -> Vec<String> {
         _ => format!("By a second way{second}, {} {}: {}", lowered(right), says(again), again.how),
     });
     let told = refused.filter(|refused| refused.how != again.how && Some(*refused) != printed);
-    sentences.extend(told.map(|refused| format!("In this way, the printed form {}: {}", says(refused), refused.how)));
+    sentences
+        .extend(told.map(|refused| format!("By this second way, the printed form {}: {}", says(refused), refused.how)));
     sentences
 }
 
@@ -81,7 +82,7 @@ fn statement(judged: &Judged, neighbour: &str) -> Vec<String> {
         return sentences;
     }
     sentences.push(format!("By a second way{second}, what is printed {}: {}", says(again), again.how));
-    let version = format!("In this way, too, the false version {}", says(refused));
+    let version = format!("By this second way, too, the false version {}", says(refused));
     sentences.push(if refused.how == again.how { version } else { format!("{version}: {}", refused.how) });
     sentences
 }

@@ -50,7 +50,13 @@ pub fn symbols(slug: &str) -> anyhow::Result<Table> {
     let rows = triangle.chain(others).map(|symbol| {
         let parts = [of_triangle(&symbol).map_or("", |letter| letter.meaning), symbol.meaning];
         let meaning = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
-        Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), tex_or_text(symbol.printed)?])
+        // A letter is set as in a formula, with or without an index.
+        let is_letter = |letter: &str| letter.contains('_') || letter.chars().count() == 1;
+        let printed = match symbol.printed.split(", ").all(is_letter) {
+            true => maths::formula(symbol.printed, false),
+            false => tex_or_text(symbol.printed),
+        };
+        Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), printed?])
     });
     table("Letters", Cells::Words, &["In this book", "What it stands for", "In the source"], rows)
 }

@@ -21,9 +21,16 @@ pub fn arcs() -> anyhow::Result<Table> {
     });
     let caption = format!(
         "Length of the locking arcs of planar wheels (p) and of spherical wheels with axes at right angles (s), for a locking \
-         disc of {JOURNAL} crank radii"
+         disc with a radius of {JOURNAL} crank radii"
     );
-    let head =
-        ["Stations", "p, in wheel radii", "in crank radii", "angle", "s, in wheel radii", "in crank radii", "angle"];
+    let head = [
+        "Stations",
+        "p, in wheel radii",
+        "p, in crank radii",
+        "p, angle",
+        "s, in wheel radii",
+        "s, in crank radii",
+        "s, angle",
+    ];
     table(&caption, Cells::Numbers, &head, rows)
 }

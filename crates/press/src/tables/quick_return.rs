@@ -26,7 +26,8 @@ pub fn terms() -> anyhow::Result<Table> {
         })
     });
     let head = ["Vector", "Magnitude", "Direction", "Sense"];
-    let caption = "All vectors of the problem. Directions are counter-clockwise from the line from the lever’s pivot to the crank’s axis";
+    let caption = "All vectors of the problem. Directions are angles, counted counter-clockwise from the line from the lever’s \
+     pivot to the crank’s axis";
     table(caption, Cells::Words, &head, rows)
 }
 

@@ -21,12 +21,12 @@ pub fn definitions() -> anyhow::Result<Table> {
     let part = |part: f64| format!("{}&nbsp;%", 100.0 * part);
     let parts = parts(MISSING).map(part);
     let ideal = format!("the mechanism, <br>{}", part(MISSING));
-    let mut head = vec!["Time from rest until which quantity is near its steady value"];
+    let mut head = vec!["Time from rest until this quantity is near its steady value"];
     head.extend(parts.iter().map(String::as_str));
     head.extend(["by chance, <br>at most", &ideal]);
-    let caption = "How many of the 49 printed rise times each definition explains, to one unit of the last place, with the \
-                   runs as they were, if so much of the steady velocity may be missing; how many chance would explain; and \
-                   how many the real mechanism explains";
+    let caption = "How many of the 49 printed rise times each definition explains, to one unit of the last place. The \
+                   percentages say how far the quantity may be from its steady value, in the runs as they were. The \
+                   last two columns: by chance, and for the real mechanism";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -49,7 +49,7 @@ pub fn events() -> anyhow::Result<Table> {
         "by <br>chance",
         "The mechanism, <br>of 49",
     ];
-    table("How many printed rise times are explained by other events of a start", Cells::NamedNumbers, &head, rows)
+    table("How many printed rise times each of these other events would explain", Cells::NamedNumbers, &head, rows)
 }
 
 /// The words of the thesis on which claims turn.

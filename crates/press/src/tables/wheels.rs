@@ -23,9 +23,9 @@ pub fn wheels(range: &str) -> anyhow::Result<Table> {
     ];
     let caption = format!(
         "Wheels with {first} to {last} stations, one pin, and a driver at constant speed. The times of moving and dwelling \
-         tell you how many stations to choose, centre distance and wheel radius how large the wheel is, and speed and \
-         accelerations how hard it is driven. The last column is the crank angle, before and past the line of centres, where \
-         the acceleration is greatest"
+         tell you how many stations to choose. Centre distance and wheel radius tell you how large the wheel is, and speed and \
+         accelerations how hard it is driven. The last column is the crank angle of the greatest acceleration, before and past \
+         the line of centres"
     );
     table(&caption, Cells::Numbers, &head, stations.map(row))
 }

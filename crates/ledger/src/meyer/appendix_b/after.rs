@@ -153,8 +153,8 @@ fn angle() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.series",
                 "a series of problems of changing initial conditions",
-                "a run may be put together from single engagements, each of which begins with what the one before has \
-                 left",
+                "a run may be put together from single engagements, each of which begins as the engagement before has \
+                 ended",
             )
             .by(Evidence::RungeKutta, |stated| {
                 // The whole run at once, with the pin that is in a slot at each angle.

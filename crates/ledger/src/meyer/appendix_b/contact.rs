@@ -27,7 +27,8 @@ fn solved() -> Vec<Claim> {
             )
             .proven_by(factors)
             .read(ClosedForm, holds)
-            .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS),
+            .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS)
+            .in_places(5),
         at("Appendix B, line after Eq. (1-19) repeated")
             .statement(
                 "meyer.app-b.cannot-be-solved",
@@ -62,8 +63,8 @@ fn solved() -> Vec<Claim> {
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
                 "To solve means to find a formula for the acceleration from the other letters. The text goes on to \
-                 open the bars with a sign, and it takes that sign from an older acceleration. Other sentences say \
-                 whether the computer needed this, and we leave those open.",
+                 replace the bars by a sign, which it takes from an older acceleration. Whether the computer needed \
+                 this is a question of other sentences, and we leave those open.",
             ),
         PROGRAM
             .statement(
@@ -76,10 +77,10 @@ fn solved() -> Vec<Claim> {
 }
 
 /// Why it is open what a program had to do about the loop of acceleration and sign.
-const IMPLICIT: &str = "Languages of this family have an implicit function, IMP, which finds a value from an equation \
-                        for it. The thesis does not say whether the MIMIC of 1973 had it. With it the bars may stay, \
-                        and the sign may come from the same instant. Without it the lines are a loop that cannot be \
-                        sorted";
+const IMPLICIT: &str = "Languages like MIMIC have an implicit function, IMP, which finds a value from an equation for \
+                        it. The thesis does not say whether the MIMIC of 1973 had it. With IMP, the absolute-value \
+                        bars may stay and the friction's sign may come from the same instant. Without IMP, the lines \
+                        of acceleration and sign are a loop that cannot be sorted";
 
 /// The two lines of the display of S: an equation and its condition each.
 fn cases(tex: &str) -> Option<Vec<(String, String)>> {
@@ -218,8 +219,8 @@ fn described() -> Vec<Claim> {
             )
             .missing(
                 "The program in the copy we had has seven lines before its first equation, if five comments count as \
-                 cards, and it ends without data. The thesis does not say whether these are the seven it means, and \
-                 the data cards are not there",
+                 cards, and it ends without data. The thesis does not say whether these are the seven cards that it \
+                 means, and the data cards are missing",
             ),
         constant("meyer.app-b.spring-constant", PROGRAM, "the name that K is given", "spring constant"),
         PROGRAM
@@ -282,10 +283,11 @@ fn old_acceleration() -> Vec<Claim> {
                 "the old acceleration is the acceleration a tenth of the print interval before",
             )
             .missing(
-                "The card asks for this acceleration. Whether the program gets it depends on what the system does \
-                 where a step is longer than the delay, and nothing about that is printed. Our system then takes the \
-                 latest value, which in each of the runs happens in more than half of the steps. The tables tell a \
-                 delay of a tenth of the interval from a delay of all of it, but not from a delay of a twentieth",
+                "The card of the delay, TDL, asks for this acceleration. Whether the program gets it depends on what \
+                 the system does where a step of the integration is longer than the delay, and nothing about that is \
+                 printed. In such a step our system takes the latest value, and in each of the runs this happens in \
+                 more than half of the steps. From the tables we can tell a delay of a tenth of the interval from a \
+                 delay of the whole interval, but not from a delay of a twentieth",
             ),
         PROGRAM
             .statement("meyer.app-b.small-time", "SMT", "SMT is true until time zero and false after it")

@@ -110,7 +110,7 @@ fn constants() -> Vec<Claim> {
             ),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
             "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on it, \
-             because they are the same whether a hundred values are kept or all of them",
+             because they are the same whether the delay keeps a hundred values or all of them",
         ),
         PROGRAM
             .value(

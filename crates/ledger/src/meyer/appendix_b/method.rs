@@ -26,8 +26,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.method.one-value",
                 "made negligible by proper choice of the increment",
-                "if a step keeps the second derivative's value from its beginning, and takes the next first \
-                 derivative from it and the next value from that, the error goes away with the step",
+                "if the second derivative is taken as constant over a step, and gives the new first derivative, which \
+                 gives the new value, then the error tends to zero as the step gets shorter",
             )
             .by(ClosedForm, |stated| {
                 let errors: Vec<f64> = INCREMENTS.map(error_of_growth).to_vec();
@@ -257,7 +257,7 @@ fn advantages() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 let advance = printed_step(|_, _| 1.0, 0.0, 0.0, 1.0).unwrap_or(f64::NAN);
                 let said = stated.pick(1.0, widths()[0]);
-                Finding::new(agrees(advance, said), format!("the step goes on by {advance} of the interval"))
+                Finding::new(agrees(advance, said), format!("the step advances by {advance} times the interval"))
             })
             .by(LimitCase, |stated| {
                 let mut points = Vec::new();
@@ -272,9 +272,9 @@ fn advantages() -> Vec<Claim> {
                 "over the interval",
                 Slip {
                     id: "",
-                    reason: "The paragraphs before cut the whole range into intervals of the width h, and each of \
-                             these into four subintervals. When y_1 is known, the interval from x_0 to x_1 has been \
-                             integrated over.",
+                    reason: "The paragraphs before this one cut the whole range into intervals of the width h, and \
+                             each of these into four subintervals. When y_1 is known, the interval from x_0 to x_1 has \
+                             been integrated over.",
                     witness: "A run of the classical method goes on by whole steps.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,

@@ -29,10 +29,7 @@ pub fn reset(
             let pins: Vec<u32> = all.iter().filter(agree).map(|at| at.pins()).collect();
             Finding::new(
                 pins.len() == all.len(),
-                format!(
-                    "by coordinates, the pin nearest to the follower's axis is at this angle for {} pins",
-                    joined(&pins)
-                ),
+                format!("the pin nearest to the follower's axis is at the computed angle for {} pins", joined(&pins)),
             )
         })
         .corrected(corrected, RESET_ANGLE)
@@ -69,9 +66,9 @@ fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
         })
         .collect();
     let how = if ends.is_empty() {
-        "the reset angle runs from entry to exit for each of the three mechanisms".to_owned()
+        "the angle in the slot runs from entry to exit for each of the three mechanisms".to_owned()
     } else {
-        format!("the reset angle runs {}", joined(&ends))
+        format!("the angle in the slot runs {}", joined(&ends))
     };
     Finding::new(ends.is_empty(), how)
 }
