@@ -1,5 +1,6 @@
 //! Are the rules of the repository kept?
 
+mod examples;
 mod units;
 
 use geneva_ledger::numeric_tokens;

@@ -85,14 +85,19 @@ fn says(text: &str, phrase: &str) -> bool {
 /// The public numbers of a file that do not say their unit, each with its line.
 fn without_a_unit(text: &str) -> Vec<String> {
     let code: Vec<&str> = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default().lines().collect();
-    let (mut found, mut comment, mut public) = (Vec::new(), String::new(), false);
+    let (mut found, mut comment, mut public, mut example) = (Vec::new(), String::new(), false, false);
     for (at, line) in code.iter().enumerate() {
         if !line.starts_with([' ', '}', '/', '#']) && !line.is_empty() {
             public = ["pub trait ", "pub enum "].iter().any(|start| line.starts_with(start));
         }
         let trimmed = line.trim();
         if let Some(said) = trimmed.strip_prefix("///") {
-            comment += said;
+            // What an example says of its own numbers is no unit of the item.
+            let fence = said.trim().starts_with("```");
+            example ^= fence;
+            if !example && !fence {
+                comment += said;
+            }
         } else if !trimmed.starts_with("#[") {
             let number = declared(&code[at..], public).filter(|(_, kind)| is_number(kind));
             // What has no comment in a trait or an enum is a parameter: of the rest the compiler asks for one.
@@ -127,6 +132,7 @@ fn a_unit_is_asked_of_public_numbers_alone() {
     let told = |text: &str| without_a_unit(text).len();
     assert_eq!(told("/// The radius.\npub radius: f64,"), 1);
     assert_eq!(told("/// The radius, in crank radii.\npub radius: Option<S>,"), 0);
+    assert_eq!(told("/// The radius.\n/// ```\n/// 2.0 // crank radii\n/// ```\npub radius: f64,"), 1);
     assert_eq!(told("/// The radius.\nradius: f64,"), 0);
     assert_eq!(told("/// The radius.\npub fn radius(\n    at: f64,\n) -> Result<[f64; 2], Error> {"), 1);
     assert_eq!(told("/// The direction.\npub fn direction() -> Turn<S> {"), 0);

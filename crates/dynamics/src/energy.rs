@@ -4,6 +4,14 @@
 //! slides; what is left goes into the kinetic energy of the two members. The normal force follows from the moments on
 //! the follower, N R = I_f φ'', and the sliding speed is |dR/dt|. Everything comes from the pin's place as a power
 //! series.
+//!
+//! ```
+//! use geneva_dynamics::energy::{GrowthOfKineticEnergy, SquareOfTheSlot};
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&SquareOfTheSlot).is_ok()); // the law of cosines
+//! assert!(prove(&GrowthOfKineticEnergy).is_ok());
+//! ```
 
 use crate::{Coefficients, Pose, Sign};
 use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity, pin_slot};
@@ -12,6 +20,13 @@ use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity
 /// squared.
 ///
 /// Meyer 1973, Eq. (1-16).
+///
+/// ```
+/// use geneva_dynamics::energy::kinetic_energy;
+///
+/// // Both members at 2 rad/s, I_D = 3 I_f: (3 + 1) · 2² / 2, times I_f.
+/// assert_eq!(kinetic_energy(&1.0, &2.0, &3.0), 8.0);
+/// ```
 pub fn kinetic_energy<S: Field>(velocity_ratio: &S, speed: &S, inertia_ratio: &S) -> S {
     let follower = velocity_ratio.clone() * speed.clone();
     (inertia_ratio.clone() * speed.clone() * speed.clone() + follower.clone() * follower) / S::integer(2)

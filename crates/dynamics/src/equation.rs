@@ -20,6 +20,16 @@ use geneva_kinematics::{Field, Turn};
 /// A: inertia that the driver feels, over the follower's, dimensionless: I_D / I_f + (a cos θ − 1)² / R⁴.
 ///
 /// Meyer 1973, after (1-18).
+///
+/// ```
+/// use geneva_dynamics::Pose;
+/// use geneva_dynamics::equation::coefficient_a;
+/// use geneva_kinematics::Turn;
+///
+/// // On the line of centres with a = 2 both members turn at one speed: their inertias add up.
+/// let middle = Pose::new(&2.0, &Turn::from_radians(0.0));
+/// assert_eq!(coefficient_a(&middle, &3.0), 3.0 + 1.0); // I_D = 3 I_f
+/// ```
 #[inline]
 pub fn coefficient_a<S: Field>(pose: &Pose<S>, inertia_ratio: &S) -> S {
     let ratio = pose.velocity_ratio();
@@ -29,33 +39,78 @@ pub fn coefficient_a<S: Field>(pose: &Pose<S>, inertia_ratio: &S) -> S {
 /// B: a (1 − a²) sin θ (a cos θ − 1) / R⁶, half the rate of change of A with θ, dimensionless.
 ///
 /// Meyer 1973, after (1-18).
+///
+/// ```
+/// use geneva_dynamics::Pose;
+/// use geneva_dynamics::equation::{coefficient_a, coefficient_b};
+/// use geneva_kinematics::{Jet, Turn, rational};
+///
+/// // Half the rate of A, exactly.
+/// let pose = Pose::new(&rational(2, 1), &Turn::from_half_tangent(&rational(1, 2)));
+/// let moving = pose.moving_by(&Jet::<_, 2>::variable(rational(0, 1)));
+/// let rate = coefficient_a(&moving, &Jet::constant(rational(3, 1))).rate();
+/// assert_eq!(coefficient_b(&pose), rate / rational(2, 1));
+/// ```
 #[inline]
 pub fn coefficient_b<S: Field>(pose: &Pose<S>) -> S {
     pose.acceleration_ratio() * pose.velocity_ratio()
 }
 
 /// C: friction from the square of the speed, μ a² sin² θ (1 − a²) / R⁶, dimensionless. Meyer 1973, after (1-18).
+///
+/// ```
+/// use geneva_dynamics::Pose;
+/// use geneva_dynamics::equation::coefficient_c;
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // With a = 2, sin θ = 4/5 and R² = 13/5: μ · 4 (16/25) (1 − 4) / (13/5)³.
+/// let pose = Pose::new(&rational(2, 1), &Turn::from_half_tangent(&rational(1, 2)));
+/// assert_eq!(coefficient_c(&pose, &rational(1, 1)), rational(-960, 2197));
+/// ```
 #[inline]
 pub fn coefficient_c<S: Field>(pose: &Pose<S>, friction: &S) -> S {
     friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.acceleration_ratio()
 }
 
 /// D: friction from the acceleration, μ a sin θ (a cos θ − 1) / R⁴, dimensionless. Meyer 1973, after (1-18).
+///
+/// ```
+/// use geneva_dynamics::Pose;
+/// use geneva_dynamics::equation::coefficient_d;
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // With a = 2, cos θ = 3/5, sin θ = 4/5 and R² = 13/5: μ · (8/5) (1/5) / (13/5)².
+/// let pose = Pose::new(&rational(2, 1), &Turn::from_half_tangent(&rational(1, 2)));
+/// assert_eq!(coefficient_d(&pose, &rational(1, 1)), rational(8, 169));
+/// ```
 #[inline]
 pub fn coefficient_d<S: Field>(pose: &Pose<S>, friction: &S) -> S {
     friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.velocity_ratio()
 }
 
 /// The five coefficients of Eq. (1-19) at one crank angle.
+///
+/// ```
+/// use geneva_dynamics::{Coefficients, Sign};
+/// use geneva_kinematics::Turn;
+///
+/// // On the line of centres with a = 2, without friction: the torque accelerates both inertias, K / (I_D + I_f).
+/// let (inertia_ratio, friction, drive) = (3.0, 0.0, 8.0); // I_D / I_f, μ, K / I_f in 1/s²
+/// let coefficients = Coefficients::new(&2.0, &Turn::from_radians(0.0), &inertia_ratio, &friction, &drive);
+/// let speed = 5.0; // rad/s
+/// assert_eq!(coefficients.acceleration(speed)?.value, 2.0); // rad/s²
+/// assert_eq!(coefficients.residual(&speed, &2.0, Sign::Plus), 0.0); // it obeys the equation of motion
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coefficients<S> {
-    /// A, times θ''; dimensionless.
+    /// A, the factor of θ''; dimensionless.
     pub a: S,
-    /// B, times θ'²; dimensionless.
+    /// B, the factor of θ'²; dimensionless.
     pub b: S,
-    /// C, times θ'² between the bars; dimensionless.
+    /// C, the factor of θ'² between the bars; dimensionless.
     pub c: S,
-    /// D, times θ'' between the bars; dimensionless.
+    /// D, the factor of θ'' between the bars; dimensionless.
     pub d: S,
     /// E, the torque over the follower's inertia, per square of the unit of time.
     pub e: S,
@@ -134,7 +189,15 @@ pub struct Acceleration {
 }
 
 impl Coefficients<f64> {
-    /// The unique acceleration at this speed of the driver (≥ 0, radians per unit of time), with the sign of the bars.
+    /// The driver's unique acceleration at a speed (≥ 0, radians per unit of time), with the sign of the bars.
+    ///
+    /// ```
+    /// use geneva_dynamics::{Coefficients, Error};
+    ///
+    /// // A = 1 is less than |D| = 2: with E = 1 the two signs of the bars would give two accelerations.
+    /// let jamming = Coefficients { a: 1.0, b: 0.0, c: 0.0, d: 2.0, e: 1.0 };
+    /// assert!(matches!(jamming.acceleration(0.0), Err(Error::NotUnique { .. })));
+    /// ```
     ///
     /// # Errors
     ///

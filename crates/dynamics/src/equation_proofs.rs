@@ -2,6 +2,16 @@
 //!
 //! Notation as in [`equation`](crate::equation); A to E and θ' are free variables, so nothing depends on what they
 //! stand for. Where the slopes A + D and A − D are divided by, they are the variables instead of A and D.
+//!
+//! ```
+//! use geneva_dynamics::Sign;
+//! use geneva_dynamics::equation_proofs::{SignDecider, SolutionOfOneSign};
+//! use geneva_kinematics::prove;
+//!
+//! for sign in Sign::BOTH {
+//!     assert!(prove(&SolutionOfOneSign(sign)).is_ok() && prove(&SignDecider(sign)).is_ok());
+//! }
+//! ```
 
 use crate::{Coefficients, Sign};
 use geneva_kinematics::{Expression, Identity};

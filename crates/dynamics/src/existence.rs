@@ -47,11 +47,32 @@ pub struct LeastMargin {
 }
 
 /// A − |D| at a pose, for I_D / I_f and μ; dimensionless.
+///
+/// ```
+/// use geneva_dynamics::Pose;
+/// use geneva_dynamics::existence::margin;
+/// use geneva_kinematics::Turn;
+///
+/// // As the pin leaves, at 60° with a = 2, the follower is at rest: only the driver's inertia is felt.
+/// let exit = Pose::new(&2.0, &Turn::from_degrees(60.0));
+/// assert!((margin(&exit, 3.0, 0.2) - 3.0).abs() < 1e-12); // I_D = 3 I_f
+/// ```
 pub fn margin(pose: &Pose<f64>, inertia_ratio: f64, friction: f64) -> f64 {
     equation::coefficient_a(pose, &inertia_ratio) - equation::coefficient_d(pose, &friction).abs()
 }
 
 /// The friction from which on A > |D| fails somewhere in the engagement, for I_D / I_f (positive and finite).
+///
+/// ```
+/// use geneva_dynamics::existence::{critical_friction, least_margin};
+/// use geneva_kinematics::Mechanism;
+///
+/// let critical = critical_friction(Mechanism::FOUR_PIN, 0.1)?; // I_D = 0.1 I_f
+/// let there = least_margin(Mechanism::FOUR_PIN, 0.1, critical.friction)?;
+/// assert!(there.margin.abs() < 1e-12); // A = |D|, once in the engagement,
+/// assert!((there.angle - critical.angle).abs() < 1e-5); // at this angle in rad
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 ///
 /// # Errors
 ///
@@ -72,6 +93,16 @@ pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<Cri
 ///
 /// For those who judge many escapements, as a map does: true only of a friction below [`critical_friction`], but false of
 /// some of these, and of all where I_D / I_f is not within 10⁻¹⁰⁰ to 10¹⁰⁰.
+///
+/// ```
+/// use geneva_dynamics::existence::{critical_friction, surely_below_critical};
+/// use geneva_kinematics::Mechanism;
+///
+/// let critical = critical_friction(Mechanism::FOUR_PIN, 0.1)?.friction;
+/// assert!(surely_below_critical(Mechanism::FOUR_PIN, 0.1, critical / 2.0));
+/// assert!(!surely_below_critical(Mechanism::FOUR_PIN, 0.1, critical));
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 pub fn surely_below_critical(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> bool {
     let inertia = inertia_ratio;
     // Within this range nothing overflows or loses its digits; the margin is far more than what rounding can do.
@@ -105,6 +136,17 @@ const BISECTIONS: u32 = 6;
 ///
 /// Without friction it is I_D / I_f, where the pin enters and leaves; with friction it is less.
 ///
+/// ```
+/// use geneva_dynamics::existence::least_margin;
+/// use geneva_kinematics::Mechanism;
+/// use std::f64::consts::FRAC_PI_4;
+///
+/// // Without friction the driver feels least inertia where the follower is at rest: its own.
+/// let least = least_margin(Mechanism::FOUR_PIN, 0.1, 0.0)?;
+/// assert!((least.margin - 0.1).abs() < 1e-15 && (least.angle - FRAC_PI_4).abs() < 1e-15);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`Error::NotPositive`] for the inertias, [`Error::Negative`] for the friction.
@@ -116,6 +158,17 @@ pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> 
 
 /// The ratio I_D / I_f, dimensionless, that must be exceeded for one solution everywhere with this friction: zero
 /// without friction.
+///
+/// ```
+/// use geneva_dynamics::existence::{critical_friction, critical_inertia_ratio};
+/// use geneva_kinematics::Mechanism;
+///
+/// // It undoes `critical_friction`.
+/// let friction = critical_friction(Mechanism::FOUR_PIN, 0.1)?.friction;
+/// assert!((critical_inertia_ratio(Mechanism::FOUR_PIN, friction)? - 0.1).abs() < 1e-12);
+/// assert_eq!(critical_inertia_ratio(Mechanism::FOUR_PIN, 0.0)?, 0.0);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 ///
 /// # Errors
 ///

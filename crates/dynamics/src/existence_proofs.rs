@@ -1,6 +1,13 @@
 //! The algebra behind the map of existence, as identities.
 //!
 //! Notation as in [`existence`](crate::existence): h = a cos θ − 1, b = a² − 1, g = a sin θ, i = I_D / I_f.
+//!
+//! ```
+//! use geneva_dynamics::existence_proofs::{ConvexityFactors, KappaBelowTwo};
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&KappaBelowTwo).is_ok() && prove(&ConvexityFactors).is_ok());
+//! ```
 
 use crate::{Pose, equation};
 use geneva_kinematics::{Expression, Field, Identity, Jet, Turn};

@@ -28,7 +28,7 @@ pub struct ContactForces {
     /// Torque of friction about the driver's axis, in the unit of the torque, never negative; it acts against the
     /// driver's motion.
     pub friction_torque: f64,
-    /// Where the pin bears.
+    /// Flank of the slot that the pin bears on.
     pub flank: Flank,
 }
 
@@ -43,6 +43,21 @@ impl Parameters {
     /// Forces at a crank angle (radians from the line of centres) and a speed of the driver (≥ 0).
     ///
     /// Meyer 1973, Eqs. (1-13), with its first exponent put right, and (1-14).
+    ///
+    /// ```
+    /// use geneva_dynamics::forces::Flank;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// // As the pin enters a follower of four slots, R = r and φ'' = θ'²; friction is along the slot with the arm r.
+    /// let inertias = Inertias::new(0.5, 2.0)?; // kg m²
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, inertias, 1.0, 0.2)?;
+    /// let entry = timer.contact_forces(-timer.mechanism().engagement_half_angle(), 3.0)?; // rad/s
+    /// assert!((entry.normal_moment - 2.0 * 3.0 * 3.0).abs() < 1e-12); // N m: I_f θ'²
+    /// assert!((entry.friction_torque - 0.2 * entry.normal_moment).abs() < 1e-12); // N m
+    /// assert_eq!(entry.flank, Flank::Leading);
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

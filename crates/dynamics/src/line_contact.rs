@@ -40,6 +40,19 @@ pub const MATERIALS: [Material; 5] = [
 ];
 
 /// A pin on a flat wall.
+///
+/// ```
+/// use geneva_dynamics::line_contact::{LineContact, MATERIALS};
+/// use std::f64::consts::PI;
+///
+/// let (steel, bronze) = (&MATERIALS[0], &MATERIALS[3]);
+/// let contact = LineContact::new(0.003, 0.01, steel, bronze)?; // a pin of 3 mm radius, over 10 mm, in m
+/// let (pressure, width) = (contact.pressure(200.0)?, contact.width(200.0)?); // under 200 N, in Pa and m
+/// // Over the width the pressure is half an ellipse, which carries the force.
+/// assert!((PI / 4.0 * pressure * width * 0.01 - 200.0).abs() < 1e-10); // N
+/// assert!((contact.pressure(800.0)? / pressure - 2.0).abs() < 1e-14); // it goes as the root of the force
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineContact {
     pin_radius: f64,
@@ -47,7 +60,15 @@ pub struct LineContact {
     modulus: f64,
 }
 
-/// 1/E* solved for E*, in Pa: the modulus of the contact of two materials.
+/// Modulus E* of the contact of two materials, in Pa: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
+///
+/// ```
+/// use geneva_dynamics::line_contact::{MATERIALS, contact_modulus};
+///
+/// let steel = &MATERIALS[0];
+/// let own = steel.modulus / (1.0 - steel.poisson * steel.poisson); // Pa
+/// assert!((contact_modulus(steel, steel) / (own / 2.0) - 1.0).abs() < 1e-15); // two alike are half as stiff
+/// ```
 pub fn contact_modulus(pin: &Material, wall: &Material) -> f64 {
     let compliance = |of: &Material| (1.0 - of.poisson * of.poisson) / of.modulus;
     (compliance(pin) + compliance(wall)).recip()
@@ -59,6 +80,13 @@ pub fn contact_modulus(pin: &Material, wall: &Material) -> f64 {
 /// Under the middle of the contact, at the depth z in half its width, the principal stresses over the greatest pressure
 /// are −1/√(1 + z²) into the body, −((1 + 2 z²)/√(1 + z²) − 2 z) across the contact, and ν times their sum along it.
 /// K. L. Johnson, *Contact Mechanics*, section 4.2.
+///
+/// ```
+/// use geneva_dynamics::line_contact::pressure_at_yield;
+///
+/// // For ν = 0.3 Johnson's book gives 1.8, to two digits.
+/// assert!((pressure_at_yield(0.3) - 1.8).abs() < 0.05);
+/// ```
 pub fn pressure_at_yield(poisson: f64) -> f64 {
     let equivalent = |z: f64| {
         let root = (1.0 + z * z).sqrt();

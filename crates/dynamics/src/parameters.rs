@@ -9,6 +9,15 @@ use crate::{Acceleration, Coefficients, Error, Pose};
 use geneva_kinematics::{Mechanism, Turn};
 
 /// Moments of inertia of the two members about their own axes.
+///
+/// ```
+/// use geneva_dynamics::Inertias;
+///
+/// let inertias = Inertias::new(2e-6, 1e-6)?; // driver and follower, kg m²
+/// assert_eq!(inertias.ratio(), 2.0);
+/// assert!(Inertias::new(0.0, 1e-6).is_err());
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertias {
     driver: f64,
@@ -49,6 +58,18 @@ impl Inertias {
 }
 
 /// An escapement whose equation of motion has one solution wherever a pin is in its slot.
+///
+/// ```
+/// use geneva_dynamics::{Error, Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let inertias = Inertias::new(2e-6, 1e-6)?; // driver and follower, kg m²
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, inertias, 1e-3, 0.2)?; // torque in N m, friction coefficient
+/// assert!((timer.drive() - 1000.0).abs() < 1e-9); // K / I_f, per s²
+/// let rough = Parameters::new(Mechanism::FOUR_PIN, inertias, 1e-3, 1e3);
+/// assert!(matches!(rough, Err(Error::TooMuchFriction { .. }))); // it might jam
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     mechanism: Mechanism,
@@ -120,6 +141,18 @@ impl Parameters {
     ///
     /// While a pin is in its slot there always is one. Beyond, the formula is evaluated all the same, and may have
     /// none.
+    ///
+    /// ```
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// // As a pin enters, the follower is at rest and friction has no arm: the torque accelerates the driver alone.
+    /// let inertias = Inertias::new(0.5, 1.0)?; // kg m²
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, inertias, 3.0, 0.2)?; // N m
+    /// let entry = -timer.mechanism().engagement_half_angle(); // rad
+    /// assert!((timer.acceleration(entry, 0.0)?.value - 3.0 / 0.5).abs() < 1e-12); // rad/s²
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -4,11 +4,24 @@ use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 
 /// Pose of the mechanism, with the crank radius as the unit of length: all that the equation of motion asks of the
 /// geometry.
+///
+/// ```
+/// use geneva_dynamics::Pose;
+/// use geneva_kinematics::{Jet, Turn, rational};
+///
+/// // a = 2 and the crank at cosine 3/5, sine 4/5, without rounding.
+/// let pose = Pose::new(&rational(2, 1), &Turn::from_half_tangent(&rational(1, 2)));
+/// assert_eq!((pose.numerator.clone(), pose.square.clone()), (rational(1, 5), rational(13, 5)));
+/// assert_eq!(pose.velocity_ratio(), rational(1, 13));
+/// // The acceleration ratio is the rate of the velocity ratio.
+/// let moving = pose.moving_by(&Jet::<_, 2>::variable(rational(0, 1)));
+/// assert_eq!(pose.acceleration_ratio(), moving.velocity_ratio().rate());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
     /// a cos θ − 1, dimensionless: zero as the pin enters and leaves, positive between.
     pub numerator: S,
-    /// a sin θ, dimensionless: half the rate of change of the square below with θ.
+    /// a sin θ, dimensionless: half the rate of change of `square` with θ.
     pub cross: S,
     /// 1 + a² − 2 a cos θ, the square of the pin's distance from the follower's pivot over that of the crank radius,
     /// dimensionless.
@@ -29,10 +42,11 @@ impl<S: Field> Pose<S> {
         }
     }
 
-    /// The pose from R² / r², a cos θ − 1 and a sin θ; the law of cosines gives the fourth, 1 − a² = −(R²/r² + 2 lead).
+    /// The pose from R² / r², a cos θ − 1 and a sin θ. The law of cosines gives the fourth number, `shape` = 1 − a², which is
+    /// −(`square` + 2 `numerator`).
     ///
     /// For exact proofs: with the square as a variable of its own, degrees stay low. The three are bound by
-    /// square = lead² + cross²; what is proven without using that holds all the more with it.
+    /// `square` = `numerator`² + `cross`²; what is proven without using that holds all the more with it.
     pub fn from_square(square: &S, numerator: &S, cross: &S) -> Self {
         Self {
             numerator: numerator.clone(),
@@ -59,6 +73,15 @@ impl<S: Field> Pose<S> {
     /// Angular acceleration of the follower for a driver of this speed and acceleration, in the unit of the latter.
     ///
     /// Meyer 1973, Eq. (1-8).
+    ///
+    /// ```
+    /// use geneva_dynamics::Pose;
+    /// use geneva_kinematics::Turn;
+    ///
+    /// // On the line of centres with a = 2 the follower keeps up with the driver one to one, at any speed.
+    /// let pose = Pose::new(&2.0, &Turn::from_radians(0.0));
+    /// assert_eq!(pose.follower_acceleration(&40.0, &3.0), 3.0); // rad/s², at 40 rad/s and 3 rad/s²
+    /// ```
     pub fn follower_acceleration(&self, speed: &S, angular_acceleration: &S) -> S {
         self.acceleration_ratio() * speed.clone() * speed.clone() + self.velocity_ratio() * angular_acceleration.clone()
     }

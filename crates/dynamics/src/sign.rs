@@ -3,6 +3,14 @@
 use geneva_kinematics::Field;
 
 /// Plus or minus one.
+///
+/// ```
+/// use geneva_dynamics::Sign;
+///
+/// let torque: f64 = -3.0; // N m
+/// assert_eq!(Sign::from_number(torque).of(torque), torque.abs());
+/// assert_eq!(Sign::Minus.times(Sign::Minus), Sign::Plus);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sign {
     /// +1.

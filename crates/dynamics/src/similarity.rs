@@ -8,6 +8,14 @@ use crate::{Coefficients, Sign};
 use geneva_kinematics::{Expression, Identity};
 
 /// The factors of speed, acceleration and time when E = K/I_f grows by a factor.
+///
+/// ```
+/// use geneva_dynamics::similarity::Scaling;
+///
+/// // Four times the torque on the same inertias: twice the speed, half the time.
+/// let scaling = Scaling::of_drive(1.0, 4.0).expect("positive torques");
+/// assert_eq!((scaling.speed, scaling.acceleration, scaling.time), (2.0, 4.0, 0.5));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaling {
     /// Factor of all angular speeds, dimensionless.

@@ -1,6 +1,13 @@
 //! What the equation of motion divides by is never zero, and what it comes to where it starts.
 //!
 //! Meyer 1973, the paragraph after Eq. (1-18), and Appendix D.
+//!
+//! ```
+//! use geneva_dynamics::singularity::OffTheSingularity;
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&OffTheSingularity).is_ok()); // R² is at least (a − 1)², for every a and θ
+//! ```
 
 use crate::{Pose, equation};
 use geneva_kinematics::{Expression, Identity, Turn, pin_slot};

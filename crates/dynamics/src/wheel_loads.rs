@@ -54,15 +54,47 @@ pub struct Peak {
 }
 
 /// A load's greatest, and its least if it reverses: the greatest of the other sign.
+///
+/// ```
+/// use geneva_dynamics::wheel_loads::WheelLoads;
+/// use geneva_kinematics::wheel::Wheel;
+///
+/// // Without friction the pin brakes the wheel as hard as it drove it, and from the line of centres on.
+/// let wheel = Wheel::new(6)?;
+/// let loads = WheelLoads::new(&wheel, 1e-3, 0.0, 10.0)?; // kg m², N m, rad/s
+/// let torque = loads.wheel_torque(); // N m
+/// assert!(torque.braking.is_some_and(|braking| braking.value == -torque.driving.value));
+/// assert_eq!(loads.reversal(), Some((0.0, wheel.engagement_half_angle()))); // rad
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peaks {
-    /// While the pin drives the wheel.
+    /// The greatest load while the pin drives the wheel.
     pub driving: Peak,
-    /// While it holds the wheel back.
+    /// The greatest load while the pin holds the wheel back; none if it never does.
     pub braking: Option<Peak>,
 }
 
 /// A wheel with what it carries, and its driver's speed.
+///
+/// ```
+/// use geneva_dynamics::wheel_loads::WheelLoads;
+/// use geneva_kinematics::wheel::Wheel;
+/// use std::f64::consts::PI;
+///
+/// let wheel = Wheel::new(4)?;
+/// let loads = WheelLoads::new(&wheel, 1e-3, 0.5, 10.0)?; // kg m², N m, rad/s
+/// // As the pin enters: the inertia asks for J ω² tan 45°, the friction for 0.5 N m.
+/// let entry = loads.at(-wheel.engagement_half_angle())?;
+/// assert!((entry.wheel_torque - (1e-3 * 10.0 * 10.0 + 0.5)).abs() < 1e-12); // N m
+/// assert!(entry.power.abs() < 1e-12); // N m/s: the wheel is still at rest
+/// // On the line of centres only friction is left, and the pin is √2 − 1 crank radii from the wheel's axis.
+/// assert!((loads.at(0.0)?.pin_moment - 0.5 / (2_f64.sqrt() - 1.0)).abs() < 1e-12); // N m
+/// // Over an index the inertia gives back what it took; friction takes its torque times a quarter of a turn.
+/// assert!((loads.work() - 0.5 * PI / 2.0).abs() < 1e-12); // N m
+/// assert_eq!(loads.mean_crank_torque(), 0.5 / 4.0); // N m
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct WheelLoads<'w, W: Indexing + ?Sized> {
     wheel: &'w W,
@@ -103,7 +135,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         Ok(Load { wheel_torque, pin_moment, crank_torque, power })
     }
 
-    /// Torque on the wheel, in N m.
+    /// Greatest torque on the wheel while the pin drives it, and while it holds it back, in N m.
     pub fn wheel_torque(&self) -> Peaks {
         let peak = self.wheel.acceleration_peak();
         let of = |sense: f64| Peak {
@@ -113,12 +145,12 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         Peaks { driving: of(-1.0), braking: Some(of(1.0)).filter(|least| least.value < 0.0) }
     }
 
-    /// The pin's force times the crank radius, in N m: see [`Load::pin_moment`].
+    /// Greatest force of the pin times the crank radius, driving and braking, in N m: see [`Load::pin_moment`].
     pub fn pin_moment(&self) -> Peaks {
         self.peaks(|load| load.pin_moment, |crank| self.pin_moment_rate(crank))
     }
 
-    /// Torque at the crank, in N m. Times the driver speed it is the power.
+    /// Greatest torque at the crank, driving and braking, in N m. Times the driver speed it is the power.
     pub fn crank_torque(&self) -> Peaks {
         self.peaks(|load| load.crank_torque, |crank| self.crank_torque_rate(crank))
     }
@@ -150,6 +182,18 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
     ///
     /// By the Gauss-Legendre rule of sixteen nodes on subintervals that are doubled until the result changes by less than
     /// a relative 10⁻¹³.
+    ///
+    /// ```
+    /// use geneva_dynamics::wheel_loads::WheelLoads;
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::spherical_wheel::SphericalWheel;
+    ///
+    /// // With many stations the wheel moves as a Scotch yoke: M tan α cos θ over half of the turn, whose RMS is M tan α / 2.
+    /// let wheel = SphericalWheel::new(1000)?;
+    /// let loads = WheelLoads::new(&wheel, 0.0, 2.0, 10.0)?; // no inertia, 2 N m of friction, 10 rad/s
+    /// assert!((loads.rms_crank_torque() / wheel.peak_velocity() - 1.0).abs() < 1e-4); // N m
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn rms_crank_torque(&self) -> f64 {
         let square = self.integral(|load| load.crank_torque * load.crank_torque);
         (square * f64::from(self.wheel.pins()) / TAU).sqrt()

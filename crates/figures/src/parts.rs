@@ -4,7 +4,7 @@ use crate::number::{degrees, round_step, trimmed};
 use crate::svg::{
     Canvas, DASHED, Label, Path, Pixels, Place, Placing, Sense, Shape, angle_of, around, beside_line, heading,
 };
-use crate::theme::{DRIVER, GRID, INK, PAPER, Shade};
+use crate::theme::{Colour, DRIVER, GRID, INK, PAPER};
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -37,14 +37,14 @@ pub fn of_label(canvas: &mut Canvas, label: &Label, draw: impl FnOnce(&mut Canva
 /// A straight arrow whose tip is exactly at `to`: a shaft and a head, both of the class `name`.
 ///
 /// The shaft's path begins at the tail, the head's at the tip.
-pub fn arrow(canvas: &mut Canvas, from: &Pixels, to: &Pixels, shade: Shade, width: f64, name: &str) {
+pub fn arrow(canvas: &mut Canvas, from: &Pixels, to: &Pixels, colour: Colour, width: f64, name: &str) {
     let along = to - from;
     if along.norm() < SHORTEST {
         return;
     }
     let path = Path::start(from).line_to(&(to - along.normalize() * head_length(width) * 0.8));
-    canvas.draw(Shape::path(path).stroke(shade, width).class(name));
-    canvas.draw(head(to, angle_of(&along), width, shade).class(name));
+    canvas.draw(Shape::path(path).stroke(colour, width).class(name));
+    canvas.draw(head(to, angle_of(&along), width, colour).class(name));
 }
 
 /// A vector with its label, in the label's colour: both are kept clear of by later labels. The label stands beside the
@@ -64,20 +64,21 @@ pub fn vector(
 }
 
 /// An arc about `centre` from one angle to another, with an arrow head at its end.
-pub fn arc_arrow(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, shade: Shade, width: f64) {
+pub fn arc_arrow(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, colour: Colour, width: f64) {
     let sense = Sense::of(to - from);
     let covered = head_length(width) / radius * sense.sign();
-    arc(canvas, centre, radius, from, to - 0.8 * covered, shade, width);
+    arc(canvas, centre, radius, from, to - 0.8 * covered, colour, width);
     // The head is a chord: it points along the arc's tangent at its own middle.
     let tangent = to + sense.sign() * FRAC_PI_2 - covered / 2.0;
-    canvas.draw(head(&(centre + heading(to) * radius), tangent, width, shade));
+    canvas.draw(head(&(centre + heading(to) * radius), tangent, width, colour));
 }
 
 /// An arc about `centre` from one angle to another: the mark of an angle.
-pub fn arc(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, shade: Shade, width: f64) {
+pub fn arc(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, colour: Colour, width: f64) {
     let end = centre + heading(to) * radius;
     let path = Path::start(&(centre + heading(from) * radius));
-    canvas.draw(Shape::path(path.arc(radius, (to - from).abs() > PI, Sense::of(to - from), &end)).stroke(shade, width));
+    canvas
+        .draw(Shape::path(path.arc(radius, (to - from).abs() > PI, Sense::of(to - from), &end)).stroke(colour, width));
 }
 
 /// The mark of a right angle at `corner` between two directions (offsets of any length), with sides of `size` pixels.
@@ -131,16 +132,16 @@ fn head_length(width: f64) -> f64 {
     HEAD + 2.0 * (width - 1.0)
 }
 
-fn head(tip: &Pixels, angle: f64, width: f64, shade: Shade) -> Shape {
+fn head(tip: &Pixels, angle: f64, width: f64, colour: Colour) -> Shape {
     let (forward, aside) = (heading(angle), heading(angle + FRAC_PI_2));
     let back = tip - forward * head_length(width);
     let half = aside * head_length(width) * 0.38;
-    Shape::path(Path::start(tip).line_to(&(back + half)).line_to(&(back - half)).close()).fill(shade)
+    Shape::path(Path::start(tip).line_to(&(back + half)).line_to(&(back - half)).close()).fill(colour)
 }
 
 /// The mark of an axis.
-pub fn axis(canvas: &mut Canvas, at: &Pixels, shade: Shade) {
-    canvas.draw(Shape::circle(at, 5.0).fill(PAPER).stroke(shade, 2.0));
+pub fn axis(canvas: &mut Canvas, at: &Pixels, colour: Colour) {
+    canvas.draw(Shape::circle(at, 5.0).fill(PAPER).stroke(colour, 2.0));
 }
 
 /// A pin in its place.
@@ -159,9 +160,9 @@ pub fn construction(canvas: &mut Canvas, from: &Pixels, to: &Pixels, class: &str
 }
 
 /// The sides of a triangle, each from one point to another, in a colour, by the letter of its length.
-pub fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Shade, &str); N]) {
-    for (from, to, shade, letter) in sides {
-        let side = Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round");
+pub fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Colour, &str); N]) {
+    for (from, to, colour, letter) in sides {
+        let side = Shape::line(from, to).stroke(colour, 3.0).with("stroke-linecap", "round");
         canvas.draw(side.class(&format!("side-{letter}")).with("data-letter", letter));
     }
 }

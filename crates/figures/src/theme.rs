@@ -2,21 +2,21 @@
 
 /// A colour of the figures: the value that is written into the SVG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shade(pub &'static str);
+pub struct Colour(pub &'static str);
 
 /// Lines and text: the colour of the page's text.
-pub const INK: Shade = Shade("currentColor");
+pub const INK: Colour = Colour("currentColor");
 /// Construction lines, extension lines, grids.
-pub const GRID: Shade = Shade("var(--fig-grid, #8a8f98)");
+pub const GRID: Colour = Colour("var(--fig-grid, #8a8f98)");
 /// The follower and what belongs to it.
-pub const FOLLOWER: Shade = Shade("var(--fig-1, #0b62a4)");
+pub const FOLLOWER: Colour = Colour("var(--fig-1, #0b62a4)");
 /// The driver and what belongs to it.
-pub const DRIVER: Shade = Shade("var(--fig-2, #b3400e)");
+pub const DRIVER: Colour = Colour("var(--fig-2, #b3400e)");
 /// Motion of one relative to the other.
-pub const RELATIVE: Shade = Shade("var(--fig-3, #2a7a3b)");
+pub const RELATIVE: Colour = Colour("var(--fig-3, #2a7a3b)");
 /// What comes of both motions together: the Coriolis acceleration.
-pub const CORIOLIS: Shade = Shade("var(--fig-4, #8f3b7a)");
+pub const CORIOLIS: Colour = Colour("var(--fig-4, #8f3b7a)");
 /// Faces of bodies.
-pub const FILL: Shade = Shade("var(--fig-fill, #e9eff6)");
+pub const FILL: Colour = Colour("var(--fig-fill, #e9eff6)");
 /// The ground the figure stands on; halos of labels.
-pub const PAPER: Shade = Shade("var(--fig-paper, #ffffff)");
+pub const PAPER: Colour = Colour("var(--fig-paper, #ffffff)");

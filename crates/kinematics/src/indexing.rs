@@ -23,7 +23,7 @@ pub struct JerkPeak {
 pub struct PinInSlot {
     /// Distance of the pin's centre from the wheel's axis, in crank radii.
     pub radius: f64,
-    /// Rate of change of that distance with the crank angle, in crank radii per radian.
+    /// Rate of change of the pin's distance from the wheel's axis with the crank angle, in crank radii per radian.
     pub radius_rate: f64,
     /// Velocity of the pin along the slot over its speed on the crank circle, dimensionless. Negative while it goes in,
     /// positive while it comes out.
@@ -34,6 +34,22 @@ pub struct PinInSlot {
 }
 
 /// A Geneva wheel with its driver.
+///
+/// ```
+/// use geneva_kinematics::indexing::Indexing;
+/// use geneva_kinematics::internal_wheel::InternalWheel;
+/// use geneva_kinematics::spherical_wheel::SphericalWheel;
+/// use geneva_kinematics::wheel::Wheel;
+///
+/// let wheels: [&dyn Indexing; 3] = [&Wheel::new(4)?, &InternalWheel::new(4)?, &SphericalWheel::new(4)?];
+/// // Per station the three kinds need a quarter, three quarters and half of the driver's turn.
+/// assert_eq!(wheels.map(|wheel| wheel.motion_fraction()), [0.25, 0.75, 0.5]);
+/// for wheel in wheels {
+///     assert!((wheel.engaged(0.0)?.velocity - wheel.peak_velocity()).abs() < 1e-15); // fastest in the middle
+///     assert!(wheel.engaged(wheel.engagement_half_angle())?.velocity.abs() < 1e-15); // at rest at the end
+/// }
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 pub trait Indexing {
     /// Number of slots, N.
     fn stations(&self) -> u32;
@@ -51,7 +67,20 @@ pub trait Indexing {
     /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
     fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError>;
 
-    /// The pin in its slot.
+    /// The pin in its slot: its distance from the wheel's axis, its sliding and its Coriolis acceleration.
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let wheel = Wheel::new(6)?; // k = 2
+    /// let middle = wheel.pin_in_slot(0.0)?;
+    /// assert!((middle.radius - 1.0).abs() < 1e-15); // k − 1, in crank radii
+    /// assert_eq!((middle.sliding, middle.coriolis), (0.0, 0.0)); // the pin moves across the slot
+    /// let entry = wheel.pin_in_slot(-wheel.engagement_half_angle())?;
+    /// assert!((entry.sliding + 1.0).abs() < 1e-15); // it goes in along the slot, at its whole speed
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -61,6 +90,16 @@ pub trait Indexing {
     /// Crank angle in radians at which the wheel is at this angle, from the middle of the index, in radians too: from −α to α.
     ///
     /// Near the ends a small change of the wheel's angle is a large one of the crank's: half of the digits are left there.
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let wheel = Wheel::new(6)?;
+    /// let wheel_angle = wheel.engaged(0.5)?.angle; // rad
+    /// assert!((wheel.crank_at(wheel_angle)? - 0.5).abs() < 1e-14); // there and back
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -95,6 +134,17 @@ pub trait Indexing {
     }
 
     /// Time of one index in seconds, for a driver of this angular speed in rad/s.
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::spherical_wheel::SphericalWheel;
+    /// use std::f64::consts::PI;
+    ///
+    /// let wheel = SphericalWheel::new(5)?; // it moves during half of the driver's turn, whatever the stations
+    /// assert!((wheel.indexing_time(PI)? - 1.0).abs() < 1e-15); // s, at half a turn per second
+    /// assert!((wheel.dwell_time(PI)? - 1.0).abs() < 1e-15); // s
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///

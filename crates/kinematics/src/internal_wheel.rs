@@ -18,6 +18,17 @@ use std::f64::consts::{FRAC_PI_2, PI};
 ///
 /// Its motion tends to that of a Scotch yoke as N grows: the velocity ratio over sin α to cos θ. What the methods return
 /// is right to 4 · 10⁻¹⁵ of the greatest of its kind over the engagement.
+///
+/// ```
+/// use geneva_kinematics::indexing::Indexing;
+/// use geneva_kinematics::internal_wheel::InternalWheel;
+///
+/// let wheel = InternalWheel::new(6)?; // m = sin 30° = 1/2
+/// assert!((wheel.centre_distance_ratio() - 2.0).abs() < 1e-15); // 1 / m, in crank radii
+/// assert_eq!(wheel.motion_fraction(), 2.0 / 3.0); // an external wheel of six stations rests just as long
+/// assert!((wheel.peak_velocity() - 1.0 / 3.0).abs() < 1e-15); // m / (1 + m)
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InternalWheel {
     stations: u32,
@@ -28,6 +39,15 @@ pub struct InternalWheel {
 /// Angular velocity of the wheel over that of the driver, dimensionless: m (cos θ + m) / (1 + m² + 2 m cos θ).
 ///
 /// `sine` is m = sin α (above 0, below 1). Positive in the driver's sense; zero at entry and exit, where cos θ = −m.
+///
+/// ```
+/// use geneva_kinematics::internal_wheel::velocity_ratio;
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // Six stations, in the middle of the engagement: m / (1 + m) with m = 1/2, without rounding.
+/// let middle = Turn { cos: rational(1, 1), sin: rational(0, 1) };
+/// assert_eq!(velocity_ratio(&rational(1, 2), &middle), rational(1, 3));
+/// ```
 pub fn velocity_ratio<S: Field>(sine: &S, crank: &Turn<S>) -> S {
     sine.clone() * (crank.cos.clone() + sine.clone()) / square(sine, crank)
 }
@@ -36,6 +56,15 @@ pub fn velocity_ratio<S: Field>(sine: &S, crank: &Turn<S>) -> S {
 /// −m (1 − m²) sin θ / (1 + m² + 2 m cos θ)².
 ///
 /// Positive while the wheel speeds up (θ < 0).
+///
+/// ```
+/// use geneva_kinematics::Turn;
+/// use geneva_kinematics::internal_wheel::acceleration_ratio;
+///
+/// // The pin enters a wheel of six stations at −120°, with the acceleration tan 30°.
+/// let entry = acceleration_ratio(&0.5, &Turn::from_degrees(-120.0));
+/// assert!((entry - 1.0 / 3_f64.sqrt()).abs() < 1e-15);
+/// ```
 pub fn acceleration_ratio<S: Field>(sine: &S, crank: &Turn<S>) -> S {
     let square = square(sine, crank);
     -(shape(sine) * crank.sin.clone()) / (square.clone() * square)
@@ -47,6 +76,19 @@ pub fn acceleration_ratio<S: Field>(sine: &S, crank: &Turn<S>) -> S {
 /// Negative over the whole engagement, as its braces are positive there
 /// ([`BracesArePositive`](crate::internal_wheel_proofs::BracesArePositive)): the acceleration falls from entry to exit.
 /// At the ends it jumps, and the jerk has no finite value.
+///
+/// ```
+/// use geneva_kinematics::internal_wheel::{acceleration_ratio, jerk_ratio};
+/// use geneva_kinematics::{Jet, Turn, rational};
+///
+/// // The rate of the acceleration ratio with the crank angle, without rounding.
+/// let (sine, crank) = (rational(1, 2), Turn::from_half_tangent(&rational(1, 2)));
+/// let acceleration = acceleration_ratio(&Jet::constant(sine.clone()), &crank.moving::<2>(rational(1, 1)));
+/// assert_eq!(jerk_ratio(&sine, &crank), acceleration.rate());
+/// // In the middle it is −m (1 − m) / (1 + m)³.
+/// let middle = Turn { cos: rational(1, 1), sin: rational(0, 1) };
+/// assert_eq!(jerk_ratio(&sine, &middle), rational(-2, 27));
+/// ```
 pub fn jerk_ratio<S: Field>(sine: &S, crank: &Turn<S>) -> S {
     let square = square(sine, crank);
     let sines = S::integer(4) * sine.clone() * crank.sin.clone() * crank.sin.clone();
@@ -137,7 +179,7 @@ impl Indexing for InternalWheel {
         1
     }
 
-    /// π/2 + α.
+    /// Crank angle at which a pin enters and leaves: π/2 + α.
     fn engagement_half_angle(&self) -> f64 {
         FRAC_PI_2 + self.half_pitch_angle()
     }
@@ -189,12 +231,12 @@ impl Indexing for InternalWheel {
         Ok((libm::asin(sine) + angle).clamp(-most, most))
     }
 
-    /// sin α / (1 + sin α).
+    /// Greatest velocity ratio: sin α / (1 + sin α).
     fn peak_velocity(&self) -> f64 {
         self.sine / (1.0 + self.sine)
     }
 
-    /// tan α.
+    /// Size of the acceleration ratio as the pin enters: tan α.
     fn entry_acceleration(&self) -> f64 {
         self.sine / self.cosine
     }

@@ -2,6 +2,14 @@
 //!
 //! Notation as in [`internal_wheel`](crate::internal_wheel): m = sin α, c = cos θ, D = 1 + m² + 2 m c,
 //! γ = (1 + m²) / (2 m). The left sides come from power series of the pin's place, the right sides are the formulas.
+//!
+//! ```
+//! use geneva_kinematics::internal_wheel_proofs::{BracesArePositive, JerkRate};
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&BracesArePositive).is_ok()); // the acceleration falls over the whole engagement
+//! assert!(prove(&JerkRate).is_ok()); // where the jerk is greatest
+//! ```
 
 use crate::internal_wheel::{acceleration_ratio, jerk_ratio, velocity_ratio};
 use crate::wheel_proofs::{Quantity, direction_rate};

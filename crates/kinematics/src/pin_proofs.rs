@@ -1,4 +1,11 @@
 //! At which ratio of lengths a four-slot follower is at rest as the pin enters, as an identity that can be proven exactly.
+//!
+//! ```
+//! use geneva_kinematics::pin_proofs::StandstillOfFourSlots;
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&StandstillOfFourSlots).is_ok());
+//! ```
 
 use crate::{Expression, Field, Identity};
 
@@ -21,6 +28,16 @@ impl Identity<1> for StandstillOfFourSlots {
 /// dimensionless.
 ///
 /// Zero for the ratios k = l / R at which a four-slot follower is at rest as the pin enters; k must not be zero.
+///
+/// ```
+/// use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
+/// use geneva_kinematics::{Rational, Surd};
+/// use num_traits::Zero;
+///
+/// // The right ratio for four slots is √2, a number that no fraction is.
+/// assert!(four_slot_entry_misfit(&Surd::<Rational, 2>::root()).is_zero());
+/// assert!(four_slot_entry_misfit(&1.5) > 0.0);
+/// ```
 pub fn four_slot_entry_misfit<S: Field>(ratio: &S) -> S {
     let cos = S::one() / ratio.clone();
     let sin = ratio.clone() - cos.clone();

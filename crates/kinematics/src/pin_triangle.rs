@@ -11,17 +11,17 @@ use crate::pin_slot::{PinSlot, slot_radius_squared};
 /// The signs hold for a driver that turns so that θ decreases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleSolution {
-    /// r² / R², dimensionless.
+    /// Square of the pin's distance from the follower's pivot over that of the crank radius, r² / R², dimensionless.
     pub radius_squared_ratio: f64,
-    /// r / R, dimensionless.
+    /// Distance of the pin from the follower's pivot over the crank radius, r / R, dimensionless.
     pub radius_ratio: f64,
-    /// r, distance of the pin from the follower's pivot, in the unit of the mechanism.
+    /// Distance of the pin from the follower's pivot, r, in the unit of the mechanism.
     pub slot_radius: f64,
-    /// sin β, by the law of sines, dimensionless.
+    /// Sine of the slot's angle at the pivot, sin β, by the law of sines, dimensionless.
     pub sine_at_pivot: f64,
-    /// β, angle of the slot from the line of centres, in radians.
+    /// Angle of the slot from the line of centres, β, in radians.
     pub angle_at_pivot: f64,
-    /// γ = 90° − β − θ, in radians.
+    /// Angle between the slot and the pin's velocity, γ = 90° − β − θ, in radians.
     pub velocity_angle: f64,
     /// Speed of the pin, R ω, in the unit of length times that of the driver's angular speed.
     pub pin_speed: f64,
@@ -35,7 +35,22 @@ pub struct TriangleSolution {
     pub follower_speed: f64,
 }
 
-/// Solves the triangle at crank angle θ (`from_line_of_centres`) for a driver of the given angular speed.
+/// Solves the triangle at crank angle θ (`from_line_of_centres`) for a driver of this angular speed, in radians per any
+/// unit of time. Lengths are in the unit of the mechanism.
+///
+/// ```
+/// use geneva_kinematics::Turn;
+/// use geneva_kinematics::pin_slot::PinSlot;
+/// use geneva_kinematics::pin_triangle::solve;
+///
+/// // 60° from the line of centres the pin of this mechanism moves along the slot.
+/// let mechanism = PinSlot::new(0.05, 0.1)?; // m
+/// let motion = solve(&mechanism, &Turn::from_degrees(60.0), 10.0); // rad/s
+/// assert!((motion.radius_ratio - 3_f64.sqrt()).abs() < 1e-15);
+/// assert!((motion.sliding_speed - motion.pin_speed).abs() < 1e-15); // m/s
+/// assert!(motion.follower_speed.abs() < 1e-14); // rad/s
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 pub fn solve(mechanism: &PinSlot, from_line_of_centres: &Turn<f64>, driver_speed: f64) -> TriangleSolution {
     let radius_squared_ratio = slot_radius_squared(&mechanism.ratio(), from_line_of_centres);
     let radius_ratio = radius_squared_ratio.sqrt();

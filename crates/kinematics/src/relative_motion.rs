@@ -14,13 +14,13 @@ use nalgebra::Vector2;
 /// pin = follower normal + follower tangential + sliding normal + sliding tangential + Coriolis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlotAccelerations<S> {
-    /// Of the follower's point under the pin, towards the follower's pivot: −ω² r, a vector.
+    /// Acceleration of the follower's point under the pin, towards the follower's pivot: −ω² r, a vector.
     pub follower_normal: Vector2<S>,
-    /// Of the follower's point under the pin, across the slot: α × r.
+    /// Acceleration of the follower's point under the pin, across the slot: α × r.
     pub follower_tangential: Vector2<S>,
-    /// Of the pin relative to the follower, across its path there. The path is a straight slot: zero.
+    /// Acceleration of the pin relative to the follower, across its path there. The path is a straight slot: zero.
     pub sliding_normal: Vector2<S>,
-    /// Of the pin relative to the follower, along the slot.
+    /// Acceleration of the pin relative to the follower, along the slot.
     pub sliding_tangential: Vector2<S>,
     /// Coriolis acceleration, 2 ω × v with v the sliding velocity: v turned by a quarter with the follower, 2 ω times.
     pub coriolis: Vector2<S>,
@@ -31,7 +31,18 @@ pub struct SlotAccelerations<S> {
 
 /// Closes the velocity diagram: the pin's velocity is the slot's, across, plus the sliding, along.
 ///
+/// Position and velocity are vectors from the follower's pivot, in any units of length and time that fit together.
 /// `None` if the pin is on the follower's pivot, where the slot has no direction.
+///
+/// ```
+/// use geneva_kinematics::relative_motion::velocities;
+/// use nalgebra::Vector2;
+///
+/// // A pin 2 m from the pivot moves outward at 3 m/s and across the slot at 4 m/s.
+/// let motion = velocities(&Vector2::new(2.0, 0.0), &Vector2::new(3.0, 4.0)).expect("off the pivot");
+/// assert_eq!(motion.follower_speed, 2.0); // rad/s: 4 / 2
+/// assert_eq!(motion.sliding_velocity, Vector2::new(3.0, 0.0)); // m/s
+/// ```
 pub fn velocities<S: Field>(position: &Vector2<S>, pin_velocity: &Vector2<S>) -> Option<PinMotion<S>> {
     let square = position.dot(position);
     if square.is_zero() {
@@ -42,11 +53,23 @@ pub fn velocities<S: Field>(position: &Vector2<S>, pin_velocity: &Vector2<S>) ->
     Some(PinMotion::carried(position.clone(), pin_velocity.clone(), follower_speed))
 }
 
-/// Closes the acceleration diagram of a motion whose velocities are known.
+/// Closes the acceleration diagram of a motion whose velocities are known, in the units of that motion.
 ///
 /// Normal and Coriolis terms follow from the velocities; of the two tangential terms the directions are known, along
 /// the slot and across it, and what is left of the pin's acceleration has one component in each.
 /// `None` if the pin is on the follower's pivot.
+///
+/// ```
+/// use geneva_kinematics::relative_motion::{accelerations, velocities};
+/// use nalgebra::Vector2;
+///
+/// // The pin flies straight on: 2 m from the pivot, 3 m/s outward, 4 m/s across, no acceleration.
+/// let motion = velocities(&Vector2::new(2.0, 0.0), &Vector2::new(3.0, 4.0)).expect("off the pivot");
+/// let terms = accelerations(&motion, &Vector2::zeros()).expect("off the pivot");
+/// assert_eq!(terms.coriolis, Vector2::new(0.0, 12.0)); // m/s²: 2 · 2 rad/s · 3 m/s
+/// assert_eq!(terms.follower_acceleration, -6.0); // rad/s²: −12 / 2
+/// assert_eq!(terms.sliding_tangential, Vector2::new(8.0, 0.0)); // m/s²: 2 m (2 rad/s)²
+/// ```
 pub fn accelerations<S: Field>(motion: &PinMotion<S>, pin_acceleration: &Vector2<S>) -> Option<SlotAccelerations<S>> {
     let (along, across) = (&motion.position, quarter_turn(&motion.position));
     let square = along.dot(along);

@@ -21,6 +21,17 @@ const MOST_PINS: u32 = 2;
 ///
 /// Its motion tends to that of a Scotch yoke as N grows: the velocity ratio over tan α to cos θ. What the methods return
 /// is right to 4 · 10⁻¹⁵ of the greatest of its kind over the engagement.
+///
+/// ```
+/// use geneva_kinematics::indexing::Indexing;
+/// use geneva_kinematics::spherical_wheel::SphericalWheel;
+///
+/// let wheel = SphericalWheel::new(4)?; // α = 45°, so tan α = 1
+/// assert!((wheel.sphere_radius_ratio() - 2_f64.sqrt()).abs() < 1e-15); // 1 / sin α, in crank radii
+/// assert!((wheel.peak_velocity() - 1.0).abs() < 1e-15); // tan α
+/// assert_eq!(SphericalWheel::with_pins(4, 2)?.dwell_fraction(), 0.0); // two pins take turns
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphericalWheel {
     stations: u32,
@@ -32,12 +43,31 @@ pub struct SphericalWheel {
 /// Angular velocity of the wheel over that of the driver, dimensionless: τ cos θ / (1 + τ² s²).
 ///
 /// `tangent` is τ = tan α. Zero at entry and exit, a quarter of a turn from the middle.
+///
+/// ```
+/// use geneva_kinematics::spherical_wheel::velocity_ratio;
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // In the middle it is tan α; at cos θ = 3/5, sin θ = 4/5 and tan α = 1 it is (3/5) / (1 + 16/25).
+/// let (middle, later) = (Turn { cos: rational(1, 1), sin: rational(0, 1) }, Turn::from_half_tangent(&rational(1, 2)));
+/// assert_eq!(velocity_ratio(&rational(1, 1), &middle), rational(1, 1));
+/// assert_eq!(velocity_ratio(&rational(1, 1), &later), rational(15, 41));
+/// ```
 pub fn velocity_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
     tangent.clone() * crank.cos.clone() / (S::one() + slope_squared(tangent, crank))
 }
 
 /// Angular acceleration of the wheel over the square of the driver's constant angular velocity, dimensionless:
 /// −τ s (1 + 2 τ² − τ² s²) / (1 + τ² s²)².
+///
+/// ```
+/// use geneva_kinematics::spherical_wheel::acceleration_ratio;
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // As the pin enters it is sin α cos α: one half for four stations.
+/// let entry = Turn { cos: rational(0, 1), sin: rational(-1, 1) };
+/// assert_eq!(acceleration_ratio(&rational(1, 1), &entry), rational(1, 2));
+/// ```
 pub fn acceleration_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
     let w = slope_squared(tangent, crank);
     let square = S::one() + w.clone();
@@ -48,6 +78,16 @@ pub fn acceleration_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
 /// dimensionless, with w = τ² s²: −τ cos θ (1 + 2 τ² − 6 (1 + τ²) w + w²) / (1 + w)³.
 ///
 /// At the ends of the engagement the acceleration jumps, and the jerk has no finite value.
+///
+/// ```
+/// use geneva_kinematics::spherical_wheel::{acceleration_ratio, jerk_ratio};
+/// use geneva_kinematics::{Jet, Turn, rational};
+///
+/// // The rate of the acceleration ratio with the crank angle, without rounding.
+/// let (tangent, crank) = (rational(1, 1), Turn::from_half_tangent(&rational(1, 2)));
+/// let acceleration = acceleration_ratio(&Jet::constant(tangent.clone()), &crank.moving::<2>(rational(1, 1)));
+/// assert_eq!(jerk_ratio(&tangent, &crank), acceleration.rate());
+/// ```
 pub fn jerk_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
     let w = slope_squared(tangent, crank);
     let square = S::one() + w.clone();
@@ -130,7 +170,7 @@ impl Indexing for SphericalWheel {
         self.pins
     }
 
-    /// π/2, whatever N is.
+    /// Crank angle at which a pin enters and leaves: π/2, whatever N is.
     fn engagement_half_angle(&self) -> f64 {
         FRAC_PI_2
     }
@@ -175,12 +215,12 @@ impl Indexing for SphericalWheel {
         Ok(libm::asin((libm::tan(angle) / self.tangent()).clamp(-1.0, 1.0)))
     }
 
-    /// tan α.
+    /// Greatest velocity ratio: tan α.
     fn peak_velocity(&self) -> f64 {
         self.tangent()
     }
 
-    /// sin α cos α.
+    /// Size of the acceleration ratio as a pin enters: sin α cos α.
     fn entry_acceleration(&self) -> f64 {
         self.sine * self.cosine
     }

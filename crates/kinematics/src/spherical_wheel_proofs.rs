@@ -2,6 +2,14 @@
 //!
 //! Notation as in [`spherical_wheel`](crate::spherical_wheel): τ = tan α, s = sin θ, w = τ² s². The left sides come from
 //! power series of the pin's place seen along the wheel's axis, the right sides are the formulas.
+//!
+//! ```
+//! use geneva_kinematics::prove;
+//! use geneva_kinematics::spherical_wheel_proofs::{EntryAcceleration, JerkBound};
+//!
+//! assert!(prove(&EntryAcceleration).is_ok()); // sin α cos α
+//! assert!(prove(&JerkBound).is_ok()); // the jerk is greatest in the middle
+//! ```
 
 use crate::spherical_wheel::{acceleration_ratio, jerk_ratio, velocity_ratio};
 use crate::wheel_proofs::Quantity;

@@ -4,6 +4,13 @@
 //! q / D³ with q = c D − 4 k (1 − c²). On the line of centres D = e = (k − 1)² and q = e, so the jerk there is e / e³.
 //! With y = 2 k v / e the two sums D³ ± e² q are made of terms none of which is negative for 0 ≤ v ≤ 1, which the whole
 //! engagement keeps to; so |q| / D³ ≤ e / e³.
+//!
+//! ```
+//! use geneva_kinematics::prove;
+//! use geneva_kinematics::wheel_jerk_proofs::JerkBound;
+//!
+//! assert!([true, false].into_iter().all(|plus| prove(&JerkBound { plus }).is_ok()));
+//! ```
 
 use crate::{Expression, Identity};
 

@@ -1,6 +1,13 @@
 //! Where the quadratic for the peak of a wheel's acceleration has its root, as identities.
 //!
 //! Notation: s = sin α, c = cos θ, γ = (1 + s²)/(2 s). Work::Jazar2003, example (e), Eqs. (5.33) and (5.34).
+//!
+//! ```
+//! use geneva_kinematics::prove;
+//! use geneva_kinematics::wheel_peak_proofs::{BelowOne, InsideTheEngagement};
+//!
+//! assert!(prove(&BelowOne).is_ok() && prove(&InsideTheEngagement).is_ok());
+//! ```
 
 use crate::{Expression, Identity};
 

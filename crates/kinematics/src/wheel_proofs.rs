@@ -1,5 +1,15 @@
 //! The formulas of a wheel's motion as identities: the left sides come from power series of the pin's place, the right sides
 //! are the formulas. Notation as in [`wheel`](crate::wheel).
+//!
+//! ```
+//! use geneva_kinematics::prove;
+//! use geneva_kinematics::wheel_proofs::{Implemented, Quantity};
+//!
+//! // Angle, velocity, acceleration and jerk, for every ratio of lengths and every crank angle.
+//! for quantity in Quantity::ALL {
+//!     assert!(prove(&Implemented(quantity)).is_ok());
+//! }
+//! ```
 
 use crate::pin_slot::{pin_path, velocity_ratio};
 use crate::wheel::{acceleration_ratio, jerk_ratio, unsteady_acceleration};

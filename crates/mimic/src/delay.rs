@@ -33,6 +33,18 @@ pub enum Extrapolation {
 /// The thesis has one such line, the crank's angular acceleration a tenth of the print interval before; how MIMIC read
 /// between its entries is not said, nor what the third argument of `TDL`, 100, is: perhaps this capacity.
 /// Work::Meyer1973, Appendix B.
+///
+/// ```
+/// use geneva_mimic::{DelayLine, Extrapolation, Interpolation};
+///
+/// // A value of half a unit of time before, read from entries a unit apart.
+/// let mut line = DelayLine::<10>::new(0.5, 7.0, Interpolation::Linear, Extrapolation::Hold)?;
+/// line.record(0.0, 2.0)?;
+/// assert_eq!(line.value(0.25)?, 7.0); // before the first entry: the initial value
+/// line.record(1.0, 4.0)?;
+/// assert_eq!(line.value(1.0)?, 3.0); // at 0.5, half-way between 2 and 4
+/// # Ok::<(), geneva_mimic::DelayError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct DelayLine<const CAPACITY: usize> {
     delay: f64,

@@ -1,9 +1,5 @@
-//! A variable-step Runge-Kutta run in the manner of MIMIC, the simulation language of the 1973 computations.
-//!
-//! What is known of it is in Work::Meyer1973, Appendix B: the classical method of order four; the error of a step
-//! judged by taking it once whole and once in two halves; a relative error below 5·10⁻⁶; results printed every `DT`
-//! until the run ends; a time delay `TDL` for a value of a moment before. What is not known is a parameter here, with
-//! a default and the reason for it: see [`Parameters`].
+//! Integrates differential equations as MIMIC did, the simulation language of the 1973 computations: from Rust by
+//! [`integrate`], or from the text of a deck by [`language`].
 //!
 //! ```
 //! use geneva_mimic::{Parameters, integrate};
@@ -22,9 +18,23 @@
 //! # Ok::<(), geneva_mimic::IntegrationError<2, std::convert::Infallible>>(())
 //! ```
 //!
-//! The integrator allocates nothing: states have a fixed size, and results are handed to a closure. A delay line grows
-//! to the capacity that it is given. No function of the platform's mathematics is called: results are the same bits everywhere, as long as the
-//! right-hand side's are. The [`language`] itself, from the text of a deck to its runs, is built on it.
+//! What is known of MIMIC is in Work::Meyer1973, Appendix B: the classical method of order four; the error of a step
+//! judged by taking it once whole and once in two halves; a relative error below 5·10⁻⁶; results printed every `DT`
+//! until the run ends; a time delay `TDL` for a value of a moment before. What is not known is a parameter here, with
+//! a default and the reason for it: see [`Parameters`].
+//!
+//! Units are those of your equations. The integrator allocates nothing: states have a fixed size, and results are handed
+//! to a closure. A delay line grows to the capacity that it is given. No function of the platform's mathematics is called,
+//! so results are the same bits everywhere, as long as the right-hand side's are.
+//!
+//! # Where to look
+//!
+//! | question | item |
+//! |---|---|
+//! | a run, printed point by point | [`integrate`] with [`Parameters`] |
+//! | one classical step of order four | [`runge_kutta_step`] |
+//! | a system that remembers: time delays | [`System`], [`DelayLine`] |
+//! | the text of a deck, from cards to a printout | [`language`] |
 //!
 //! This crate knows nothing of mechanisms, claims or books.
 

@@ -29,6 +29,19 @@ pub enum AtSmallestStep {
 ///
 /// The thesis gives the print interval `DT`, the run length and the relative error. The other fields are named because
 /// it does not give them: a result that depends on them is not a result of the thesis. Work::Meyer1973, Appendix B.
+///
+/// ```
+/// use geneva_mimic::{Parameters, integrate};
+/// use nalgebra::Vector1;
+///
+/// // A smaller tolerance costs more steps.
+/// let mut decay = |_: f64, x: &Vector1<f64>| -*x;
+/// let usual = Parameters::new(1.0, 2.0);
+/// let fine = Parameters { relative_tolerance: 1e-9, ..usual };
+/// let [few, many] = [usual, fine].map(|of| integrate(&mut decay, Vector1::new(1.0), &of, |_| ()));
+/// assert!(few?.work.accepted < many?.work.accepted);
+/// # Ok::<(), geneva_mimic::IntegrationError<1, std::convert::Infallible>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     /// `DT`, time between printed points, in the unit of the right-hand side's time, positive. No step passes a printed

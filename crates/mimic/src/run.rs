@@ -53,6 +53,19 @@ pub struct Outcome<const D: usize> {
 /// from point to point of the print grid does not change the times of the points. Work::Meyer1973, Appendix B, and
 /// [`Parameters`] for what is not said there.
 ///
+/// ```
+/// use geneva_mimic::{Parameters, integrate};
+/// use nalgebra::Vector1;
+///
+/// // x' = −x from 1, printed at 0, 0.5, 1, 1.5 and 2.
+/// let mut decay = |_: f64, x: &Vector1<f64>| -*x;
+/// let mut times = Vec::new();
+/// let end = integrate(&mut decay, Vector1::new(1.0), &Parameters::new(0.5, 2.0), |point| times.push(point.time))?;
+/// assert_eq!(times, [0.0, 0.5, 1.0, 1.5, 2.0]);
+/// assert!((end.last.state[0] / (-2_f64).exp() - 1.0).abs() < 1e-5);
+/// # Ok::<(), geneva_mimic::IntegrationError<1, std::convert::Infallible>>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`IntegrationError::Parameter`] for a parameter outside its range; [`IntegrationError::Stopped`] for a start, or a

@@ -9,6 +9,19 @@ use nalgebra::SVector;
 /// f₃ are two at the middle and f₄ is one at the end. Three evaluations of `rate`. The error of one step is of order
 /// h⁵. Work::Meyer1973, Appendix B.
 ///
+/// ```
+/// use geneva_mimic::runge_kutta_step;
+/// use nalgebra::Vector1;
+///
+/// // x' = x from 1: one step of h gives the series of e^h up to h⁴.
+/// let (rate, h) = (|_: f64, x: &Vector1<f64>| Ok::<_, std::convert::Infallible>(*x), 0.5);
+/// let start = Vector1::new(1.0);
+/// let end = runge_kutta_step(rate, 0.0, h, &start, &start)?;
+/// let series = 1.0 + h + h.powi(2) / 2.0 + h.powi(3) / 6.0 + h.powi(4) / 24.0;
+/// assert!((end[0] - series).abs() < 1e-15);
+/// # Ok::<(), std::convert::Infallible>(())
+/// ```
+///
 /// # Errors
 ///
 /// The first error of `rate`.

@@ -9,10 +9,13 @@ use crate::{Column, Hypothesis, Score};
 use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 
+/// The errors that have one spread: those of a column, in one table or in all.
+type Errors = ((Column, Option<Mechanism>), Vec<f64>);
+
 /// The logarithm of the likelihood of the tables under a hypothesis, each spread as it suits the hypothesis best;
 /// dimensionless. None if a run came to no end.
 pub fn log_likelihood(weighing: &Weighing, score: &Score, law: Law) -> Option<f64> {
-    let mut errors: Vec<((Column, Option<Mechanism>), Vec<f64>)> = Vec::new();
+    let mut errors: Vec<Errors> = Vec::new();
     let (mut at, mut before) = (0, None);
     for (place, (row, results)) in score.rows.iter().zip(&score.results).enumerate() {
         let group = (row.mechanism, row.printed(Column::Friction));

@@ -23,6 +23,18 @@ use crate::{Pose, Sign};
 use geneva_kinematics::Field;
 
 /// Place of the pin's centre in the slot, and its rates with the driver's angle. Lengths in crank radii.
+///
+/// ```
+/// use geneva_dynamics::joints::Reach;
+/// use geneva_dynamics::{Pose, Sign};
+/// use geneva_kinematics::Turn;
+///
+/// // On the line of centres with a = 2: R = 1, both members at one speed, and the pin's centre does not slide.
+/// let reach = Reach::of_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
+/// assert_eq!((reach.radius, reach.ratio, reach.slide), (1.0, 1.0, 0.0));
+/// // The surface of a pin of a tenth of the crank radius slides, as it turns in the slot at twice the speed.
+/// assert_eq!(reach.sliding(&0.1, Sign::Plus), 0.2);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reach<S> {
     /// R, from the follower's axis, in crank radii.
@@ -34,6 +46,17 @@ pub struct Reach<S> {
 }
 
 /// Moments of the contact about the two axes over its normal force N, in crank radii.
+///
+/// ```
+/// use geneva_dynamics::joints::Reach;
+/// use geneva_dynamics::{Pose, Sign};
+/// use geneva_kinematics::Turn;
+///
+/// // Without friction the normal force alone acts: R on the follower, R φ'/θ' on the driver.
+/// let reach = Reach::of_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
+/// let arms = reach.arms(&0.1, &0.0, Sign::Plus, Sign::Plus);
+/// assert_eq!((arms.follower, arms.driver), (1.0, 1.0)); // crank radii
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arms<S> {
     /// λ, what turns the follower on, in crank radii.

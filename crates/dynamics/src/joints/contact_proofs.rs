@@ -3,6 +3,15 @@
 //! The pin is at e R from the follower's axis, with e = (−cos φ, sin φ) and n = (sin φ, cos φ) across it; the driver's
 //! axis is at (−a, 0) from the follower's. R, a and φ are free, so the crank has any length. The driver turns
 //! counter-clockwise at the speed one.
+//!
+//! ```
+//! use geneva_dynamics::Sign;
+//! use geneva_dynamics::joints::contact_proofs::PowerLost;
+//! use geneva_kinematics::prove;
+//!
+//! // What driver and follower don't share, friction takes.
+//! assert!(prove(&PowerLost { flank: Sign::Plus, sliding: Sign::Minus }).is_ok());
+//! ```
 
 use super::Reach;
 use crate::Sign;

@@ -73,6 +73,18 @@ const TOLERANCE: f64 = 1e-9;
 
 /// The effects of these joints, one by one, each with the value that it is to be listed by.
 ///
+/// ```
+/// use geneva_dynamics::joints::{Joints, effects};
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let both = effects(&timer, [(0.0, Joints::IDEAL), (0.1, Joints::journals(0.1, 0.1))])?;
+/// assert_eq!(both[0].mean_speed, 1.0); // over the mean speed with ideal joints
+/// assert!(both[1].mean_speed < 1.0); // journals with friction slow it down
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
+///
 /// # Errors
 ///
 /// As for [`Escapement::new`] and [`Escapement::steady_state`]; without friction in the slot the ideal escapement has
@@ -96,6 +108,21 @@ pub fn effects(parameters: &Parameters, joints: impl IntoIterator<Item = (f64, J
 }
 
 /// The effects while one size goes through these values and the others stay: what a figure draws.
+///
+/// ```
+/// use geneva_dynamics::joints::{Joints, Varied, series};
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let values = [0.0, 0.1, 0.2]; // of the driver's drag torque, in the unit of the torque
+/// let series = series(&timer, &Joints::IDEAL, Varied::DriverDragTorque, values)?;
+/// // A drag torque on the driver is torque that is missing: speeds go as its root.
+/// for effect in series {
+///     assert!((effect.mean_speed - (1.0 - effect.value).sqrt()).abs() < 1e-8);
+/// }
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 ///
 /// # Errors
 ///

@@ -22,6 +22,15 @@ use crate::{Error, Parameters, Sign};
 use geneva_kinematics::Field;
 
 /// Terms of the equation of motion at one crank angle, without the contact; inertias and torques over I_f.
+///
+/// ```
+/// use geneva_dynamics::joints::Terms;
+///
+/// // Both members at one speed, I_D = 3 I_f, no friction (κ = λ): K / (I_D + I_f).
+/// let terms = Terms { inertia: 3.0, drive: 8.0, drag: 0.0, ratio: 1.0, bend: 0.0 };
+/// assert_eq!(terms.angular_acceleration(&25.0, &1.0), 2.0); // rad/s², at 5 rad/s
+/// assert_eq!(terms.moment(&25.0, &2.0), 2.0); // the follower asks for I_f φ''
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Terms<S> {
     /// I_D / I_f, dimensionless.
@@ -65,7 +74,7 @@ impl<S: Field> Terms<S> {
 pub struct Motion {
     /// θ'', in radians per square of the unit of time.
     pub angular_acceleration: f64,
-    /// φ'', the same of the follower, in radians per square of the unit of time.
+    /// φ'', acceleration of the follower, in radians per square of the unit of time.
     pub follower_acceleration: f64,
     /// N r, normal force times crank radius, in the unit of torque; positive on the leading flank.
     pub normal_moment: f64,
@@ -76,6 +85,24 @@ pub struct Motion {
 }
 
 /// An escapement with its joints, of which the equation of motion has one solution wherever a pin is in its slot.
+///
+/// ```
+/// use geneva_dynamics::joints::{Escapement, Joints};
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// // With ideal joints it is the equation of motion of `Parameters`.
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(0.1, 1.0)?, 1.0, 0.2)?;
+/// let ideal = Escapement::new(&timer, Joints::IDEAL)?;
+/// let (angle, speed) = (0.3, 2.0); // rad, rad per unit of time
+/// let motion = ideal.motion(angle, speed)?;
+/// assert!((motion.angular_acceleration - timer.acceleration(angle, speed)?.value).abs() < 1e-12);
+/// // What friction does not take of the torque's power goes into both members.
+/// let growth = 0.1 * speed * motion.angular_acceleration
+///     + timer.pose(angle).velocity_ratio() * speed * motion.follower_acceleration;
+/// assert!((ideal.power(angle, speed)?.growth() - growth).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Escapement {
     parameters: Parameters,

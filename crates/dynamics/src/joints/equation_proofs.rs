@@ -2,6 +2,13 @@
 //!
 //! The factor of θ'', I_D/I_f + m q, is a variable instead of I_D/I_f, because it is divided by. p, q, m, the drive and
 //! the drag torque are free: nothing depends on what they stand for.
+//!
+//! ```
+//! use geneva_dynamics::joints::equation_proofs::{FlankDecider, SolutionObeys};
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&SolutionObeys).is_ok() && prove(&FlankDecider).is_ok());
+//! ```
 
 use super::{Reach, Terms};
 use crate::{Coefficients, Pose, Sign};

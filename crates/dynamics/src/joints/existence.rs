@@ -30,6 +30,13 @@ pub struct LeastMargin {
 ///
 /// The slots end about the points where the pin's centre is nearest to the axis, a − 1 from it and 2π/n apart; half
 /// their distance is (a − 1) sin(π/n). The equation of motion does not ask for it: the slots may lie in two planes.
+///
+/// ```
+/// use geneva_dynamics::joints::largest_pin_radius;
+/// use geneva_kinematics::Mechanism;
+///
+/// assert_eq!(largest_pin_radius(Mechanism::THREE_PIN), 0.5); // a = 2, in crank radii
+/// ```
 pub fn largest_pin_radius(mechanism: Mechanism) -> f64 {
     1.0 - 1.0 / mechanism.centre_distance_ratio()
 }
@@ -65,6 +72,19 @@ impl Escapement {
     }
 
     /// The least factor of θ'' in the engagement: how far the escapement is from jamming.
+    ///
+    /// ```
+    /// use geneva_dynamics::joints::{Escapement, Joints};
+    /// use geneva_dynamics::{Inertias, Parameters, existence};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// // With ideal joints it is A − |D|.
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(0.1, 1.0)?, 1.0, 0.2)?;
+    /// let ideal = Escapement::new(&timer, Joints::IDEAL)?;
+    /// let expected = existence::least_margin(Mechanism::FOUR_PIN, 0.1, 0.2)?;
+    /// assert!((ideal.least_margin().margin - expected.margin).abs() < 1e-12);
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     pub fn least_margin(&self) -> LeastMargin {
         let half = self.parameters().mechanism().engagement_half_angle();
         let step = 2.0 * half / f64::from(GRID);

@@ -69,6 +69,19 @@ pub use passage::{Passage, STEPS};
 pub use steady::Settled;
 
 /// Sizes and frictions of the joints.
+///
+/// ```
+/// use geneva_dynamics::joints::{Escapement, Joints};
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(0.1, 1.0)?, 1.0, 0.2)?;
+/// // A pin of a tenth of the crank radius, in bearings without friction.
+/// let thick = Escapement::new(&timer, Joints { pin_radius: 0.1, ..Joints::IDEAL })?;
+/// assert!(thick.reversal_angle() > 0.0); // rad: the surface of a thick pin slides outward before the line of centres
+/// assert_eq!(Escapement::new(&timer, Joints::IDEAL)?.reversal_angle(), 0.0);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joints {
     /// ρ, radius of the pin and half the width of the slot, in crank radii; from 0 to below 1.

@@ -24,6 +24,19 @@ const MOST_CHANGES: usize = 4;
 type State = SVector<f64, 6>;
 
 /// One engagement, from entry to exit. Speeds are the driver's.
+///
+/// ```
+/// use geneva_dynamics::joints::{Escapement, Joints};
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let passage = Escapement::new(&timer, Joints { pin_radius: 0.1, ..Joints::IDEAL })?.passage(1.0, 1024)?;
+/// // What friction leaves of the work goes into the driver, as the follower is at rest at both ends.
+/// let gain = 2.0 * (passage.exit_speed.powi(2) - passage.entry_speed.powi(2)) / 2.0;
+/// assert!((passage.work.growth() - gain).abs() < 1e-9);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage {
     /// θ' at entry, in radians per unit of time.

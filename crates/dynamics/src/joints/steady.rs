@@ -8,9 +8,23 @@ use super::passage::{Passage, STEPS};
 use crate::Error;
 
 /// A steady state with what halving the steps told of its error.
+///
+/// ```
+/// use geneva_dynamics::joints::{Escapement, Joints};
+/// use geneva_dynamics::steady::Engagement;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// // With ideal joints the Runge-Kutta steps find what the quadrature finds.
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let settled = Escapement::new(&timer, Joints::IDEAL)?.steady_state(1e-9)?;
+/// let exact = Engagement::new(&timer)?.steady_state()?;
+/// assert!((settled.state.mean_speed / exact.mean_speed - 1.0).abs() < 1e-8);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
-    /// With the finer steps.
+    /// The passage that repeats itself, with the finer steps.
     pub state: Passage,
     /// Steps that an engagement was divided into at last.
     pub steps: u32,

@@ -21,6 +21,21 @@ pub const MOST_SUBINTERVALS: usize = 4096;
 ///
 /// It starts at the crank angle −π/m and lasts for a turn of the driver that is called the reset angle: 2π/m in a
 /// mechanism, where the next pin then takes over.
+///
+/// ```
+/// use geneva_dynamics::steady::Engagement;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = |torque: f64| { // in N m
+///     let inertias = Inertias::new(2e-6, 1e-6)?; // kg m²
+///     Engagement::new(&Parameters::new(Mechanism::FOUR_PIN, inertias, torque, 0.2)?)
+/// };
+/// let (weak, strong) = (timer(1e-3)?.steady_state()?, timer(4e-3)?.steady_state()?);
+/// assert!((strong.mean_speed / weak.mean_speed - 2.0).abs() < 1e-12); // by the law of similarity
+/// assert!((strong.period / weak.period - 0.5).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Engagement {
     parameters: Parameters,
@@ -107,6 +122,20 @@ impl Engagement {
     /// The equation is evaluated beyond the exit if the reset angle is more than 2π/m, and short of it if less. The
     /// reset angle must be positive and less than π + π/m. Meyer 1973, Appendix B, does so with one reset angle for all
     /// mechanisms.
+    ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    /// use std::f64::consts::{FRAC_PI_2, PI};
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+    /// // Four pins follow one another by a quarter of a turn: with that reset angle it is the mechanism.
+    /// let reset = Engagement::reset_after(&timer, FRAC_PI_2, 1e-12)?;
+    /// assert_eq!(reset.steady_state()?, Engagement::new(&timer)?.steady_state()?);
+    /// assert!(Engagement::reset_after(&timer, 2.0 * PI, 1e-12).is_err());
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -10,6 +10,22 @@ use super::quadrature::{NODES, dot};
 use crate::Error;
 
 /// A greatest or least speed of the driver, and where it has it.
+///
+/// ```
+/// use geneva_dynamics::steady::Engagement;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(0.1, 1.0)?, 1.0, 0.2)?;
+/// let engagement = Engagement::new(&timer)?;
+/// let passage = engagement.passage(2.0)?;
+/// let [fastest, slowest] = passage.extremes();
+/// assert!(slowest.speed < passage.mean_speed() && passage.mean_speed() < fastest.speed);
+/// // Where the speed is least the driver has no acceleration: that is inside the engagement.
+/// assert!(slowest.angle.abs() < timer.mechanism().engagement_half_angle()); // rad
+/// assert!(timer.acceleration(slowest.angle, slowest.speed)?.value.abs() < 1e-6);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
     /// θ', in radians per unit of time.
@@ -41,7 +57,7 @@ impl Passage<'_> {
         self.extreme(&self.spots(), |new, old| new < old)
     }
 
-    /// Both, for the price of one.
+    /// The greatest and the least speed of the driver in this passage, in this order, for the price of one.
     pub fn extremes(&self) -> [Extreme; 2] {
         let spots = self.spots();
         [self.extreme(&spots, |new, old| new > old), self.extreme(&spots, |new, old| new < old)]
@@ -196,6 +212,18 @@ impl Engagement {
     ///
     /// It is not the least speed of an engagement, which from rest is zero at the start. Meyer 1973, chapter II, takes
     /// it for the end of the rise.
+    ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(0.1, 1.0)?, 1.0, 0.2)?;
+    /// let first = Engagement::new(&timer)?.first_minimum()?.expect("a light driver is slowed by the follower");
+    /// // The speed is level there.
+    /// assert!(timer.acceleration(first.angle, first.speed)?.value.abs() < 1e-6);
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -15,6 +15,20 @@ impl Engagement {
     /// Between two places where the speed is level it rises or falls. So only the lines next to such places are worked out,
     /// and the first and the last of each engagement: a small part of the [whole run](Self::run).
     ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+    /// let engagement = Engagement::new(&timer)?;
+    /// let (interval, duration) = (0.5, 20.0); // s
+    /// let all = engagement.run(interval, duration)?;
+    /// let largest = all.iter().map(|line| line.speed).fold(0.0, f64::max); // rad/s
+    /// assert!((engagement.largest_printed(interval, 0.0, duration)? - largest).abs() < 1e-9);
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As for [`Engagement::run`]; [`Error::Negative`] for a `first` that is negative or not finite.

@@ -7,6 +7,23 @@ use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, middle};
 use crate::Error;
 
 /// Motion over one engagement from one speed at entry.
+///
+/// ```
+/// use geneva_dynamics::steady::Engagement;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+/// use std::f64::consts::FRAC_PI_2;
+///
+/// // Without friction, from one hand-over to the next, all of the work goes into the driver.
+/// let (driver_inertia, torque) = (2.0, 3.0); // kg m², N m
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(driver_inertia, 1.0)?, torque, 0.0)?;
+/// let engagement = Engagement::new(&timer)?;
+/// let passage = engagement.passage(1.0)?; // rad/s at entry
+/// let square = 1.0 + 2.0 * torque * FRAC_PI_2 / driver_inertia; // over a quarter of a turn
+/// assert!((passage.end_speed() - square.sqrt()).abs() < 1e-12); // rad/s
+/// assert!((passage.multiplier() - 1.0).abs() < 1e-12); // no difference is ever forgotten
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Passage<'a> {
     pub(super) engagement: &'a Engagement,
@@ -38,6 +55,19 @@ impl Engagement {
 
     /// The return map of one engagement: the driver's speed at the end of an engagement from that at its start, both in
     /// radians per unit of time.
+    ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+    /// let engagement = Engagement::new(&timer)?;
+    /// let terminal = engagement.steady_state()?.entry_speed; // the fixed point of the map
+    /// assert!((engagement.return_map(terminal)? / terminal - 1.0).abs() < 1e-12);
+    /// assert!(engagement.return_map(0.9 * terminal)? > 0.9 * terminal); // from below it is approached
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -1,6 +1,13 @@
 //! The identities on which the steady motion rests, for exact arithmetic.
 //!
 //! ρ, k, σ = ±μ, i = I_D/I_f and so on are as in [`steady`](crate::steady).
+//!
+//! ```
+//! use geneva_dynamics::steady::proofs::{Multiplier, OnACircle};
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&OnACircle).is_ok() && prove(&Multiplier).is_ok());
+//! ```
 
 use crate::{Coefficients, Pose};
 use geneva_kinematics::{Expression, Field, Identity, Jet, Turn};

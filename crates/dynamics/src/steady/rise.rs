@@ -18,15 +18,30 @@ pub struct Cycle {
     pub entry_speed: f64,
     /// Speed at its end, in radians per unit of time.
     pub end_speed: f64,
-    /// Greatest speed, with the time from the start of the run.
+    /// Greatest speed in the engagement, with the time from the start of the run.
     pub peak: Extreme,
-    /// Least speed, with the time from the start of the run.
+    /// Least speed in the engagement, with the time from the start of the run.
     pub minimum: Extreme,
     /// Reset angle over duration, in radians per unit of time.
     pub mean_speed: f64,
 }
 
 /// A start from rest until nothing changes by more than the tolerance any more.
+///
+/// ```
+/// use geneva_dynamics::steady::Engagement;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let engagement = Engagement::new(&timer)?;
+/// let rise = engagement.rise(0.001)?; // until the speed is within 0.1 % of the steady one
+/// assert_eq!(rise.cycles[0].entry_speed, 0.0); // from rest
+/// assert!(rise.cycles.windows(2).all(|two| two[0].entry_speed < two[1].entry_speed));
+/// assert!(rise.until_entry_speed(0.1) < rise.until_entry_speed(0.01)); // to within 10 % it takes less time
+/// assert_eq!(engagement.engagements_to_settle(0.001)?.0, rise.cycles.len());
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rise {
     /// The steady state that is approached.

@@ -7,6 +7,22 @@ use super::subinterval::NodeMapping;
 use crate::Error;
 
 /// One printed line of a run.
+///
+/// ```
+/// use geneva_dynamics::steady::Engagement;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let (driver_inertia, torque) = (2.0, 1.0); // kg m², N m
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(driver_inertia, 1.0)?, torque, 0.2)?;
+/// let lines = Engagement::new(&timer)?.run(0.01, 0.1)?; // every 0.01 s, to 0.1 s
+/// assert_eq!(lines.len(), 11);
+/// assert!(lines[0].speed < 1e-15); // from rest
+/// // It starts with the acceleration of the driver alone.
+/// let turned = torque / driver_inertia * 0.01 * 0.01 / 2.0; // rad
+/// assert!((lines[1].turned / turned - 1.0).abs() < 1e-3);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Printed {
     /// Time from the start, in units of time.
@@ -137,6 +153,20 @@ impl Engagement {
     /// period.
     ///
     /// Times are from the start of the engagement, which has the number 0.
+    ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    /// use std::f64::consts::FRAC_PI_2;
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+    /// let cycle = Engagement::new(&timer)?.steady_cycle(100)?;
+    /// let (first, last) = (&cycle[0], &cycle[100]);
+    /// assert!((last.turned - first.turned - FRAC_PI_2).abs() < 1e-12); // rad, with four pins
+    /// assert!((last.speed / first.speed - 1.0).abs() < 1e-12); // it repeats itself
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

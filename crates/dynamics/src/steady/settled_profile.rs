@@ -20,6 +20,18 @@ impl Engagement {
     /// to engagement, and the first one without a departure is the last that has to be looked at. Meyer 1973, chapter II,
     /// lets the rise end when the profile of the driver's velocity is the steady one.
     ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+    /// let engagement = Engagement::new(&timer)?;
+    /// // To within 1 % it takes longer than to within 10 %, in units of time.
+    /// assert!(engagement.until_profile(0.01)? > engagement.until_profile(0.1)?);
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `part` is not between 0 and 1; [`Error::TooMany`] if

@@ -14,6 +14,22 @@ use crate::Error;
 use std::cell::LazyCell;
 
 /// The motion that repeats itself. Speeds are the driver's θ'.
+///
+/// ```
+/// use geneva_dynamics::steady::Engagement;
+/// use geneva_dynamics::{Error, Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+/// use std::f64::consts::FRAC_PI_2;
+///
+/// let timer = |friction| Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, friction);
+/// let steady = Engagement::new(&timer(0.2)?)?.steady_state()?;
+/// assert!((steady.mean_speed * steady.period - FRAC_PI_2).abs() < 1e-12); // four pins: a quarter of a turn
+/// assert!(0.0 < steady.multiplier && steady.multiplier < 1.0);
+/// assert!(steady.minimum.speed < steady.mean_of_extremes() && steady.mean_of_extremes() < steady.peak.speed);
+/// // Without friction the speed grows without end.
+/// assert!(matches!(Engagement::new(&timer(0.0)?)?.steady_state(), Err(Error::NoTerminalSpeed { .. })));
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyState {
     /// Speed at the start of each engagement, and at its end, in radians per unit of time.
@@ -95,7 +111,7 @@ pub(super) struct FixedPoint {
 }
 
 impl Engagement {
-    /// The steady state.
+    /// The steady state of this engagement: the motion that the return map leaves unchanged.
     ///
     /// # Errors
     ///
@@ -118,6 +134,18 @@ impl Engagement {
 
     /// Entry speed, in radians per unit of time, and period, in units of time, of the steady state alone, for two
     /// thirds of the price: for maps of many escapements. The numbers are the same to the last bit.
+    ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+    /// let engagement = Engagement::new(&timer)?;
+    /// let whole = engagement.steady_state()?;
+    /// assert_eq!(engagement.entry_speed_and_period()?, (whole.entry_speed, whole.period));
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -12,6 +12,26 @@ use crate::{Error, Parameters};
 use geneva_kinematics::{Turn, pin_slot};
 
 /// The free flight of the pin from one flank to the other, and the blow at its end.
+///
+/// ```
+/// use geneva_dynamics::timer::Crossing;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = |torque| Parameters::new(Mechanism::FOUR_PIN, Inertias::new(0.1, 1.0)?, torque, 0.2);
+/// let play = 0.001; // crank radii
+/// let [weak, strong] = [1.0, 4.0].map(|torque| Crossing::new(&timer(torque)?, play));
+/// let (weak, strong) = (weak?.expect("it crosses"), strong?.expect("it crosses"));
+/// // Four times the torque: the crossing is at the same angles, in half the time, with the same share of energy.
+/// assert!((strong.to - weak.to).abs() < 1e-9 && (strong.duration / weak.duration - 0.5).abs() < 1e-9);
+/// assert!((strong.share / weak.share - 1.0).abs() < 1e-9);
+/// // The blow takes m v² / 2, where m is the mass of both members at the pin, whose arms are about R and R φ'/θ'.
+/// let pose = timer(1.0)?.pose(weak.to);
+/// let mass = 1.0 / (pose.square * (1.0 + pose.velocity_ratio().powi(2) / 0.1));
+/// let energy = mass * weak.closing_speed * weak.closing_speed / 2.0;
+/// assert!((weak.energy / energy - 1.0).abs() < 0.02); // the better the less play there is
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Crank angle in radians from the line of centres where the pin leaves the leading flank.
@@ -80,6 +100,22 @@ impl Crossing {
 }
 
 /// The blow with which a pin enters: the follower is at rest in the middle of its play, and nothing holds it.
+///
+/// ```
+/// use geneva_dynamics::timer::EntryBlow;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let blow = EntryBlow::new(&timer, 0.02)?; // play in crank radii
+/// assert!((blow.late.cos() - 0.99).abs() < 1e-12); // half the play is crossed when 1 − cos τ is 0.01
+/// assert!(EntryBlow::new(&timer, 0.01)?.share < blow.share); // less play, a softer blow
+/// // The flank has the arm 1 − sin τ about the follower's axis, the pin sin τ about the driver's.
+/// let (flank, pin) = (1.0 - blow.late.sin(), blow.late.sin());
+/// let mass = 1.0 / (flank * flank / 1.0 + pin * pin / 2.0); // that meet, with I_f = 1 and I_D = 2
+/// assert!((blow.energy - mass * blow.closing_speed * blow.closing_speed / 2.0).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EntryBlow {
     /// How far the crank has turned past the entry when the pin meets the leading flank, in radians.

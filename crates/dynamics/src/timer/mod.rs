@@ -1,8 +1,8 @@
 //! What a clockmaker asks of an escapement.
 //!
-//! How exact the timer is, in [`Sensitivities`]; how hard its members are accelerated, in [`Accelerations`]; and how
-//! fast it settles, in [`Settling`]; how hard the pin strikes where it has play, in [`Crossing`]. All of it is drawn from the steady motion, [`steady`](crate::steady). The escapements
-//! with which it is compared are in [`runaway`].
+//! How exact is the timer ([`Sensitivities`])? How hard are its members accelerated ([`Accelerations`])? How fast does it
+//! settle ([`Settling`])? How hard does the pin strike where it has play ([`Crossing`], [`EntryBlow`])? All answers come
+//! from the steady motion, [`steady`](crate::steady). The escapements with which it is compared are in [`runaway`].
 
 mod crossing;
 pub mod runaway;
@@ -23,6 +23,22 @@ pub struct Strongest {
 
 /// Accelerations and forces of a steady cycle. Angular accelerations in radians per square of the unit of time; moments
 /// in the unit of the torque.
+///
+/// ```
+/// use geneva_dynamics::timer::Accelerations;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// // Twice the torque doubles all accelerations and forces, by the law of similarity.
+/// let of = |torque| {
+///     let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, torque, 0.2)?;
+///     Accelerations::new(&timer)
+/// };
+/// let (weak, strong) = (of(1.0)?, of(2.0)?);
+/// assert!((strong.driver.value / weak.driver.value - 2.0).abs() < 1e-9);
+/// assert!((strong.normal_moment.value / weak.normal_moment.value - 2.0).abs() < 1e-9);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerations {
     /// Strongest acceleration of the driver, θ''.
@@ -96,15 +112,29 @@ impl Strongest {
 ///
 /// d ln(mean speed) / d ln(quantity), all others kept. A timer that runs for a given angle loses as much time as its
 /// mean speed gains.
+///
+/// ```
+/// use geneva_dynamics::timer::Sensitivities;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let powers = Sensitivities::new(&timer)?;
+/// assert_eq!(powers.torque, 0.5); // speeds go as the root of the torque
+/// assert!(powers.friction < 0.0); // friction brakes
+/// // Torque and both inertias times one factor change nothing.
+/// assert!((powers.torque + powers.driver_inertia + powers.follower_inertia).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivities {
-    /// To the torque K, dimensionless: one half, by the law of similarity.
+    /// Power of the mean speed in the torque K, dimensionless: one half, by the law of similarity.
     pub torque: f64,
-    /// To the friction μ, dimensionless.
+    /// Power of the mean speed in the friction μ, dimensionless.
     pub friction: f64,
-    /// To the driver's moment of inertia I_D, dimensionless.
+    /// Power of the mean speed in the driver's moment of inertia I_D, dimensionless.
     pub driver_inertia: f64,
-    /// To the follower's moment of inertia I_f, dimensionless.
+    /// Power of the mean speed in the follower's moment of inertia I_f, dimensionless.
     pub follower_inertia: f64,
 }
 
@@ -145,6 +175,18 @@ fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
 }
 
 /// Settling: how an escapement forgets the way it was started.
+///
+/// ```
+/// use geneva_dynamics::timer::Settling;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let settling = Settling::new(&timer)?;
+/// assert!((settling.engagements(settling.multiplier) - 1.0).abs() < 1e-12); // that is what a multiplier is
+/// assert!((settling.engagements(0.01) / settling.engagements(0.1) - 2.0).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settling {
     /// Factor by which one engagement reduces a small difference of two speeds, dimensionless.
@@ -170,7 +212,8 @@ impl Settling {
         libm::log(part) / libm::log(self.multiplier)
     }
 
-    /// Time until then, in units of time, counted as if each engagement took a period.
+    /// Time until a small difference is down to this part of itself, in units of time, counted as if each engagement took a
+    /// period.
     ///
     /// A start from rest lasts longer than its first engagement, however small the number is here.
     pub fn time(&self, part: f64) -> f64 {

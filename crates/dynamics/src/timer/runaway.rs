@@ -20,6 +20,21 @@ pub struct Drag {
 }
 
 /// A runaway escapement: a wheel, a pallet that it throws to and fro, and a drag.
+///
+/// ```
+/// use geneva_dynamics::timer::runaway::{Drag, Runaway};
+///
+/// // A wheel of inertia 3, a pallet that counts as 1 at the wheel, 0.1 rad from blow to blow, no drag.
+/// let escapement = Runaway::new(3.0, 1.0, 0.1, Drag::default())?;
+/// assert_eq!(escapement.kept(), 0.5); // (3 − 1) / (3 + 1) of the speed
+/// assert!((escapement.power(1.0)? - 0.5).abs() < 1e-9); // only blows brake: speeds go as the root of the torque
+/// let steady = escapement.steady(1.0)?;
+/// assert!((steady.after_blow / steady.before_blow - 0.5).abs() < 1e-12);
+/// // From blow to blow the torque's work is the gain of energy: 1 · 0.1 = (3 + 1) (ω₂² − ω₁²) / 2.
+/// let gain = 2.0 * (steady.before_blow.powi(2) - steady.after_blow.powi(2));
+/// assert!((gain - 0.1).abs() < 1e-12);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Runaway {
     wheel: f64,
@@ -111,13 +126,23 @@ impl Runaway {
         (end, step / 6.0 * (first + 4.0 * middle + last))
     }
 
-    /// The steady motion under a constant torque.
+    /// The steady motion under a constant torque (> 0), in any unit that fits the inertias.
+    ///
+    /// ```
+    /// use geneva_dynamics::timer::runaway::{Drag, Runaway};
+    ///
+    /// // With a pallet that weighs nothing, a fly alone brakes: K = 4 and a drag of 1 times the square of the speed.
+    /// let fly = Drag { square: 1.0, ..Drag::default() };
+    /// let steady = Runaway::new(3.0, 0.0, 0.1, fly)?.steady(4.0)?;
+    /// assert!((steady.mean_speed - 2.0).abs() < 1e-9); // where the drag is the torque
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
-    /// [`Error::DragTorque`] if the constant drag is not below the torque, [`Error::NoTerminalSpeed`] if neither blows nor
-    /// drag grow with the speed, and [`Error::TooMany`] if the motion is not steady after a hundred thousand blows, or the drag is too strong for
-    /// the four hundred steps of a beat.
+    /// [`Error::NotPositive`] for a torque that is not positive, [`Error::DragTorque`] if the constant drag is not below the
+    /// torque, [`Error::NoTerminalSpeed`] if neither blows nor drag grow with the speed, and [`Error::TooMany`] if the motion
+    /// is not steady after a hundred thousand blows, or the drag is too strong for the four hundred steps of a beat.
     pub fn steady(&self, torque: f64) -> Result<Steady, Error> {
         let torque = positive("torque", torque)?;
         let Drag { constant, linear, square } = self.drag;
@@ -154,7 +179,8 @@ impl Runaway {
         Err(Error::TooMany { name: "blows", limit: BLOWS })
     }
 
-    /// The power of the torque to which the mean speed goes near this torque, dimensionless: d ln(mean speed) / d ln(torque).
+    /// Power of the torque to which the mean speed goes near this torque, dimensionless:
+    /// d ln(mean speed) / d ln(torque).
     ///
     /// # Errors
     ///
@@ -173,6 +199,14 @@ impl Runaway {
 /// stop the foliot as the unit, the half period T obeys μ (T − 2 tanh(T/2)) = 2 φ₀, and the power is
 /// (T − 2 tanh(T/2)) / (T tanh²(T/2)). `half_period` is T, positive. The limits are those of Hoyng and Nieuwenhuizen,
 /// arXiv 1604.06681.
+///
+/// ```
+/// use geneva_dynamics::timer::runaway::foliot_power;
+///
+/// assert!((foliot_power(1e-3)? - 1.0 / 3.0).abs() < 1e-6); // strong torque, short half period
+/// assert!((foliot_power(1e6)? - 1.0).abs() < 1e-5); // weak torque, long half period
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
 ///
 /// # Errors
 ///

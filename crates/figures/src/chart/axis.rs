@@ -1,4 +1,4 @@
-//! Axes: what they cover, how their values are spaced, where the marks are and how they are numbered.
+//! Axes: what they cover, how their values are spaced, where the ticks are and how they are numbered.
 
 use crate::number::{fixed, power, power_of_ten, round_step, trimmed, with_minus_sign};
 use crate::svg::Label;
@@ -13,8 +13,8 @@ const SYMMETRIC_HEADROOM: f64 = 1.05;
 /// How far beyond an axis a value can lie, in lengths of the axis: enough for any line to leave the frame.
 const FAR: f64 = 50.0;
 
-/// Steps of an axis that have a mark each.
-const MOST_MARKS: usize = 100;
+/// Steps of an axis that have a tick each.
+const MOST_TICKS: usize = 100;
 
 /// How the values of an axis are spaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub enum Scale {
     Linear,
     /// Equal ratios, equal lengths; only for values above zero.
     Logarithmic,
-    /// Logarithmic, with marks at powers of ten that are written as such.
+    /// Logarithmic, with ticks at powers of ten that are written as such.
     Decades,
     /// Linear from −1 to 1, logarithmic beyond on either side; a decade is as long as a unit.
     SymmetricLog,
@@ -35,51 +35,51 @@ fn signed_decades(value: f64) -> f64 {
     if size <= 1.0 { value } else { (1.0 + libm::log10(size)).copysign(value) }
 }
 
-/// One axis: what it covers, the marks on it, and its title.
+/// One axis: what it covers, the ticks on it, and its title.
 #[derive(Clone, Debug)]
 pub struct Axis {
     /// From the least to the greatest value.
     pub range: Range<f64>,
-    /// Where the marks are.
-    pub marks: Vec<f64>,
-    /// Digits after the point of the marks' numbers; at most so many where the scale is logarithmic.
+    /// Where the ticks are.
+    pub ticks: Vec<f64>,
+    /// Digits after the point of the ticks' numbers; at most so many where the scale is logarithmic.
     pub decimals: usize,
     /// How its values are spaced.
     pub scale: Scale,
     /// What it shows, with the unit.
     pub title: Option<Label>,
-    /// What is written at the marks instead of their numbers.
+    /// What is written at the ticks instead of their numbers.
     pub names: Vec<String>,
-    /// Whether the marks have numbers, and lines across the frame.
+    /// Whether the ticks have numbers, and lines across the frame.
     pub numbered: bool,
     pub grid: bool,
 }
 
 impl Axis {
-    /// An axis with these marks, numbered with so many digits after the point.
-    pub fn new(scale: Scale, range: Range<f64>, marks: Vec<f64>, decimals: usize) -> Self {
-        Self { range, marks, decimals, scale, title: None, names: Vec::new(), numbered: true, grid: true }
+    /// An axis with these ticks, numbered with so many digits after the point.
+    pub fn new(scale: Scale, range: Range<f64>, ticks: Vec<f64>, decimals: usize) -> Self {
+        Self { range, ticks, decimals, scale, title: None, names: Vec::new(), numbered: true, grid: true }
     }
 
-    /// A linear axis with marks at whole numbers.
-    pub fn whole(range: Range<f64>, marks: impl IntoIterator<Item = f64>) -> Self {
-        Self::new(Scale::Linear, range, marks.into_iter().collect(), 0)
+    /// A linear axis with ticks at whole numbers.
+    pub fn whole(range: Range<f64>, ticks: impl IntoIterator<Item = f64>) -> Self {
+        Self::new(Scale::Linear, range, ticks.into_iter().collect(), 0)
     }
 
     /// An axis with a strip for each of several kinds, the first at the top: around 1, around 2, and so on.
     pub fn of_kinds(names: impl IntoIterator<Item = String>) -> Self {
         let names: Vec<String> = names.into_iter().collect();
         let count = names.len().max(1);
-        let marks = (1..=names.len()).map(|number| number as f64);
-        Self { names, ..Self::whole(count as f64 + 0.5..0.5, marks) }.without_grid()
+        let ticks = (1..=names.len()).map(|number| number as f64);
+        Self { names, ..Self::whole(count as f64 + 0.5..0.5, ticks) }.without_grid()
     }
 
-    /// A symmetric logarithmic axis, with marks at zero and at powers of ten to either side.
+    /// A symmetric logarithmic axis, with ticks at zero and at powers of ten to either side.
     pub fn symmetric_log(limit: f64) -> Self {
-        let powers: Vec<f64> = (0..20).map(power).take_while(|mark| *mark <= limit).collect();
-        let below = powers.iter().rev().map(|mark| -mark);
-        let marks = below.chain(std::iter::once(0.0)).chain(powers.iter().copied()).collect();
-        Self::new(Scale::SymmetricLog, -limit..limit, marks, 0)
+        let powers: Vec<f64> = (0..20).map(power).take_while(|tick| *tick <= limit).collect();
+        let below = powers.iter().rev().map(|tick| -tick);
+        let ticks = below.chain(std::iter::once(0.0)).chain(powers.iter().copied()).collect();
+        Self::new(Scale::SymmetricLog, -limit..limit, ticks, 0)
     }
 
     /// An axis in at least so many round steps that holds zero and both values, with some room beyond them.
@@ -108,27 +108,27 @@ impl Axis {
         Self::stepped(round_step(SYMMETRIC_HEADROOM * greatest / f64::from(SYMMETRIC)), -SYMMETRIC, SYMMETRIC)
     }
 
-    /// Driver angles in degrees over an engagement of this half angle, with marks in so many parts of it.
+    /// Driver angles in degrees over an engagement of this half angle, with ticks in so many parts of it.
     pub fn of_engagement(half: f64, parts: i32) -> Self {
         Self::whole(-half..half, (-parts..=parts).map(|k| half * f64::from(k) / f64::from(parts)))
     }
 
-    /// Whole powers of ten that hold all values of the range, with a mark at each so many.
+    /// Whole powers of ten that hold all values of the range, with a tick at each so many.
     pub fn decades(least: f64, greatest: f64, each: usize) -> Self {
         let low = (-20..20).rev().find(|k| power(*k) <= least).unwrap_or(-20);
         let high = (low + 1..21).find(|k| power(*k) >= greatest).unwrap_or(20);
-        let marks = (low..=high).rev().step_by(each).map(power).collect();
-        Self::new(Scale::Decades, power(low)..power(high), marks, 0)
+        let ticks = (low..=high).rev().step_by(each).map(power).collect();
+        Self::new(Scale::Decades, power(low)..power(high), ticks, 0)
     }
 
-    /// A logarithmic axis over a range, with marks at 1, 2 and 5 times powers of ten; at powers of ten alone if those
+    /// A logarithmic axis over a range, with ticks at 1, 2 and 5 times powers of ten; at powers of ten alone if those
     /// are too many.
     pub fn logarithmic(range: Range<f64>) -> Self {
-        let within = |mark: &f64| (range.start..=range.end).contains(mark);
-        let marks: Vec<f64> = one_two_five().filter(within).collect();
-        let wide = marks.len() > 9;
-        let marks = if wide { (-20..20).map(power).filter(within).collect() } else { marks };
-        Self::new(Scale::Logarithmic, range, marks, 9)
+        let within = |tick: &f64| (range.start..=range.end).contains(tick);
+        let ticks: Vec<f64> = one_two_five().filter(within).collect();
+        let wide = ticks.len() > 9;
+        let ticks = if wide { (-20..20).map(power).filter(within).collect() } else { ticks };
+        Self::new(Scale::Logarithmic, range, ticks, 9)
     }
 
     /// A logarithmic axis over whole steps of 1, 2 and 5 times powers of ten that holds all values of the range.
@@ -153,9 +153,9 @@ impl Axis {
         Self { grid: false, ..self }
     }
 
-    /// An axis of these values without marks and title: for a side of the frame that is not read.
+    /// An axis of these values without ticks and title: for a side of the frame that is not read.
     pub fn blank(&self) -> Self {
-        Self { marks: Vec::new(), title: None, ..self.clone() }
+        Self { ticks: Vec::new(), title: None, ..self.clone() }
     }
 
     fn in_steps(step: f64, least: f64, greatest: f64) -> Self {
@@ -164,13 +164,13 @@ impl Axis {
         Self::stepped(step, low, high)
     }
 
-    /// An axis from one multiple of a step to another, with a mark at each, or at each so many if there are too many.
+    /// An axis from one multiple of a step to another, with a tick at each, or at each so many if there are too many.
     fn stepped(step: f64, low: i32, high: i32) -> Self {
         let digits = trimmed(step, 6);
         let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
-        let each = usize::try_from(i64::from(high) - i64::from(low)).map_or(1, |steps| steps / MOST_MARKS + 1);
-        let marks = (low..=high).step_by(each).map(|k| step * f64::from(k)).collect();
-        Self::new(Scale::Linear, step * f64::from(low)..step * f64::from(high), marks, decimals)
+        let each = usize::try_from(i64::from(high) - i64::from(low)).map_or(1, |steps| steps / MOST_TICKS + 1);
+        let ticks = (low..=high).step_by(each).map(|k| step * f64::from(k)).collect();
+        Self::new(Scale::Linear, step * f64::from(low)..step * f64::from(high), ticks, decimals)
     }
 
     /// How far along the axis a value lies: 0 at its start, 1 at its end.
@@ -202,9 +202,9 @@ impl Axis {
         }
     }
 
-    /// A mark's number as it is written.
+    /// A tick's number as it is written.
     pub fn written(&self, value: f64) -> String {
-        let named = self.marks.iter().position(|mark| *mark == value).and_then(|number| self.names.get(number));
+        let named = self.ticks.iter().position(|tick| *tick == value).and_then(|number| self.names.get(number));
         match self.scale {
             _ if !self.numbered => String::new(),
             _ if named.is_some() => named.cloned().unwrap_or_default(),
@@ -214,13 +214,13 @@ impl Axis {
         }
     }
 
-    /// Whether the marks of a linear axis can be read: no number is wider than `room`, in pixels, or off its mark by
+    /// Whether the ticks of a linear axis can be read: no number is wider than `room`, in pixels, or off its tick by
     /// more than a thousandth of a step.
     pub fn is_readable(&self, room: f64) -> bool {
-        let step = self.marks.get(1).zip(self.marks.first()).map_or(0.0, |(second, first)| second - first);
-        self.marks.iter().all(|mark| {
-            let read = fixed(*mark, self.decimals).parse().unwrap_or(f64::INFINITY);
-            (read - mark).abs() <= 1e-3 * step && Label::words(&self.written(*mark)).width() <= room
+        let step = self.ticks.get(1).zip(self.ticks.first()).map_or(0.0, |(second, first)| second - first);
+        self.ticks.iter().all(|tick| {
+            let read = fixed(*tick, self.decimals).parse().unwrap_or(f64::INFINITY);
+            (read - tick).abs() <= 1e-3 * step && Label::words(&self.written(*tick)).width() <= room
         })
     }
 }
@@ -238,7 +238,7 @@ impl Ranged for Axis {
     }
 
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
-        self.marks.clone()
+        self.ticks.clone()
     }
 
     fn range(&self) -> Range<f64> {
@@ -261,15 +261,15 @@ mod tests {
         for (least, greatest) in [(-0.3, 7.1), (0.0, 1e-4), (-250.0, 3.0), (2.0, 2.5)] {
             for axis in [Axis::from_zero(least, greatest, 4.0), Axis::spanning(least, greatest, 5.0)] {
                 assert!([least, greatest].iter().all(|value| (-1e-9..=1.0 + 1e-9).contains(&axis.share(*value))));
-                assert!(axis.marks.len() >= 4, "{axis:?}");
+                assert!(axis.ticks.len() >= 4, "{axis:?}");
             }
-            assert!(Axis::from_zero(least, greatest, 4.0).marks.contains(&0.0));
+            assert!(Axis::from_zero(least, greatest, 4.0).ticks.contains(&0.0));
         }
         for axis in [Axis::decades(0.03, 40.0, 1), Axis::logarithmic_about(0.03..40.0)] {
             assert!(axis.share(0.03) >= 0.0 && axis.share(40.0) <= 1.0, "{axis:?}");
             assert!((axis.share(4.0) - axis.share(0.4) - axis.share(0.4) + axis.share(0.04)).abs() < 1e-12);
         }
-        assert_eq!(Axis::symmetric(2.9).marks, [-6.0, -4.0, -2.0, 0.0, 2.0, 4.0, 6.0]);
+        assert_eq!(Axis::symmetric(2.9).ticks, [-6.0, -4.0, -2.0, 0.0, 2.0, 4.0, 6.0]);
         assert_eq!(Axis::of_angles(-27.0, 27.0, 4.0).range, -30.0..30.0);
     }
 
@@ -279,7 +279,7 @@ mod tests {
         {
             let spanning = Axis::spanning(least, greatest, 5.0);
             for axis in [Axis::from_zero(least, greatest, 4.0), Axis::of_angles(least, greatest, 4.0), spanning] {
-                assert!(axis.marks.len() <= MOST_MARKS + 1, "{least} {greatest}: {} marks", axis.marks.len());
+                assert!(axis.ticks.len() <= MOST_TICKS + 1, "{least} {greatest}: {} ticks", axis.ticks.len());
             }
         }
     }
@@ -295,7 +295,7 @@ mod tests {
     #[test]
     fn a_symmetric_log_axis_is_linear_within_one_and_a_decade_is_as_long_as_a_unit() {
         let axis = Axis::symmetric_log(100.0);
-        assert_eq!(axis.marks, [-100.0, -10.0, -1.0, 0.0, 1.0, 10.0, 100.0]);
+        assert_eq!(axis.ticks, [-100.0, -10.0, -1.0, 0.0, 1.0, 10.0, 100.0]);
         let shares = [0.0, 0.5, 1.0, 10.0, 100.0].map(|value| axis.share(value));
         for (share, expected) in shares.into_iter().zip([3.0, 3.5, 4.0, 5.0, 6.0]) {
             assert!((share - expected / 6.0).abs() < 1e-12, "{shares:?}");
@@ -306,7 +306,7 @@ mod tests {
     #[test]
     fn kinds_are_written_by_name_and_the_first_is_at_the_top() {
         let axis = Axis::of_kinds(["six", "four"].map(str::to_owned));
-        assert_eq!([1.0, 2.0].map(|mark| axis.written(mark)), ["six", "four"]);
+        assert_eq!([1.0, 2.0].map(|tick| axis.written(tick)), ["six", "four"]);
         assert_eq!([axis.share(1.0), axis.share(2.0)], [0.75, 0.25]);
     }
 

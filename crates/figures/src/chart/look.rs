@@ -1,14 +1,14 @@
 //! How curves and marks look, and how they are told apart.
 
 use crate::svg::{Canvas, Path, Pixels, Shape};
-use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, GRID, INK, PAPER, RELATIVE, Shade};
+use crate::theme::{CORIOLIS, Colour, DRIVER, FOLLOWER, GRID, INK, PAPER, RELATIVE};
 use nalgebra::Vector2;
 
 /// How a line looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
     /// Its colour.
-    pub shade: Shade,
+    pub colour: Colour,
     /// Its width in pixels.
     pub width: f64,
     /// Its dashes and gaps; none for an unbroken line.
@@ -19,18 +19,18 @@ pub struct Stroke {
 
 impl Stroke {
     /// An unbroken curve of this colour.
-    pub const fn new(shade: Shade) -> Self {
-        Self { shade, width: 2.8, dashes: None, class: "curve" }
+    pub const fn new(colour: Colour) -> Self {
+        Self { colour, width: 2.8, dashes: None, class: "curve" }
     }
 
     /// A thin line of reference.
     pub const fn thin(class: &'static str) -> Self {
-        Self { shade: INK, width: 1.3, dashes: None, class }
+        Self { colour: INK, width: 1.3, dashes: None, class }
     }
 
     /// A line that parts a frame.
     pub const fn edge() -> Self {
-        Self { shade: GRID, width: 1.2, dashes: None, class: "edge" }
+        Self { colour: GRID, width: 1.2, dashes: None, class: "edge" }
     }
 
     /// Sets the line's width in pixels.
@@ -55,7 +55,7 @@ impl Stroke {
 
     /// A shape drawn with it.
     pub fn on(&self, shape: Shape) -> Shape {
-        let shape = shape.stroke(self.shade, self.width).class(self.class);
+        let shape = shape.stroke(self.colour, self.width).class(self.class);
         self.dashes.map_or(shape.clone(), |dashes| shape.dashed(dashes))
     }
 }
@@ -84,7 +84,7 @@ pub enum Mark {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Marker {
     /// Their colour.
-    pub shade: Shade,
+    pub colour: Colour,
     /// Their shape.
     pub mark: Mark,
     /// Their size in pixels.
@@ -95,8 +95,8 @@ pub struct Marker {
 
 impl Marker {
     /// A marker of the usual size.
-    pub const fn new(shade: Shade, mark: Mark) -> Self {
-        Self { shade, mark, size: 9.0, class: "marks" }
+    pub const fn new(colour: Colour, mark: Mark) -> Self {
+        Self { colour, mark, size: 9.0, class: "marks" }
     }
 
     /// Sets the marker's size in pixels.
@@ -116,15 +116,15 @@ const DASHES: [Option<&str>; 3] = [None, Some("9 4"), Some("3 4")];
 /// The curve and the marks of the first to the eighth of several kinds: from the fifth on in the colour of the text,
 /// and with other dashes.
 pub fn kind(number: usize) -> (Stroke, Marker) {
-    let (shade, mark) = match number % 4 {
+    let (colour, mark) = match number % 4 {
         0 => (FOLLOWER, Mark::Disc),
         1 => (DRIVER, Mark::Square),
         2 => (RELATIVE, Mark::Diamond),
         _ => (CORIOLIS, Mark::Triangle),
     };
-    let shade = if number % 8 < 4 { shade } else { INK };
+    let colour = if number % 8 < 4 { colour } else { INK };
     let dashes = DASHES.get((number + number / 4) % DASHES.len()).copied().flatten();
-    (Stroke { dashes, ..Stroke::new(shade) }, Marker::new(shade, mark))
+    (Stroke { dashes, ..Stroke::new(colour) }, Marker::new(colour, mark))
 }
 
 /// The curve and the marks of a mechanism with so many slots: the same in all figures.
@@ -141,10 +141,10 @@ const RIMMED: f64 = 7.0;
 
 /// Draws equal marks at places of the page: they weigh little, for all are one path.
 pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
-    let Marker { shade, mark, size, class } = *marker;
+    let Marker { colour, mark, size, class } = *marker;
     if matches!(mark, Mark::Ring | Mark::Circle) {
         for at in places {
-            let circle = Shape::circle(at, size / 2.0).stroke(shade, 2.0).class(class);
+            let circle = Shape::circle(at, size / 2.0).stroke(colour, 2.0).class(class);
             canvas.draw(if mark == Mark::Ring { circle.fill(PAPER) } else { circle });
         }
         return;
@@ -177,7 +177,7 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
     }
     let shape = Shape::path(path);
     if !corners.is_empty() {
-        let shape = shape.fill(shade);
+        let shape = shape.fill(colour);
         canvas.draw(if size >= RIMMED { shape.stroke(PAPER, 1.2) } else { shape }.class(class));
         return;
     }
@@ -186,7 +186,7 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
     if size >= RIMMED {
         canvas.draw(shape.clone().stroke(PAPER, size + 2.4).class("rim"));
     }
-    canvas.draw(shape.stroke(shade, size).class(class));
+    canvas.draw(shape.stroke(colour, size).class(class));
 }
 
 #[cfg(test)]

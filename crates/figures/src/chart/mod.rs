@@ -28,7 +28,7 @@ const WIDTH: f64 = 640.0;
 const LINE: f64 = 28.0;
 const LEFT: f64 = 16.0;
 /// Room below all, in pixels.
-const FOOT: f64 = 6.0;
+const BOTTOM_MARGIN: f64 = 6.0;
 /// Length of a piece of curve in the key, room of a mark, and from either to its name.
 const PIECE: f64 = 44.0;
 const MARK: f64 = 15.0;
@@ -115,7 +115,7 @@ impl Chart {
         let rows = || self.panels.chunks(self.columns.max(1));
         let room = |row: &[Panel]| row.iter().map(Panel::room).fold(0.0, f64::max);
         let panels: f64 = rows().map(room).sum();
-        let size = Vector2::new(WIDTH, head + panels + FOOT);
+        let size = Vector2::new(WIDTH, head + panels + BOTTOM_MARGIN);
         let mut canvas = Canvas::new(size.x, size.y);
         for (entry, at) in self.key.iter().zip(&places) {
             entry.draw(&mut canvas, at);
@@ -133,7 +133,7 @@ impl Chart {
     /// The panels one under another, below what `draw` draws on so much of the page's height.
     pub fn figure_below(self, words: Words, series: Series, above: f64, draw: impl FnOnce(&mut Canvas)) -> Figure {
         let height: f64 = self.panels.iter().map(Panel::room).sum();
-        let size = Vector2::new(WIDTH, above + height + FOOT);
+        let size = Vector2::new(WIDTH, above + height + BOTTOM_MARGIN);
         let mut canvas = Canvas::new(size.x, size.y);
         draw(&mut canvas);
         let mut top = above;

@@ -6,7 +6,7 @@ use super::names::{Name, Spot, write};
 use super::pen::{ENLARGED, Look, Pen, colour};
 use crate::parts::arrow;
 use crate::svg::{Canvas, Label, Pixels, Placing, part_within};
-use crate::theme::Shade;
+use crate::theme::Colour;
 use nalgebra::Vector2;
 use plotters::prelude::*;
 use std::ops::Range;
@@ -36,7 +36,7 @@ pub const NUMBER_ROOM: f64 = SIDE - 2.0 * TICK;
 #[derive(Clone, Debug)]
 enum Layer {
     /// A filled area, under the grid.
-    Area { corners: Vec<(f64, f64)>, shade: Shade, class: &'static str },
+    Area { corners: Vec<(f64, f64)>, colour: Colour, class: &'static str },
     /// A curve, as far as it lies in the frame.
     Curve { points: Vec<(f64, f64)>, stroke: Stroke },
     /// Equal marks, as far as they lie in the frame.
@@ -102,16 +102,16 @@ impl Panel {
     }
 
     /// A filled area, given by its corners.
-    pub fn area(mut self, corners: impl IntoIterator<Item = (f64, f64)>, shade: Shade, class: &'static str) -> Self {
-        self.layers.push(Layer::Area { corners: corners.into_iter().collect(), shade, class });
+    pub fn area(mut self, corners: impl IntoIterator<Item = (f64, f64)>, colour: Colour, class: &'static str) -> Self {
+        self.layers.push(Layer::Area { corners: corners.into_iter().collect(), colour, class });
         self
     }
 
     /// A filled area over a range of the x axis, from the foot of the frame to its top.
-    pub fn band(self, range: Range<f64>, shade: Shade, class: &'static str) -> Self {
+    pub fn band(self, range: Range<f64>, colour: Colour, class: &'static str) -> Self {
         let Range { start, end } = self.left.range;
         let corners = [(range.start, start), (range.start, end), (range.end, end), (range.end, start)];
-        self.area(corners, shade, class)
+        self.area(corners, colour, class)
     }
 
     /// A curve, as far as it lies in the frame.
@@ -163,7 +163,7 @@ impl Panel {
 
     /// The room that it takes, from the line above its frame to the end of what stands below.
     pub fn room(&self) -> f64 {
-        let below = match (self.x.numbered && !self.x.marks.is_empty(), &self.x.title) {
+        let below = match (self.x.numbered && !self.x.ticks.is_empty(), &self.x.title) {
             (true, Some(_)) => NUMBERS + TITLE,
             (true, None) => NUMBERS + APART,
             (false, Some(_)) => UNNUMBERED + TITLE,
@@ -203,7 +203,7 @@ impl Panel {
         self.plot(canvas, size, &frame)?;
         self.titles(canvas, column, &frame);
         for (impulse, [from, to]) in self.impulses.iter().zip(self.arrows(&frame)) {
-            arrow(canvas, &from, &to, impulse.stroke.shade, impulse.stroke.width, impulse.stroke.class);
+            arrow(canvas, &from, &to, impulse.stroke.colour, impulse.stroke.width, impulse.stroke.class);
         }
         let all = self.placing(&frame, |_| true);
         let off_curves = self.placing(&frame, |curve| !self.is_named(curve));
@@ -335,7 +335,7 @@ impl Panel {
 impl Layer {
     fn look(&self) -> Look {
         match self {
-            Self::Area { shade, class, .. } => Look::Area(*shade, class),
+            Self::Area { colour, class, .. } => Look::Area(*colour, class),
             Self::Curve { stroke, .. } => Look::Line(*stroke),
             Self::Marks { marker, .. } => Look::Marks(*marker),
         }

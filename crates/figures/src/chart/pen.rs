@@ -7,7 +7,7 @@ use super::look::{Marker, Stroke, draw_marks};
 use super::trace::thinned;
 use crate::number::trimmed;
 use crate::svg::{Canvas, Path, Pixels, Shape, TEXT_SIZE, escape};
-use crate::theme::{GRID, INK, Shade};
+use crate::theme::{Colour, GRID, INK};
 use nalgebra::Vector2;
 use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -29,7 +29,7 @@ pub enum Look {
     /// Marks.
     Marks(Marker),
     /// A filled area of a class.
-    Area(Shade, &'static str),
+    Area(Colour, &'static str),
 }
 
 /// The number of a look in the table as a colour for plotters.
@@ -142,9 +142,9 @@ impl DrawingBackend for Pen<'_> {
     }
 
     fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, corners: I, style: &S) -> Drawn {
-        if let Some((_, Look::Area(shade, class))) = self.look(style.color()) {
+        if let Some((_, Look::Area(colour, class))) = self.look(style.color()) {
             let corners: Vec<Pixels> = corners.into_iter().map(pixels).collect();
-            self.canvas.draw(Shape::path(Path::through(&corners, 1)).fill(shade).class(class));
+            self.canvas.draw(Shape::path(Path::through(&corners, 1)).fill(colour).class(class));
         }
         Ok(())
     }

@@ -95,7 +95,8 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) 
     angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::part("θ"));
     let mark = (MARK * reach).max(22.0);
     angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::part("φ"));
-    let sides = [(&at.axis, pin, Label::part("R").shade(DRIVER)), (&at.pivot, pin, Label::part("r").shade(FOLLOWER))];
+    let sides =
+        [(&at.axis, pin, Label::part("R").in_colour(DRIVER)), (&at.pivot, pin, Label::part("r").in_colour(FOLLOWER))];
     for (from, to, label) in sides {
         placing.put(canvas, &label, beside_line(from, to, &NEAR));
     }

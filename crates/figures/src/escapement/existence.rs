@@ -57,7 +57,7 @@ pub fn existence(designs: &[Design]) -> Figure {
     let key = Mechanism::ALL.map(|mechanism| {
         let (pins, slots) = (mechanism.pins(), mechanism.slots());
         let look = of_mechanism(slots);
-        Entry::both(look, Label::words(&format!("{pins} pins, {slots} slots")).shade(look.0.shade))
+        Entry::both(look, Label::words(&format!("{pins} pins, {slots} slots")).in_colour(look.0.colour))
     });
     let above = [0.06, 0.1, 0.16, 0.22].into_iter().flat_map(|y| [0.18, 0.2, 0.24].map(|x| [x, 1.0 - y]));
     let below = [0.84, 0.78, 0.9, 0.7, 0.66, 0.6].into_iter().flat_map(|y| [0.78, 0.72].map(|x| [x, 1.0 - y]));

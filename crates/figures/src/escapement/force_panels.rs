@@ -4,13 +4,13 @@ use super::forces::Senses;
 use super::pose::Bodies;
 use crate::parts::{NEAR, WIDTH, angle, arrow, axis, numbered, right_angle, sense, vector};
 use crate::svg::{Canvas, DASHED, Label, Path, Pixels, Placing, Shape, View, angle_of, around, beside_line, heading};
-use crate::theme::{CORIOLIS, DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE, Shade};
+use crate::theme::{CORIOLIS, Colour, DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
 /// The colours of the normal force and of the friction.
-const NORMAL: Shade = RELATIVE;
-const FRICTION: Shade = CORIOLIS;
+const NORMAL: Colour = RELATIVE;
+const FRICTION: Colour = CORIOLIS;
 /// Lengths of their arrows in pixels.
 const LONG: f64 = 84.0;
 /// The follower by itself: radius of its rim in pixels.
@@ -31,11 +31,11 @@ fn title(canvas: &mut Canvas, corner: &Pixels, number: usize, words: &str) {
 }
 
 fn normal_label() -> Label {
-    Label::part("F").shade(NORMAL)
+    Label::part("F").in_colour(NORMAL)
 }
 
 fn friction_label() -> Label {
-    Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").shade(FRICTION)
+    Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").in_colour(FRICTION)
 }
 
 /// Panel 1: driver and pin with the forces on the pin; the arm of the friction; the driving torque.
@@ -70,11 +70,11 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
         vector(canvas, &mut placing, &pin, &to, 4.0, &friction_label(), "friction-on-pin");
     }
     if has_arm {
-        let label = Label::symbol("l").and(" sin ").and_symbol("φ").shade(FRICTION);
+        let label = Label::symbol("l").and(" sin ").and_symbol("φ").in_colour(FRICTION);
         placing.put(canvas, &label, beside_line(&at.axis, &foot, &NEAR));
     }
     let radius = at.disc() + 14.0;
-    sense(canvas, &at.axis, radius, PI, 1.0, &Label::symbol("K").shade(DRIVER));
+    sense(canvas, &at.axis, radius, PI, 1.0, &Label::symbol("K").in_colour(DRIVER));
     placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, -0.9, &NEAR));
     title(canvas, &Pixels::zeros(), 1, "The driver, with the forces on its pin");
@@ -116,7 +116,7 @@ pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
         let places = beside_line(&from, &to, &[8.0, 14.0, 22.0])
             .into_iter()
             .filter(|place| place.towards.dot(&senses.ahead) * side > 0.0);
-        placing.put(canvas, &Label::words(words).shade(FOLLOWER), places);
+        placing.put(canvas, &Label::words(words).in_colour(FOLLOWER), places);
     }
     if senses.sliding != 0.0 {
         // Beside the pin, away from the friction.
@@ -160,7 +160,7 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
         );
         right_angle(canvas, &pin, &-senses.out, &(senses.ahead * senses.normal), 11.0);
         let radius = RIM + 14.0;
-        sense(canvas, &pivot, radius, 0.0, -senses.normal, &Label::rate("φ", 2).shade(FOLLOWER));
+        sense(canvas, &pivot, radius, 0.0, -senses.normal, &Label::rate("φ", 2).in_colour(FOLLOWER));
     }
     axis(canvas, &pivot, FOLLOWER);
     placing.put(canvas, &Label::part("r"), beside_line(&pivot, &pin, &NEAR));

@@ -101,8 +101,8 @@ fn rounded(exact: &Configuration<Roots>) -> Configuration<f64> {
 
 /// The triangle of the leaving pin, and thinly that of the entering one; pins and axes.
 fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, entering: &Pixels) {
-    for (centre, shade) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
-        canvas.draw(Shape::line(centre, entering).stroke(shade, 1.6).dashed("10 4").class("mirror"));
+    for (centre, colour) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
+        canvas.draw(Shape::line(centre, entering).stroke(colour, 1.6).dashed("10 4").class("mirror"));
         placing.avoid(centre, entering, 1.0);
     }
     side(canvas, placing, &at.axis, &at.pivot, INK, "l");
@@ -125,7 +125,7 @@ fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
     canvas.draw(Shape::line(pin, &(pin + out * BEYOND)).stroke(FOLLOWER, 1.2).dashed(DASHED).class("slot-line"));
     let tip = pin + out * (outward * VELOCITY);
     placing.avoid(pin, &(pin + out * BEYOND), 1.0);
-    let label = Label::symbol("v").and(&format!(": {name}")).shade(RELATIVE);
+    let label = Label::symbol("v").and(&format!(": {name}")).in_colour(RELATIVE);
     let class = if outward > 0.0 { "v-leaving" } else { "v-entering" };
     vector(canvas, placing, pin, &tip, 3.0, &label, class);
 }
@@ -137,15 +137,15 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixe
     let value = |letter: &str, count| symbol(letter).and(&format!(" = {}", half_angle(count)));
     // The values in the corners: the angles have no room for them.
     let (row, right) = (20.0, Vector2::new(1.0, 0.0));
-    canvas.label(&Vector2::new(0.0, row), &right, 14.0, &value("θ", m).shade(DRIVER));
-    canvas.label(&Vector2::new(WIDTH, row), &-right, 14.0, &value("φ", n).shade(FOLLOWER));
+    canvas.label(&Vector2::new(0.0, row), &right, 14.0, &value("θ", m).in_colour(DRIVER));
+    canvas.label(&Vector2::new(WIDTH, row), &-right, 14.0, &value("φ", n).in_colour(FOLLOWER));
     let rim = (leaving - at.pivot).norm();
     angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &symbol("θ"));
     let mark = (MARK * rim).max(34.0);
     angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &symbol("φ"));
     let sides = [
-        (&at.axis, leaving, Label::part("R").shade(DRIVER)),
-        (&at.pivot, leaving, Label::part("r").shade(FOLLOWER)),
+        (&at.axis, leaving, Label::part("R").in_colour(DRIVER)),
+        (&at.pivot, leaving, Label::part("r").in_colour(FOLLOWER)),
         (&at.axis, &at.pivot, Label::part("l")),
     ];
     for (from, to, label) in sides {

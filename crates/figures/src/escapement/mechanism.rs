@@ -79,8 +79,8 @@ fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapeme
     let (theta, phi) = (escapement.engagement_half_angle(), escapement.follower_half_angle());
     for sense in [1.0, -1.0] {
         let place = at.on_driver(1.0, sense * theta);
-        for (centre, shade) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
-            canvas.draw(Shape::line(centre, &place).stroke(shade, 1.3).dashed("10 4").class("half-angle"));
+        for (centre, colour) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
+            canvas.draw(Shape::line(centre, &place).stroke(colour, 1.3).dashed("10 4").class("half-angle"));
             placing.avoid(centre, &place, 1.0);
         }
     }
@@ -93,9 +93,9 @@ fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapeme
 /// Names of the bodies above them, and of the axes.
 fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Mechanism) {
     let (row, right) = (20.0, Vector2::new(1.0, 0.0));
-    let driver = Label::words(&format!("driver, {} pins", escapement.pins())).shade(DRIVER);
+    let driver = Label::words(&format!("driver, {} pins", escapement.pins())).in_colour(DRIVER);
     canvas.label(&Vector2::new(0.0, row), &right, 14.0, &driver);
-    let follower = Label::words(&format!("follower, {} slots", escapement.slots())).shade(FOLLOWER);
+    let follower = Label::words(&format!("follower, {} slots", escapement.slots())).in_colour(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, row), &-right, 14.0, &follower);
     placing.put(canvas, &Label::words("B"), around(&at.axis, -FRAC_PI_2 - 0.4, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, -FRAC_PI_2 + 0.4, &NEAR));

@@ -102,8 +102,8 @@ fn forces(x: &Axis, instants: &[Instant], change: Option<f64>) -> Panel {
     let normal = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
     let friction = Label::words("friction −").and_symbol("τ").sub("2").and(" / ").and_symbol("K");
     let curves: [(Value, Stroke, Label); 2] = [
-        (|at| at.normal, Stroke::new(FOLLOWER), normal.shade(FOLLOWER)),
-        (|at| at.friction, Stroke::new(DRIVER).dashed("10 6"), friction.shade(DRIVER)),
+        (|at| at.normal, Stroke::new(FOLLOWER), normal.in_colour(FOLLOWER)),
+        (|at| at.friction, Stroke::new(DRIVER).dashed("10 6"), friction.in_colour(DRIVER)),
     ];
     let points = |value: Value| instants.iter().map(move |at| (at.theta.to_degrees(), value(at)));
     for (value, stroke, _) in &curves {
@@ -126,11 +126,11 @@ fn forces(x: &Axis, instants: &[Instant], change: Option<f64>) -> Panel {
 /// A strip: its name, and its parts with the words for a positive and for a negative value, the first of this sign.
 fn strip(x: &Axis, name: Label, ends: &[f64], mut sign: f64, words: [&str; 2]) -> Panel {
     let y = Axis::whole(0.0..1.0, []).titled(name);
-    let mut panel = Panel::new(30.0, &Axis { marks: Vec::new(), ..x.clone() }, &y);
+    let mut panel = Panel::new(30.0, &Axis { ticks: Vec::new(), ..x.clone() }, &y);
     for part in ends.windows(2).map(|pair| [pair[0].to_degrees(), pair[1].to_degrees()]) {
-        let (shade, class, word) =
+        let (colour, class, word) =
             if sign > 0.0 { (FILL, "positive", words[0]) } else { (PAPER, "negative", words[1]) };
-        panel = panel.band(part[0]..part[1], shade, class).vertical(part[0], Stroke::thin("end"));
+        panel = panel.band(part[0]..part[1], colour, class).vertical(part[0], Stroke::thin("end"));
         panel = panel.name(Label::words(word).bare(), Spot::Within(part[0]..part[1], 0.5));
         sign = -sign;
     }

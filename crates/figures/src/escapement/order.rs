@@ -47,7 +47,7 @@ pub fn order() -> Figure {
         panel = panel.curve(points.iter().copied(), stroke).marks(points.iter().copied(), marker.class("point"));
         let middle = |points: &[(f64, f64)]| points.iter().copied().skip(3).take(4).collect::<Vec<_>>();
         panel = panel.near(middle(&reference), FRAC_PI_2, Label::words(&format!("slope {slope}")));
-        panel = panel.near(middle(&points), -FRAC_PI_2, Label::words(name).shade(stroke.shade));
+        panel = panel.near(middle(&points), -FRAC_PI_2, Label::words(name).in_colour(stroke.colour));
     }
 
     let [smooth, switched] = [observed_order(&errors, |at| at.smooth), observed_order(&errors, |at| at.switched)]

@@ -4,7 +4,7 @@ use crate::FigureError;
 use crate::parts::{WIDTH, axis, construction, pin, pin_circle, sense};
 use crate::star::Star;
 use crate::svg::{Canvas, Label, Path, Pixels, Placing, Shape, View, heading};
-use crate::theme::{DRIVER, FOLLOWER, Shade};
+use crate::theme::{Colour, DRIVER, FOLLOWER};
 use geneva_kinematics::escapement::{Configuration, Mechanism};
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -133,9 +133,9 @@ impl Bodies {
 
     /// The marks of both axes.
     pub fn draw_axes(&self, canvas: &mut Canvas) {
-        for (at, shade) in [(&self.axis, DRIVER), (&self.pivot, FOLLOWER)] {
-            axis(canvas, at, shade);
-            canvas.draw(Shape::circle(at, 1.5).fill(shade));
+        for (at, colour) in [(&self.axis, DRIVER), (&self.pivot, FOLLOWER)] {
+            axis(canvas, at, colour);
+            canvas.draw(Shape::circle(at, 1.5).fill(colour));
         }
     }
 
@@ -147,7 +147,8 @@ impl Bodies {
 
     /// The sense of each body, as an arrow outside it with the symbol of its angle.
     pub fn draw_senses(&self, canvas: &mut Canvas) {
-        let [theta, phi] = [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::symbol(letter).shade(shade));
+        let [theta, phi] =
+            [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, colour)| Label::symbol(letter).in_colour(colour));
         sense(canvas, &self.axis, self.disc() + TO_ARROW, PI, 1.0, &theta);
         sense(canvas, &self.pivot, self.star.rim * self.view.scale + TO_ARROW, 0.0, -1.0, &phi);
     }
@@ -179,9 +180,9 @@ impl Bodies {
 }
 
 /// A side of a triangle by the letter of its length, written to more digits than the rest so that the triangle can be checked from the file.
-pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixels, shade: Shade, letter: &str) {
+pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixels, colour: Colour, letter: &str) {
     let path = Path::start_rounded(from, SIDE_DECIMALS).line_to(to);
-    let side = Shape::path(path).stroke(shade, 3.0).with("stroke-linecap", "round");
+    let side = Shape::path(path).stroke(colour, 3.0).with("stroke-linecap", "round");
     canvas.draw(side.class(&format!("side-{letter}")).with("data-letter", letter));
     placing.avoid(from, to, 2.0);
 }

@@ -30,12 +30,12 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
         let (stroke, _) = of_mechanism(one.slots());
         panel = panel.curve(rows.iter().map(|row| (row[0], row[1 + 2 * k])), stroke);
         let name = format!("{} pins, {} slots: mean {}", one.pins(), one.slots(), mean(one));
-        key.push(Entry::curve(stroke, Label::words(&name).shade(stroke.shade)));
+        key.push(Entry::curve(stroke, Label::words(&name).in_colour(stroke.colour)));
     }
     for one in escapements {
-        let shade = of_mechanism(one.slots()).0.shade;
-        panel = panel.marks([(0.0, peak(one))], Marker::new(shade, Mark::Disc).class("peak"));
-        let label = Label::words(&significant(peak(one), 3)).shade(shade);
+        let colour = of_mechanism(one.slots()).0.colour;
+        panel = panel.marks([(0.0, peak(one))], Marker::new(colour, Mark::Disc).class("peak"));
+        let label = Label::words(&significant(peak(one), 3)).in_colour(colour);
         panel = panel.near([(0.0, peak(one))], FRAC_PI_2, label);
     }
 

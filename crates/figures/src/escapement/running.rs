@@ -90,7 +90,7 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
         bodies.draw_axes(canvas);
         if let Some((side, stroke)) = flank {
             let [from, to] = bodies.flank(side);
-            canvas.draw(Shape::line(&from, &to).stroke(stroke.shade, 5.0).class("bearing-flank"));
+            canvas.draw(Shape::line(&from, &to).stroke(stroke.colour, 5.0).class("bearing-flank"));
         }
     }))
 }
@@ -117,9 +117,9 @@ fn panels(instants: &[Instant], now: &Instant, starts: &[f64], steady: [f64; 2],
     let forces = || instants.iter().map(|at| at.normal);
     let [least_force, most_force] = [forces().fold(0.0, f64::min), forces().fold(0.0, f64::max)];
     let steps = Axis::from_zero(0.0, ms(duration) / 1.04, 4.0);
-    let marks = steps.marks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
-    let x = Axis { range: 0.0..ms(duration), marks, ..steps };
-    let y = Axis::from_zero(0.0, most, 4.0).titled(Label::words("driver's speed in rad/s").shade(SPEED.shade));
+    let ticks = steps.ticks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
+    let x = Axis { range: 0.0..ms(duration), ticks, ..steps };
+    let y = Axis::from_zero(0.0, most, 4.0).titled(Label::words("driver's speed in rad/s").in_colour(SPEED.colour));
     let mut speed = Panel::new(FRAMES[0], &x.clone().unnumbered(), &y);
     let title = Label::words("force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K");
     let y = Axis::from_zero(least_force, most_force, 3.0).titled(title);

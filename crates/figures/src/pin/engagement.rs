@@ -4,7 +4,7 @@ use super::instant::Instant;
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, short, significant, without_noise};
 use crate::svg::Label;
-use crate::theme::{FOLLOWER, RELATIVE, Shade};
+use crate::theme::{Colour, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
@@ -92,7 +92,7 @@ fn row(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> [f64; 5] {
 
 /// One curve with the instant, if that is within the engagement.
 fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &str) -> Panel {
-    let (symbol, unit, way, shade) = match column {
+    let (symbol, unit, way, colour) = match column {
         1 => (Label::rate("φ", 1), "rad/s", "clockwise", FOLLOWER),
         2 => (Label::rate("φ", 2), "rad/s²", "clockwise", FOLLOWER),
         _ => (Label::symbol("v").sub("P/S"), speed_unit, "towards O", RELATIVE),
@@ -100,14 +100,14 @@ fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &
     let values = || rows.iter().map(|row| row[column]);
     let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     let y = if least == greatest { Axis::symmetric(0.0) } else { Axis::from_zero(least, greatest, STEPS) };
-    let title = symbol.and(&format!(" in {unit}, {way} positive")).shade(shade);
+    let title = symbol.and(&format!(" in {unit}, {way} positive")).in_colour(colour);
     let x = x_axis(rows);
     let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let x = if column == 3 { x.titled(angle) } else { x.unnumbered() };
-    let mut panel =
-        Panel::new(150.0, &x, &y.titled(title)).curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(shade));
+    let mut panel = Panel::new(150.0, &x, &y.titled(title))
+        .curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(colour));
     if let Some(now) = now {
-        panel = mark(panel, (now[0], now[column]), greatest.max(-least), shade);
+        panel = mark(panel, (now[0], now[column]), greatest.max(-least), colour);
     }
     panel
 }
@@ -120,10 +120,10 @@ fn x_axis(rows: &[[f64; 5]]) -> Axis {
 }
 
 /// Marks the instant on a curve, with its value.
-fn mark(panel: Panel, (x, y): (f64, f64), scale: f64, shade: Shade) -> Panel {
+fn mark(panel: Panel, (x, y): (f64, f64), scale: f64, colour: Colour) -> Panel {
     let y = without_noise(y, scale);
     panel
         .vertical(x, Stroke::thin("instant").dashed("3 4"))
-        .marks([(x, y)], Marker::new(shade, Mark::Disc).sized(11.0))
-        .near([(x, y)], FRAC_PI_4, Label::words(&significant(y, 4)).shade(shade))
+        .marks([(x, y)], Marker::new(colour, Mark::Disc).sized(11.0))
+        .near([(x, y)], FRAC_PI_4, Label::words(&significant(y, 4)).in_colour(colour))
 }

@@ -136,13 +136,13 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     // The lengths and the angle that have no room at their places stand in the dimension's row.
     let (right, level) = (Vector2::new(1.0, 0.0), middle + Vector2::new(0.0, -14.0));
     canvas.label(&level, &Pixels::zeros(), 0.0, &length("l", mechanism.ratio()));
-    let r = length("r", instant.radius_ratio).shade(FOLLOWER);
+    let r = length("r", instant.radius_ratio).in_colour(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, level.y), &-right, MARGIN, &r);
     canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("φ", -instant.slot_angle).of_part("φ"));
     let across = heading(instant.slot_angle + at.side * PI / 2.0);
-    canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::part("r").shade(FOLLOWER).on(FILL));
+    canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::part("r").in_colour(FOLLOWER).on(FILL));
     let across = heading(instant.crank_angle - at.side * PI / 2.0);
-    canvas.label(&at.axis.lerp(&at.pin, 0.5), &across, 14.0, &Label::part("R").shade(DRIVER));
+    canvas.label(&at.axis.lerp(&at.pin, 0.5), &across, 14.0, &Label::part("R").in_colour(DRIVER));
     canvas.label(&at.pivot, &at.towards(200.0), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &at.towards(-20.0), 20.0, &Label::words("B"));
     canvas.label(&at.pin, &at.towards(135.0), 16.0, &Label::words("P").on(FILL));
@@ -170,8 +170,8 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
 
 /// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.
 fn senses(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
-    let [driver, follower] = [("D", "θ", DRIVER), ("S", "φ", FOLLOWER)].map(|(name, letter, shade)| {
-        (Label::words(name).shade(shade), Label::rate(letter, 1).of_part(&format!("{letter}'")).shade(shade))
+    let [driver, follower] = [("D", "θ", DRIVER), ("S", "φ", FOLLOWER)].map(|(name, letter, colour)| {
+        (Label::words(name).in_colour(colour), Label::rate(letter, 1).of_part(&format!("{letter}'")).in_colour(colour))
     });
     let face = at.axis + at.towards(72.0) * 0.78 * at.crank;
     canvas.label(&face, &Pixels::zeros(), 0.0, &driver.0);

@@ -112,7 +112,7 @@ fn directions(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
         let ends = (at.tip - direction * BEYOND, at.corner + direction * BEYOND);
         let slot = Shape::path(link(&ends.0, &ends.1, SLOT)).fill(FILL).stroke(FOLLOWER, 1.0);
         canvas.draw(slot.with("stroke-opacity", "0.5").class("slot"));
-        canvas.label(&(ends.0 - direction * SLOT), &-direction, 6.0, &Label::words("slot").shade(FOLLOWER));
+        canvas.label(&(ends.0 - direction * SLOT), &-direction, 6.0, &Label::words("slot").in_colour(FOLLOWER));
         let horizontal = if direction.x < 0.0 { PI } else { 0.0 };
         if along.norm() > 2.0 * AT_TIP {
             angle_from(canvas, &at.tip, horizontal, angle_of(&along), AT_TIP, true);
@@ -164,9 +164,9 @@ fn vectors(canvas: &mut Canvas, at: &Layout, instant: &Instant, unit: &str) {
     part(canvas, "v_P′", |canvas| arrow(canvas, &at.tail, &at.corner, FOLLOWER, 3.5, "v-slot-point"));
     part(canvas, "v_P/S", |canvas| arrow(canvas, &at.corner, &at.tip, RELATIVE, 3.5, "v-sliding"));
     for (from, to, share, label) in [
-        (&at.tail, &at.tip, 0.36, magnitude("P", pin).shade(DRIVER)),
-        (&at.tail, &at.corner, 0.5, magnitude("P′", slot_point).shade(FOLLOWER)),
-        (&at.corner, &at.tip, 0.5, magnitude("P/S", sliding).shade(RELATIVE)),
+        (&at.tail, &at.tip, 0.36, magnitude("P", pin).in_colour(DRIVER)),
+        (&at.tail, &at.corner, 0.5, magnitude("P′", slot_point).in_colour(FOLLOWER)),
+        (&at.corner, &at.tip, 0.5, magnitude("P/S", sliding).in_colour(RELATIVE)),
     ] {
         canvas.label(&from.lerp(to, share), &at.outwards(from, to), 14.0, &label);
     }

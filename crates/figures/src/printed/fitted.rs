@@ -33,7 +33,7 @@ impl Fitted {
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let size = low.abs().max(high.abs());
         let (low, high, size) = if size < NOTHING { (0.0, 0.0, 0.0) } else { (low, high, size) };
-        let readable = |fitted: &Self| fitted.axis.is_readable(room(fitted.axis.marks.len()));
+        let readable = |fitted: &Self| fitted.axis.is_readable(room(fitted.axis.ticks.len()));
         // Over its own power of ten no sum is too large.
         let own = exponent(size);
         let [from, to] = [low, high].map(|value| value / power(own));

@@ -118,7 +118,7 @@ mod tests {
                 let size = crate::number::power(exponent);
                 let y = Fitted::new([low * size, high * size].into_iter(), |_| NUMBER_ROOM);
                 assert!(
-                    y.axis.is_readable(NUMBER_ROOM) && y.axis.marks.len() < 12,
+                    y.axis.is_readable(NUMBER_ROOM) && y.axis.ticks.len() < 12,
                     "{low} to {high} times {size}: {y:?}"
                 );
                 let shares = [low, high].map(|end| y.axis.share(y.at(end * size)));

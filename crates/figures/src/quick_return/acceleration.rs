@@ -93,7 +93,7 @@ pub fn acceleration_diagram(
 /// The vectors: from the pole the pin's, then the lever's side in its order; what is known comes first.
 fn arrows(motion: &Motion<f64>, laid: &Laid) -> Vec<Arrow> {
     let (terms, zero) = (&motion.accelerations, Vector2::zeros());
-    let arrow = |name, symbol, tail, vector, shade, if_zero| Arrow { name, symbol, tail, vector, shade, if_zero };
+    let arrow = |name, symbol, tail, vector, colour, if_zero| Arrow { name, symbol, tail, vector, colour, if_zero };
     let normal = arrow(
         "a-lever-normal",
         a("n", "4"),

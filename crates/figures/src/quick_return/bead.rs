@@ -80,10 +80,10 @@ fn steps(canvas: &mut Canvas, at: impl Fn(f64, f64) -> Pixels, [one, two, three]
         let turned = Label::symbol("ω").and(" Δ").and_symbol("t");
         canvas.label(&at(62.0, (angle + next) / 2.0), &heading((angle + next) / 2.0), 6.0, &turned);
     }
-    let slid = Label::symbol("v").and(" Δ").and_symbol("t").shade(RELATIVE);
+    let slid = Label::symbol("v").and(" Δ").and_symbol("t").in_colour(RELATIVE);
     canvas.label(&at(MIDDLE - SLIDE / 2.0, one), &Vector2::new(0.0, 1.0), 15.0, &slid);
     canvas.label(&at(MIDDLE + SLIDE / 2.0, two), &heading(two + 1.57), 12.0, &slid);
-    let carried = Label::symbol("r").and("\u{2009}").and_symbol("ω").and(" Δ").and_symbol("t").shade(FOLLOWER);
+    let carried = Label::symbol("r").and("\u{2009}").and_symbol("ω").and(" Δ").and_symbol("t").in_colour(FOLLOWER);
     let right = Vector2::new(1.0, 0.0);
     canvas.label(&at(MIDDLE, one + 0.42 * TURN), &right, 10.0, &carried);
     canvas.label(&at(MIDDLE + SLIDE, two + 0.4 * TURN), &right, 10.0, &carried);
@@ -106,7 +106,7 @@ fn strips(canvas: &mut Canvas, at: impl Fn(f64, f64) -> Pixels, [one, two, three
     for (k, (strip, words)) in strips.iter().zip(words).enumerate() {
         numbered(canvas, &(strip + right * 24.0), k + 1);
         let length = Label::symbol("v").and(" Δ").and_symbol("t").and(" · ");
-        let length = length.and_symbol("ω").and(" Δ").and_symbol("t").shade(CORIOLIS);
+        let length = length.and_symbol("ω").and(" Δ").and_symbol("t").in_colour(CORIOLIS);
         canvas.label(strip, &right, 42.0, &length);
         let line = Vector2::new(26.0, WORDS + LINE * k as f64);
         numbered(canvas, &line, k + 1);

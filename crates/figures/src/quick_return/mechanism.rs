@@ -105,15 +105,15 @@ fn names(
 
     let lever = instant.lever_speed(drive);
     let aside = if linkage.strokes().swing_limit.is_some() { -0.85 * at.side } else { phi - FRAC_PI_2 };
-    for (centre, radius, middle, rate, symbol, shade) in [
-        (&at.axis, at.crank + TO_ARROW, aside, drive.speed, rate_of("θ").shade(DRIVER), DRIVER),
-        (&at.pivot, at.lever + LEVER + TO_ARROW, phi, lever, rate_of("φ").shade(FOLLOWER), FOLLOWER),
+    for (centre, radius, middle, rate, symbol, colour) in [
+        (&at.axis, at.crank + TO_ARROW, aside, drive.speed, rate_of("θ").in_colour(DRIVER), DRIVER),
+        (&at.pivot, at.lever + LEVER + TO_ARROW, phi, lever, rate_of("φ").in_colour(FOLLOWER), FOLLOWER),
     ] {
         // At rest there is no sense.
         if rate != 0.0 {
             let half = HALF_ARROW / radius * Sense::of(rate).sign();
             of_label(canvas, &symbol, |canvas| {
-                arc_arrow(canvas, centre, radius, middle - half, middle + half, shade, 2.5);
+                arc_arrow(canvas, centre, radius, middle - half, middle + half, colour, 2.5);
             });
             placing.avoid_arc(centre, radius, middle - half, middle + half, 2.0);
             placing.put(canvas, &symbol, around(&(centre + heading(middle) * radius), middle, &NEAR));
@@ -129,7 +129,7 @@ fn names(
     if let Some(ghost) = other_branch(at, linkage, instant) {
         let places =
             beside_line(&at.axis, &ghost, &NEAR).into_iter().chain(around(&ghost, -FRAC_PI_2 * at.side, &NEAR));
-        if let Some(place) = placing.put(canvas, &Label::words("other point").shade(DRIVER), places) {
+        if let Some(place) = placing.put(canvas, &Label::words("other point").in_colour(DRIVER), places) {
             leader(canvas, &place);
         }
     }
@@ -137,7 +137,7 @@ fn names(
         for angle in [limit, -limit] {
             let end = at.swing_end(angle);
             let from = at.pivot.lerp(&end, 0.3);
-            let label = Label::words(&format!("swing end {}", degrees(angle))).shade(FOLLOWER);
+            let label = Label::words(&format!("swing end {}", degrees(angle))).in_colour(FOLLOWER);
             placing.put(canvas, &label, beside_line(&from, &end, &NEAR));
         }
     }
@@ -183,18 +183,18 @@ fn values(canvas: &mut Canvas, linkage: &QuickReturn, instant: &Instant, drive: 
     let columns = [
         vec![
             Label::part("l").and(&format!(" = {}", length(linkage.ground(), unit))),
-            Label::part("R").and(&format!(" = {}", length(linkage.crank(), unit))).shade(DRIVER),
+            Label::part("R").and(&format!(" = {}", length(linkage.crank(), unit))).in_colour(DRIVER),
             angle_label("φ", instant.lever_angle),
             angle_label("θ", instant.theta()),
             angle_label("β", instant.angle_at_pin),
         ],
         vec![
-            Label::part("r").and(&format!(" = {}", written(instant.pin_distance, unit))).shade(FOLLOWER),
-            rate_of("θ").and(&format!(" = {}", written(drive.speed, "rad/s"))).shade(DRIVER),
-            rate_of("φ").and(&format!(" = {}", written(instant.lever_speed(drive), "rad/s"))).shade(FOLLOWER),
+            Label::part("r").and(&format!(" = {}", written(instant.pin_distance, unit))).in_colour(FOLLOWER),
+            rate_of("θ").and(&format!(" = {}", written(drive.speed, "rad/s"))).in_colour(DRIVER),
+            rate_of("φ").and(&format!(" = {}", written(instant.lever_speed(drive), "rad/s"))).in_colour(FOLLOWER),
             lever_acceleration()
                 .and(&format!(" = {}", written(instant.lever_acceleration(drive), "rad/s²")))
-                .shade(FOLLOWER),
+                .in_colour(FOLLOWER),
         ],
     ];
     for (x, labels) in COLUMNS.into_iter().zip(columns) {

@@ -69,7 +69,7 @@ impl Laid {
             Order::Second => (tip, self.sliding),
         };
         let meeting = self.meeting;
-        let direction = |name, words, from, along, shade| Direction { name, words, from, along, meeting, shade };
+        let direction = |name, words, from, along, colour| Direction { name, words, from, along, meeting, colour };
         [
             direction("across", "⊥ lever", across_from, quarter_turn(&along), FOLLOWER),
             direction("along", "∥ lever", along_from, along, RELATIVE),

@@ -5,7 +5,7 @@ use super::linkage::{Layout, bodies};
 use crate::number::{degrees, trimmed};
 use crate::parts::{WIDTH, arrow, scale_bar};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, View, around, beside_line};
-use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK, RELATIVE, Shade};
+use crate::theme::{CORIOLIS, Colour, DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use nalgebra::Vector2;
@@ -27,7 +27,7 @@ const NEAR: [f64; 5] = [8.0, 14.0, 22.0, 34.0, 50.0];
 struct Arrow {
     name: &'static str,
     symbol: Label,
-    shade: Shade,
+    colour: Colour,
     tail: Vector2<f64>,
     vector: Vector2<f64>,
 }
@@ -102,7 +102,7 @@ fn fitting(arrows: &[Arrow], middle: Pixels) -> View {
 
 /// The vectors of both diagrams from the pole; the last one is the gap of the accelerations.
 fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
-    let arrow = |name, symbol, shade, tail, vector| Arrow { name, symbol, shade, tail, vector };
+    let arrow = |name, symbol, colour, tail, vector| Arrow { name, symbol, colour, tail, vector };
     let (zero, motion) = (Vector2::zeros(), &instant.motion);
     let of = &motion.velocities;
     let velocities = vec![
@@ -116,13 +116,13 @@ fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
     let mut tail = zero;
     let part = if motion.pin_tangential == zero { "n" } else { "" };
     let mut accelerations = vec![arrow("a-pin", a(part, "2"), DRIVER, zero, pin)];
-    for (name, symbol, shade, vector) in [
+    for (name, symbol, colour, vector) in [
         ("a-coriolis", coriolis(), CORIOLIS, counted),
         ("a-lever-normal", a("n", "4"), FOLLOWER, terms.follower_normal),
         ("a-lever-tangential", a("t", "4"), FOLLOWER, terms.follower_tangential),
         ("a-sliding", a("t", "rel"), RELATIVE, terms.sliding_tangential),
     ] {
-        accelerations.push(arrow(name, symbol, shade, tail, vector));
+        accelerations.push(arrow(name, symbol, colour, tail, vector));
         tail += vector;
     }
     let greatest = accelerations.iter().map(|arrow| arrow.vector.norm()).fold(0.0, f64::max);
@@ -142,14 +142,14 @@ fn draw(canvas: &mut Canvas, corners: [Pixels; 2], at: &View, arrows: &[Arrow]) 
         if drawn.name == "gap" {
             canvas.draw(Shape::line(&from, &to).stroke(INK, 2.0).dashed(DASHED).class("gap"));
         } else {
-            arrow(canvas, &from, &to, drawn.shade, if drawn.tail == Vector2::zeros() { 3.6 } else { 2.8 }, drawn.name);
+            arrow(canvas, &from, &to, drawn.colour, if drawn.tail == Vector2::zeros() { 3.6 } else { 2.8 }, drawn.name);
         }
         placing.avoid(&from, &to, 1.5);
     }
     canvas.draw(Shape::circle(&pole, 4.0).fill(INK).class("pole"));
     for drawn in &long {
         let [from, to] = ends(drawn);
-        let label = drawn.symbol.clone().shade(drawn.shade);
+        let label = drawn.symbol.clone().in_colour(drawn.colour);
         placing.put(canvas, &label, beside_line(&from, &to, &NEAR).into_iter().chain(around(&to, 0.0, &NEAR)));
     }
 }

@@ -3,7 +3,7 @@
 use super::instant::{cleared, written};
 use crate::parts::{WIDTH, arrow, numbered, scale_bar};
 use crate::svg::{Canvas, DASHED, Label, Pixels, Placing, Shape, View, around, beside_line, leader};
-use crate::theme::{INK, PAPER, Shade};
+use crate::theme::{Colour, INK, PAPER};
 use nalgebra::Vector2;
 
 /// The largest that the vectors may be: width and height in pixels.
@@ -41,7 +41,7 @@ pub struct Arrow {
     /// The vector.
     pub vector: Vector2<f64>,
     /// Its colour.
-    pub shade: Shade,
+    pub colour: Colour,
     /// Why it is zero, where it is.
     pub if_zero: &'static str,
 }
@@ -60,7 +60,7 @@ pub struct Direction {
     /// Where it meets the other one.
     pub meeting: Vector2<f64>,
     /// Its colour.
-    pub shade: Shade,
+    pub colour: Colour,
 }
 
 /// One step: its words, and how much of the diagram has been drawn by then.
@@ -156,7 +156,7 @@ impl Diagram {
         for arrow in self.arrows.iter().filter(|arrow| arrow.vector.norm() * scale < SHORTEST) {
             let value = self.value(arrow);
             let why = if value == 0.0 { arrow.if_zero } else { "too short to be seen" };
-            words.push(arrow.symbol.clone().shade(INK).and(&format!(" = {}: {why}", self.written(arrow))));
+            words.push(arrow.symbol.clone().in_colour(INK).and(&format!(" = {}: {why}", self.written(arrow))));
         }
         Step { words, arrows: self.arrows.len(), directions: true }
     }
@@ -190,7 +190,7 @@ impl Diagram {
         if step.directions {
             for direction in &self.directions {
                 let (from, to) = direction.ends(at);
-                let line = Shape::line(&from, &to).stroke(direction.shade, 1.3).dashed(DASHED);
+                let line = Shape::line(&from, &to).stroke(direction.colour, 1.3).dashed(DASHED);
                 canvas.draw(if last { line.with("stroke-opacity", "0.6") } else { line.class(direction.name) });
                 placing.avoid(&from, &to, 0.5);
             }
@@ -199,7 +199,7 @@ impl Diagram {
             let (from, to) = (at.place(&drawn.tail), at.place(&(drawn.tail + drawn.vector)));
             // The first one is the widest: where all lie in one line it is seen behind the others.
             let width = if k == 0 { 4.5 } else { 3.0 };
-            arrow(canvas, &from, &to, drawn.shade, width, if last { drawn.name } else { "step" });
+            arrow(canvas, &from, &to, drawn.colour, width, if last { drawn.name } else { "step" });
             placing.avoid(&from, &to, 1.5);
         }
         let pole = at.place(&Vector2::zeros());
@@ -212,7 +212,7 @@ impl Diagram {
         }
         for drawn in arrows.iter().filter(long) {
             let (from, to) = (at.place(&drawn.tail), at.place(&(drawn.tail + drawn.vector)));
-            let label = drawn.symbol.clone().shade(drawn.shade);
+            let label = drawn.symbol.clone().in_colour(drawn.colour);
             let value = if last { format!(" = {}", self.written(drawn)) } else { String::new() };
             let elsewhere = around(&from.lerp(&to, 0.5), 0.0, &NEAR);
             let places = beside_line(&from, &to, &NEAR).into_iter().chain(elsewhere);
@@ -224,7 +224,7 @@ impl Diagram {
             for direction in &self.directions {
                 let (from, to) = direction.ends(at);
                 let places = beside_line(&from, &to, &[10.0, 16.0, 24.0, 36.0]);
-                placing.put(canvas, &Label::words(direction.words).shade(direction.shade), places);
+                placing.put(canvas, &Label::words(direction.words).in_colour(direction.colour), places);
             }
         }
         placing.put(canvas, &Label::symbol("o"), around(&pole, 0.0, &[8.0, 12.0, 18.0, 26.0]));

@@ -105,7 +105,7 @@ fn panel(rows: &[[f64; 4]], column: usize, instant: &Instant, drive: &Drive<f64>
     let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     // Angles end on the frame: their ends are known.
     let axis = if column == 1 { Axis::of_angles } else { Axis::from_zero };
-    let y = axis(least, greatest, STEPS).titled(symbol.and(&format!(" in {unit}")).shade(FOLLOWER));
+    let y = axis(least, greatest, STEPS).titled(symbol.and(&format!(" in {unit}")).in_colour(FOLLOWER));
     let x = Axis::whole(-180.0..180.0, (-180..=180).step_by(MARKS).map(f64::from));
     let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let x = if column == 3 { x.titled(angle) } else { x.unnumbered() };
@@ -120,5 +120,5 @@ fn panel(rows: &[[f64; 4]], column: usize, instant: &Instant, drive: &Drive<f64>
         .curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(FOLLOWER))
         .vertical(now, Stroke::thin("instant").dashed("5 4"))
         .marks([(now, value)], Marker::new(FOLLOWER, Mark::Disc).sized(11.0).class("now"))
-        .near([(now, value)], 0.4, Label::words(&text).shade(FOLLOWER))
+        .near([(now, value)], 0.4, Label::words(&text).in_colour(FOLLOWER))
 }

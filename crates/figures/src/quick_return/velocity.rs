@@ -22,7 +22,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     let velocities = &instant.motion.velocities;
     let (pin, slot, sliding) = (velocities.pin_velocity, velocities.slot_point_velocity, velocities.sliding_velocity);
     let arrow =
-        |name, point, tail, vector, shade, if_zero| Arrow { name, symbol: v(point), tail, vector, shade, if_zero };
+        |name, point, tail, vector, colour, if_zero| Arrow { name, symbol: v(point), tail, vector, colour, if_zero };
     let zero = Vector2::zeros();
     let arrows = vec![
         arrow("v-pin", "2", zero, pin, DRIVER, "the crank stands still"),
@@ -30,7 +30,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         arrow("v-sliding", "rel", slot, sliding, RELATIVE, "the pin does not slide"),
     ];
     let across = quarter_turn(&instant.along);
-    let direction = |name, words, from, along, shade| Direction { name, words, from, along, meeting: slot, shade };
+    let direction = |name, words, from, along, colour| Direction { name, words, from, along, meeting: slot, colour };
     let directions = [
         direction("across", "⊥ lever", zero, across, FOLLOWER),
         direction("along", "∥ lever", pin, instant.along, RELATIVE),

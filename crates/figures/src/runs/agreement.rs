@@ -155,7 +155,7 @@ fn points(hypothesis: &Compared, mechanism: Mechanism, strip: f64) -> Vec<(f64, 
 fn key() -> [Entry; 3] {
     Mechanism::ALL.map(|mechanism| {
         let marker = of_mechanism(mechanism.slots()).1;
-        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).shade(marker.shade))
+        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).in_colour(marker.colour))
     })
 }
 

@@ -2,11 +2,11 @@
 
 use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
-use crate::theme::{DRIVER, FOLLOWER, RELATIVE, Shade};
+use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
 
 /// The columns of the table: their names, colours and marks.
-const COLUMNS: [(&str, Shade, Mark); 3] =
+const COLUMNS: [(&str, Colour, Mark); 3] =
     [("peaks", DRIVER, Mark::Disc), ("minima", FOLLOWER, Mark::Square), ("periods", RELATIVE, Mark::Diamond)];
 /// Height of the strip of a hypothesis, in pixels, and from one column's line to the next as a part of it.
 const HEIGHT: f64 = 46.0;
@@ -29,23 +29,23 @@ pub fn columns(hypotheses: &[[Count; 3]], of: usize) -> Figure {
     let count = hypotheses.len().max(1);
     let numbers = || (1..=hypotheses.len()).map(|number| number as f64);
     let x = Axis::from_zero(0.0, of as f64, 5.0);
-    let marks = x.marks.iter().copied().filter(|mark| *mark < of as f64 - 2.0).chain([of as f64]).collect();
-    let x = Axis { range: -0.02 * of as f64..1.03 * of as f64, marks, ..x }
+    let ticks = x.ticks.iter().copied().filter(|mark| *mark < of as f64 - 2.0).chain([of as f64]).collect();
+    let x = Axis { range: -0.02 * of as f64..1.03 * of as f64, ticks, ..x }
         .titled(Label::words("cells right, of the column"));
     let y = Axis::whole(count as f64 + 0.5..0.5, numbers()).without_grid().titled(Label::words("hypothesis"));
     let panel = Panel::new(HEIGHT * count as f64, &x, &y);
     let mut panel = numbers().skip(1).fold(panel, |panel, number| panel.horizontal(number - 0.5, Stroke::edge()));
-    for (column, (_, shade, mark)) in COLUMNS.iter().enumerate() {
+    for (column, (_, colour, mark)) in COLUMNS.iter().enumerate() {
         let height = |row: usize| row as f64 + 1.0 + PITCH * (column as f64 - 1.0);
         for (row, counts) in hypotheses.iter().enumerate() {
             let ends = [counts[column].exact, counts[column].within_one].map(|cells| (cells as f64, height(row)));
-            panel = panel.curve(ends, Stroke::new(*shade).wide(2.0).class("cells"));
+            panel = panel.curve(ends, Stroke::new(*colour).wide(2.0).class("cells"));
         }
         let marks = hypotheses.iter().enumerate().map(|(row, counts)| (counts[column].within_one as f64, height(row)));
-        panel = panel.marks(marks, Marker::new(*shade, *mark));
+        panel = panel.marks(marks, Marker::new(*colour, *mark));
     }
-    let key = COLUMNS.map(|(name, shade, mark)| {
-        Entry::both((Stroke::new(shade).wide(2.0), Marker::new(shade, mark)), Label::words(name).shade(shade))
+    let key = COLUMNS.map(|(name, colour, mark)| {
+        Entry::both((Stroke::new(colour).wide(2.0), Marker::new(colour, mark)), Label::words(name).in_colour(colour))
     });
     let said = hypotheses.iter().enumerate().map(|(row, counts)| {
         let [peaks, minima, periods] = counts.map(|count| count.within_one);

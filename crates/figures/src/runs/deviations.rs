@@ -47,7 +47,7 @@ pub fn deviations(hypotheses: &[Compared]) -> Figure {
     }
     let key = Mechanism::ALL.map(|mechanism| {
         let marker = of_mechanism(mechanism.slots()).1;
-        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).shade(marker.shade))
+        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).in_colour(marker.colour))
     });
     let columns = [("hypothesis", "1"), ("slots", "1"), ("printed", "unit"), ("computed", "unit")];
     let rows = numbers().zip(hypotheses).flat_map(|(number, one)| {

@@ -19,8 +19,8 @@ pub struct Lag {
 
 /// An axis cut off at both ends.
 fn within(axis: Axis, least: f64, most: f64) -> Axis {
-    let marks = axis.marks.iter().copied().filter(|mark| (least..=most).contains(mark)).collect();
-    Axis { range: least..most, marks, ..axis }
+    let ticks = axis.ticks.iter().copied().filter(|mark| (least..=most).contains(mark)).collect();
+    Axis { range: least..most, ticks, ..axis }
 }
 
 /// ln L below its greatest value, with both laws, and the peaks within one unit, over the lag of the sign of the friction.
@@ -38,12 +38,12 @@ pub fn lags(all: &[Lag], listed: f64, of: usize) -> Figure {
     let y = within(Axis::from_zero(bottom, 0.0, 4.0), bottom, -0.06 * bottom)
         .titled(Label::words("ln ").and_symbol("L").and(" below its greatest value"));
     let marked = |panel: Panel| panel.vertical(listed, Stroke::thin("listed").dashed("5 4"));
-    let likelihoods = laws.iter().fold(marked(Panel::new(280.0, &x, &y)), |panel, (law, name, shade, mark)| {
+    let likelihoods = laws.iter().fold(marked(Panel::new(280.0, &x, &y)), |panel, (law, name, colour, mark)| {
         let side = if *law == 0 { -2.4 } else { 0.7 };
-        panel.curve(below(*law), Stroke::new(*shade).wide(2.0)).marks(below(*law), Marker::new(*shade, *mark)).near(
+        panel.curve(below(*law), Stroke::new(*colour).wide(2.0)).marks(below(*law), Marker::new(*colour, *mark)).near(
             below(*law).skip(all.len() / 2),
             side,
-            Label::words(name).shade(*shade),
+            Label::words(name).in_colour(*colour),
         )
     });
     let counts = || all.iter().map(|one| (one.lag, one.peaks as f64));

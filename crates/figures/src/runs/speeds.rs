@@ -55,8 +55,8 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
     let most = rows.iter().flat_map(|row| [row[1], row[2]]).fold(steady.peak.speed, f64::max);
     let y = Axis::from_zero(if least < -1e-3 * most { least } else { 0.0 }, most, 5.0);
     let steps = Axis::from_zero(0.0, ms(duration) / 1.04, 5.0);
-    let marks = steps.marks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
-    let x = Axis { range: 0.0..ms(duration), marks, ..steps };
+    let ticks = steps.ticks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
+    let x = Axis { range: 0.0..ms(duration), ticks, ..steps };
     let column = |k: usize| rows.iter().map(move |row| (ms(row[0]), row[k]));
     let follower = Stroke::new(FOLLOWER).wide(2.2).dashed("7 4").class("follower");
     let driver = Stroke::new(DRIVER).class("driver");
@@ -67,7 +67,8 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
             .curve(column(2), follower)
             .curve(column(1), driver)
             .marks([(ms(first), first_speed)], minimum);
-    let symbol = |name: &str, letter: &str, stroke: &Stroke| Label::words(name).and_rate(letter, 1).shade(stroke.shade);
+    let symbol =
+        |name: &str, letter: &str, stroke: &Stroke| Label::words(name).and_rate(letter, 1).in_colour(stroke.colour);
     let key = [
         Entry::curve(driver, symbol("driver ", "θ", &driver)),
         Entry::curve(follower, symbol("follower ", "φ", &follower).and(", in its own sense")),

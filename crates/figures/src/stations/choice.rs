@@ -2,14 +2,14 @@
 
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
-use crate::theme::{DRIVER, FOLLOWER, RELATIVE, Shade};
+use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::RangeInclusive;
 
 /// The curves of a panel: column of the series, colour, mark, side of the name, name.
-type Curves = [(usize, Shade, Mark, f64, &'static str); 2];
+type Curves = [(usize, Colour, Mark, f64, &'static str); 2];
 
 const TIMES: Curves =
     [(1, DRIVER, Mark::Disc, -FRAC_PI_2, "the wheel moves"), (2, FOLLOWER, Mark::Square, 0.8, "the wheel dwells")];
@@ -44,12 +44,12 @@ pub fn choice(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
     let panel = |curves: &Curves, x: &Axis, title: &str| {
         let values = || curves.iter().flat_map(|(column, ..)| rows.iter().map(|row| row[*column]));
         let y = Axis::from_zero(0.0, values().fold(0.0, f64::max), 4.0).titled(Label::words(title));
-        curves.iter().fold(Panel::new(230.0, x, &y), |panel, (column, shade, mark, side, name)| {
+        curves.iter().fold(Panel::new(230.0, x, &y), |panel, (column, colour, mark, side, name)| {
             let points = || rows.iter().map(|row| (row[0], row[*column]));
             panel
-                .curve(points(), Stroke::new(*shade).wide(2.0).dashed("8 6"))
-                .marks(points(), Marker::new(*shade, *mark).class("point"))
-                .near(points().skip(rows.len() / 6), *side, Label::words(name).shade(*shade))
+                .curve(points(), Stroke::new(*colour).wide(2.0).dashed("8 6"))
+                .marks(points(), Marker::new(*colour, *mark).class("point"))
+                .near(points().skip(rows.len() / 6), *side, Label::words(name).in_colour(*colour))
         })
     };
     let title = Label::words("number of stations ").and_symbol("N");

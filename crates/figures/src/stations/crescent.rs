@@ -47,8 +47,8 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
         .curve(points(1), bites)
         .curve(points(2), passes)
         .horizontal(0.0, Stroke::new(INK))
-        .near(points(1), -FRAC_PI_4, Label::words("arc about the wheel’s axis").shade(bites.shade))
-        .near(points(2), 3.0 * FRAC_PI_4, Label::words("the crescent of the drawing").shade(passes.shade));
+        .near(points(1), -FRAC_PI_4, Label::words("arc about the wheel’s axis").in_colour(bites.colour))
+        .near(points(2), 3.0 * FRAC_PI_4, Label::words("the crescent of the drawing").in_colour(passes.colour));
     let words = Words::new(
         "wheel-crescent",
         format!("Gap between a horn's tip and the crescent, {} stations", sizes.wheel.stations()),

@@ -67,8 +67,8 @@ fn triangle(canvas: &mut Canvas, at: &Bodies, alpha: f64, pin: &Pixels) {
     canvas.draw(Shape::line(&at.pivot, &next).stroke(FOLLOWER, 1.5).dashed(DASHED).class("next-slot"));
     let sides = [(&at.pivot, &at.axis, INK, "l"), (&at.axis, pin, DRIVER, "R"), (&at.pivot, pin, FOLLOWER, "r")];
     parts::sides(canvas, sides);
-    for (centre, shade) in [(&at.pivot, FOLLOWER), (&at.axis, DRIVER)] {
-        parts::axis(canvas, centre, shade);
+    for (centre, colour) in [(&at.pivot, FOLLOWER), (&at.axis, DRIVER)] {
+        parts::axis(canvas, centre, colour);
     }
     parts::pin(canvas, pin, at.driver.pin * at.view.scale);
 }
@@ -104,9 +104,9 @@ fn lengths(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixel
     let up = Vector2::new(0.0, DIMENSION - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &up);
     canvas.label(&middle, &Vector2::new(0.0, -1.0), 18.0, &Label::words("1 / sin ").and_symbol("α"));
-    let radius = Label::words("1 / tan ").and_symbol("α").shade(FOLLOWER);
+    let radius = Label::words("1 / tan ").and_symbol("α").in_colour(FOLLOWER);
     canvas.label(&at.pivot.lerp(pin, 0.62), &heading(-alpha - PI / 2.0), 16.0, &radius);
-    let crank = Label::words("1").shade(DRIVER);
+    let crank = Label::words("1").in_colour(DRIVER);
     canvas.label(&at.axis.lerp(pin, 0.5), &heading(PI + theta + PI / 2.0), 16.0, &crank);
     canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &heading(0.4), 16.0, &Label::words("B"));

@@ -5,7 +5,7 @@ use crate::figure::Figure;
 use crate::number::{trimmed, with_minus_sign};
 use crate::parts::{self, axis};
 use crate::svg::{Canvas, DASHED, Kind, Label, PIXELS_PER_MILLIMETRE, Path, Pixels, Sense, Shape, View};
-use crate::theme::{DRIVER, FILL, FOLLOWER, GRID, INK, PAPER, Shade};
+use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, GRID, INK, PAPER};
 use crate::{Series, Words};
 use geneva_kinematics::wheel::{Edge, Face, Loop, Sizes};
 use nalgebra::Vector2;
@@ -248,7 +248,7 @@ fn bodies(canvas: &mut Canvas, sizes: &Sizes, view: &View) {
     let outline = sizes.outline();
     let axis_at = Vector2::new(sizes.centre_distance, 0.0);
     let driver = |face: &Face| face.placed(PI, axis_at);
-    let face = |canvas: &mut Canvas, face: &Face, fill: Shade, line: Shade, opacity: &str, class: &'static str| {
+    let face = |canvas: &mut Canvas, face: &Face, fill: Colour, line: Colour, opacity: &str, class: &'static str| {
         let shape = Shape::path(path(face.loops(), view)).fill(fill).with("fill-opacity", opacity).stroke(line, 1.5);
         canvas.draw(shape.with("fill-rule", "evenodd").with("stroke-linejoin", "round").class(class));
     };

@@ -40,8 +40,8 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
     let panel = Panel::new(HEIGHT, &x, &y)
         .curve(points(2), backwards)
         .curve(points(1), forwards)
-        .near(first_third(), 0.0, Label::words("backwards").shade(backwards.shade))
-        .near(last_third(), PI, Label::words("forwards, as it indexes").shade(forwards.shade));
+        .near(first_third(), 0.0, Label::words("backwards").in_colour(backwards.colour))
+        .near(last_third(), PI, Label::words("forwards, as it indexes").in_colour(forwards.colour));
     let words = Words::new(
         "wheel-dwell-play",
         format!("Backlash in the dwell, {} stations", sizes.wheel.stations()),

@@ -2,7 +2,7 @@
 
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
-use crate::theme::{DRIVER, FOLLOWER, RELATIVE, Shade};
+use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
 use std::f64::consts::PI;
@@ -13,7 +13,7 @@ const NAMES: f64 = 0.35;
 /// How many marks the x axis has room for.
 const MARKS: f64 = 6.0;
 /// Columns of the series with their colours, marks and names: peak acceleration, peak velocity, entry acceleration.
-const CURVES: [(usize, Shade, Mark, &str); 3] =
+const CURVES: [(usize, Colour, Mark, &str); 3] =
     [(7, DRIVER, Mark::Disc, "peak "), (5, FOLLOWER, Mark::Ring, "peak "), (6, RELATIVE, Mark::Diamond, "entry ")];
 
 /// Peak velocity, entry acceleration and peak acceleration of the wheel, over the driver's speed and its square, for
@@ -34,13 +34,13 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
         .titled(Label::words("over the driver's speed, or over its square"));
     let mut panel = Panel::new(426.0, &x, &y);
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
-    for (column, shade, mark, _) in CURVES {
-        panel = panel.curve(points(column), Stroke::new(shade).wide(2.0).dashed("8 6"));
-        panel = panel.marks(points(column), Marker::new(shade, mark).class("point"));
+    for (column, colour, mark, _) in CURVES {
+        panel = panel.curve(points(column), Stroke::new(colour).wide(2.0).dashed("8 6"));
+        panel = panel.marks(points(column), Marker::new(colour, mark).class("point"));
     }
-    for (column, shade, _, name) in CURVES {
+    for (column, colour, _, name) in CURVES {
         let (order, power) = if column == 5 { (1, "") } else { (2, "²") };
-        let label = Label::words(name).and_rate("φ", order).and(" / ").and_rate("θ", 1).and(power).shade(shade);
+        let label = Label::words(name).and_rate("φ", order).and(" / ").and_rate("θ", 1).and(power).in_colour(colour);
         panel = panel.near(points(column).take(1), PI, label);
     }
     let columns = [

@@ -142,8 +142,8 @@ fn acceleration(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel
 /// The symbols of the three curves: φ, φ'/θ' and φ''/θ'².
 fn symbols() -> [Label; 3] {
     [
-        Label::symbol("φ").shade(RELATIVE).and(" in rad"),
-        Label::rate("φ", 1).shade(FOLLOWER).and(" / ").and_rate("θ", 1),
-        Label::rate("φ", 2).shade(DRIVER).and(" / ").and_rate("θ", 1).and("²"),
+        Label::symbol("φ").in_colour(RELATIVE).and(" in rad"),
+        Label::rate("φ", 1).in_colour(FOLLOWER).and(" / ").and_rate("θ", 1),
+        Label::rate("φ", 2).in_colour(DRIVER).and(" / ").and_rate("θ", 1).and("²"),
     ]
 }

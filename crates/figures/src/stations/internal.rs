@@ -172,11 +172,11 @@ fn draw_wheel(canvas: &mut Canvas, ring: &Ring, view: &View) {
 fn names(canvas: &mut Canvas, ring: &Ring, view: &View, axis: &Pixels) {
     let scale = view.scale;
     let turns = [("φ", FOLLOWER, view.origin, ring.outside * scale + TO_ARROW, PI)];
-    for (letter, shade, about, radius, middle) in turns {
-        sense(canvas, &about, radius, middle, 1.0, &Label::symbol(letter).shade(shade));
+    for (letter, colour, about, radius, middle) in turns {
+        sense(canvas, &about, radius, middle, 1.0, &Label::symbol(letter).in_colour(colour));
     }
     // Beside the arm, clear of the segment.
-    sense(canvas, axis, 0.42 * scale, 0.72 * PI, 1.0, &Label::symbol("θ").shade(DRIVER));
+    sense(canvas, axis, 0.42 * scale, 0.72 * PI, 1.0, &Label::symbol("θ").in_colour(DRIVER));
     let on_wheel = |radius: f64, angle: f64| view.origin + heading(angle) * (radius * scale);
     // The slot and the locking arc nearest to where their names have room: below and above, outside of the ring.
     let step = 2.0 * ring.half_pitch;

@@ -2,7 +2,7 @@
 
 use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel};
 use crate::svg::Label;
-use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, Shade};
+use crate::theme::{CORIOLIS, Colour, DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_kinematics::indexing::Indexing;
@@ -12,7 +12,7 @@ use geneva_kinematics::wheel::Wheel;
 use std::ops::RangeInclusive;
 
 /// The kinds with their colours and marks.
-const KINDS: [(&str, Shade, Mark); 3] =
+const KINDS: [(&str, Colour, Mark); 3] =
     [("external", DRIVER, Mark::Disc), ("internal", FOLLOWER, Mark::Ring), ("spherical", CORIOLIS, Mark::Diamond)];
 /// Height of a frame in pixels.
 const HEIGHT: f64 = 250.0;
@@ -50,12 +50,12 @@ pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
         let values = || rows.iter().flat_map(move |(_, kinds)| kinds.iter().map(move |of| of[quantity]));
         let [least, most] = [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)];
         let y = if quantity == 0 { Axis::from_zero(0.0, most, 4.0) } else { Axis::logarithmic_about(least..most) };
-        KINDS.iter().enumerate().fold(Panel::new(HEIGHT, &x, &y.titled(title)), |panel, (kind, (_, shade, mark))| {
+        KINDS.iter().enumerate().fold(Panel::new(HEIGHT, &x, &y.titled(title)), |panel, (kind, (_, colour, mark))| {
             let points = rows.iter().map(move |(n, kinds)| (*n, kinds[kind][quantity]));
-            panel.marks(points, Marker::new(*shade, *mark).class("point"))
+            panel.marks(points, Marker::new(*colour, *mark).class("point"))
         })
     });
-    let key = KINDS.map(|(name, shade, mark)| Entry::marks([Marker::new(shade, mark)], Label::words(name)));
+    let key = KINDS.map(|(name, colour, mark)| Entry::marks([Marker::new(colour, mark)], Label::words(name)));
     let columns = KINDS.iter().flat_map(|(name, ..)| {
         ["dwell", "peak phi''/theta'^2", "peak phi'''/theta'^3", "F R/(J theta'^2)"]
             .map(|quantity| (format!("{name} {quantity}"), "1"))

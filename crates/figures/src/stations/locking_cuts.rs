@@ -80,7 +80,7 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
         let (stroke, marker) = kind(1 - number);
         let points = || rows.iter().map(move |row| (row[0], row[number + 1]));
         panel = panel.curve(points(), stroke.wide(1.6)).marks(points(), marker.class("point"));
-        panel = panel.near(points(), FRAC_PI_4, Label::words(name).shade(marker.shade));
+        panel = panel.near(points(), FRAC_PI_4, Label::words(name).in_colour(marker.colour));
     }
     let bites = rows.iter().filter(|row| row[1] < 0.0).count();
     let clears = rows.iter().filter(|row| row[2] >= 0.0).count();

@@ -84,7 +84,7 @@ fn locks_fully(bodies: &Bodies) -> bool {
 /// Which way the two turn: arrows outside both, and their angles.
 fn senses(canvas: &mut Canvas, at: &Bodies) {
     let scale = at.view.scale;
-    let [phi, theta] = [("φ", FOLLOWER), ("θ", DRIVER)].map(|(letter, shade)| Label::symbol(letter).shade(shade));
+    let [phi, theta] = [("φ", FOLLOWER), ("θ", DRIVER)].map(|(letter, colour)| Label::symbol(letter).in_colour(colour));
     sense(canvas, &at.pivot, at.star.rim * scale + TO_ARROW, PI, 1.0, &phi);
     // Clear of the name of a single pin at the lower right.
     let raised = if at.driver.pins == 1 { 29.0 / scale } else { 0.0 };
@@ -108,7 +108,7 @@ fn names(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, theta: f64) {
     // Below the circle where it is too small to keep the name above it clear of the wheel and the arrow.
     let outwards = if driver.pins == 1 && scale < SMALL { -up } else { up };
     let edge = at.axis + outwards * (1.0 + driver.arm) * scale;
-    canvas.label(&edge, &outwards, 9.0, &Label::words("crank circle").shade(DRIVER));
+    canvas.label(&edge, &outwards, 9.0, &Label::words("crank circle").in_colour(DRIVER));
     // The pin nearest to the lower right, where nothing else is.
     let crank = Bodies::crank_direction(theta);
     let pin = nearest(crank, driver.pitch(), -1.05);

@@ -98,9 +98,9 @@ fn sides(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, pin: &Pixels) {
     let length = Label::part("l");
     canvas.label(&middle, &Vector2::new(0.0, 1.0), 18.0, &length);
     let across = heading(phi + side * PI / 2.0);
-    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::part("r").shade(FOLLOWER).on(FILL));
+    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::part("r").in_colour(FOLLOWER).on(FILL));
     let across = heading(PI - theta - side * PI / 2.0);
-    canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::part("R").shade(DRIVER));
+    canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::part("R").in_colour(DRIVER));
     canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &heading(0.6), 16.0, &Label::words("B"));
     canvas.label(pin, &heading(side * PI / 2.0), 8.0 + at.driver.arm * at.view.scale, &Label::words("P"));

@@ -5,7 +5,7 @@ use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, significant, with_minus_sign, without_noise};
 use crate::parts::{WIDTH, pin_circle};
 use crate::svg::{Canvas, Label, Pixels};
-use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE, Shade};
+use crate::theme::{Colour, DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::wheel::{Misplaced, Motion};
 use nalgebra::Vector2;
@@ -32,7 +32,7 @@ const IMPULSES: &str =
     "Where a curve jumps, its rate of change is infinite for an instant: an impulse, drawn as an arrow.";
 
 /// One of the curves: its name, its colour and its value.
-type Curve = (&'static str, Shade, fn(&Motion) -> f64);
+type Curve = (&'static str, Colour, fn(&Motion) -> f64);
 
 const CURVES: [Curve; 3] = [
     ("velocity", FOLLOWER, |motion| motion.velocity),
@@ -105,10 +105,10 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
     };
     // Rest, advance and rest: two rows at one angle are a jump.
     let parts: Vec<&[[f64; 5]]> = rows.chunk_by(|a, b| a[0] < b[0]).collect();
-    let panel = |(k, (name, shade, value)): (usize, &Curve)| {
+    let panel = |(k, (name, colour, value)): (usize, &Curve)| {
         let column = || rows.iter().map(move |row| row[k + 2]);
         let [least, most] = [column().fold(0.0, f64::min), column().fold(0.0, f64::max)];
-        let title = Label::words(name).shade(*shade);
+        let title = Label::words(name).in_colour(*colour);
         let y = Axis::spanning(least, most, 3.0).titled(title);
         let x = Axis::whole(-end..end, marks());
         let last = k + 1 == CURVES.len();
@@ -119,7 +119,7 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
         };
         let mut panel = Panel::new(FRAME, &x, &y).horizontal(0.0, Stroke::thin("zero"));
         for part in &parts {
-            panel = panel.curve(part.iter().map(|row| (row[0], row[k + 2])), Stroke::new(*shade));
+            panel = panel.curve(part.iter().map(|row| (row[0], row[k + 2])), Stroke::new(*colour));
         }
         let jump = |pair: &[&[[f64; 5]]], column: usize| match pair {
             [[.., before], [after, ..]] => (before[0], [before[column], after[column]]),
@@ -132,15 +132,15 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
                 let (still, moving) = if sense > 0.0 { (before, after) } else { (after, before) };
                 let ends = [(Mark::Ring, still, "still"), (Mark::Disc, moving, "moving")];
                 panel = ends.into_iter().fold(panel, |panel, (mark, value, class)| {
-                    panel.marks([(theta, value)], Marker::new(*shade, mark).sized(JUMP).class(class))
+                    panel.marks([(theta, value)], Marker::new(*colour, mark).sized(JUMP).class(class))
                 });
             }
             let (_, [before, after]) = jump(pair, k + 1);
             if k > 0 && before != after {
-                panel = panel.impulse(theta, after > before, Stroke::new(*shade).class("impulse"));
+                panel = panel.impulse(theta, after > before, Stroke::new(*colour).class("impulse"));
                 if sense > 0.0 {
                     let edge = panel.ends()[usize::from(after > before)];
-                    panel = panel.near([(theta, 0.7 * edge)], PI, Label::words("impulse").shade(*shade));
+                    panel = panel.near([(theta, 0.7 * edge)], PI, Label::words("impulse").in_colour(*colour));
                 }
             }
         }

@@ -4,7 +4,7 @@ use super::pose::counted;
 use crate::number::{degrees, significant};
 use crate::parts::{self, WIDTH};
 use crate::svg::{Canvas, Kind, Label, Path, Pixels, Shape, View};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER, Shade};
+use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, INK, PAPER};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;
@@ -212,8 +212,8 @@ fn draw_driver(canvas: &mut Canvas, sight: &Sight, pins: u32, alpha: f64) {
         let size = Turn::from_radians(alpha);
         let pin = Vector3::new(size.cos, 0.0, size.sin * turn.cos);
         let (inner, outer) = (sight.place(&(pin * 0.94)), sight.place(&(pin * PLATE)));
-        for (shade, width) in [(INK, 9.0), (PAPER, 6.0)] {
-            canvas.draw(Shape::line(&inner, &outer).stroke(shade, width).with("stroke-linecap", "round").class("pin"));
+        for (colour, width) in [(INK, 9.0), (PAPER, 6.0)] {
+            canvas.draw(Shape::line(&inner, &outer).stroke(colour, width).with("stroke-linecap", "round").class("pin"));
         }
     }
     let plate = sight.outline(circle(PLATE_RADIUS * alpha, PLATE, 0.0, 2.0 * PI));
@@ -227,14 +227,14 @@ fn names(canvas: &mut Canvas, sight: &Sight, alpha: f64) {
     dashed(canvas, &sight.place(&Vector3::zeros()), &sight.place(&end), DRIVER);
     parts::axis(canvas, &sight.place(&plate), DRIVER);
     let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, -1.0));
-    canvas.label(&sight.place(&top), &right, 10.0, &Label::words("wheel’s axis").shade(FOLLOWER));
-    canvas.label(&sight.place(&end), &-up, 16.0, &Label::words("driver’s axis").shade(DRIVER));
+    canvas.label(&sight.place(&top), &right, 10.0, &Label::words("wheel’s axis").in_colour(FOLLOWER));
+    canvas.label(&sight.place(&end), &-up, 16.0, &Label::words("driver’s axis").in_colour(DRIVER));
     let pin = on_sphere(0.0, alpha) * PLATE;
     canvas.label(&sight.place(&pin), &Vector2::new(0.5, -0.9), 24.0, &Label::words("pin"));
 }
 
-fn dashed(canvas: &mut Canvas, from: &Pixels, to: &Pixels, shade: Shade) {
-    canvas.draw(Shape::line(from, to).stroke(shade, 1.3).dashed("9 3 2 3").class("axis"));
+fn dashed(canvas: &mut Canvas, from: &Pixels, to: &Pixels, colour: Colour) {
+    canvas.draw(Shape::line(from, to).stroke(colour, 1.3).dashed("9 3 2 3").class("axis"));
 }
 
 #[cfg(test)]

@@ -50,7 +50,7 @@ pub fn wrong_formulas(formulas: &[Compared]) -> Figure {
             panel = panel.curve(formula.points(), stroke.wide(1.6)).marks(formula.points(), marker.class("point"));
             // Where they are farthest apart.
             let last_third = formula.points().filter(|(slots, _)| 3.0 * (slots - first) >= 2.0 * (last - first));
-            panel = panel.near(last_third, FRAC_PI_2, Label::words(&formula.name).shade(marker.shade));
+            panel = panel.near(last_third, FRAC_PI_2, Label::words(&formula.name).in_colour(marker.colour));
         }
         panel
     };

@@ -110,7 +110,8 @@ fn row(parameters: &Parameters, angle: f64, speed: f64) -> Result<Row, FigureErr
 fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, order: usize, unit: &str) -> Panel {
     let values = || rows.iter().flat_map(|row| columns.map(|column| row[column]));
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
-    let [theta, phi] = [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::rate(letter, order).shade(shade));
+    let [theta, phi] =
+        [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, colour)| Label::rate(letter, order).in_colour(colour));
     let title = Label::words(what).and_label(&theta).and(" and ").and_label(&phi).and(unit);
     let strokes = [Stroke::new(DRIVER).dashed("10 5"), Stroke::new(FOLLOWER)];
     let mut panel = Panel::new(190.0, x, &y.titled(title)).horizontal(0.0, Stroke::thin("zero"));

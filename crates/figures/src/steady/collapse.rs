@@ -112,7 +112,7 @@ fn frictions(rows: &[[f64; 11]]) -> Result<Axis, FigureError> {
     let room = 0.06 * (most - least).max(0.1 * most);
     let range = (least - room).max(0.5 * least)..most + room;
     let steps = Axis::spanning(range.start, range.end, 4.0);
-    Ok(Axis { marks: steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
+    Ok(Axis { ticks: steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
 }
 
 /// The curve of the mechanism as it was run, if that is another than its own, and its own.
@@ -141,7 +141,7 @@ fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], 
         let own = rows.iter().filter(|row| row[0] == f64::from(group.mechanism.slots()));
         panel = panel.marks(own.map(|row| (row[1], row[2 + k])), marker.sized(8.0));
         if let Some((_, values)) = both[1].as_ref().and_then(|points| points.last()) {
-            let label = Label::words(&group.mechanism.pins().to_string()).shade(marker.shade);
+            let label = Label::words(&group.mechanism.pins().to_string()).in_colour(marker.colour);
             panel = panel.name(label, Spot::Beside(values[k]));
         }
     }

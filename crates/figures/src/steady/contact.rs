@@ -134,17 +134,18 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
         } else {
             "flank"
         }));
-        let words = Label::words(if side > 0.0 { "leading flank" } else { "trailing flank" }).shade(FOLLOWER).on(FILL);
+        let words =
+            Label::words(if side > 0.0 { "leading flank" } else { "trailing flank" }).in_colour(FOLLOWER).on(FILL);
         canvas.label(&place(-outward * 92.0, side * (PIN + WALL / 2.0)), &(right * -outward), 0.0, &words);
     }
     let line = [ENDS[0] + 8.0, ENDS[1]].map(|x| Vector2::new(x, centre.y));
     canvas.draw(Shape::line(&line[0], &line[1]).stroke(FOLLOWER, 1.2).dashed(DASHED).class("centre-line"));
-    canvas.label(&across(ENDS[0] + 4.0, -30.0), &right, 0.0, &Label::words("to ").and_symbol("O").shade(FOLLOWER));
+    canvas.label(&across(ENDS[0] + 4.0, -30.0), &right, 0.0, &Label::words("to ").and_symbol("O").in_colour(FOLLOWER));
     canvas.draw(Shape::circle(&centre, PIN).fill(PAPER).stroke(INK, 2.2).class("enlarged-pin"));
 
     let touch = place(0.0, at.side * PIN);
     canvas.draw(Shape::line(&centre, &touch).stroke(DRIVER, 2.2).class("radius").with("data-letter", "ρ"));
-    canvas.label(&place(0.0, at.side * 0.5 * PIN), &(right * -outward), 9.0, &Label::part("ρ").shade(DRIVER));
+    canvas.label(&place(0.0, at.side * 0.5 * PIN), &(right * -outward), 9.0, &Label::part("ρ").in_colour(DRIVER));
     turning(canvas, at, &centre);
     canvas.draw(Shape::circle(&centre, 3.5).fill(INK));
     // Velocities: of the centre, and of the surface where it touches.
@@ -152,12 +153,12 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     part(canvas, "r'", |canvas| arrow(canvas, &centre, &tip, RELATIVE, 4.0, "sliding-of-centre"));
     // Beside the arrow's tip, on the side that does not rub.
     let beside = tip - right * (outward * 20.0);
-    let label = Label::rate("r", 1).and(" of the centre").shade(RELATIVE).of_part("r'");
+    let label = Label::rate("r", 1).and(" of the centre").in_colour(RELATIVE).of_part("r'");
     canvas.label(&beside, &(up * -at.side), 18.0, &label);
     let inside = at.side * (PIN - BESIDE);
     let tip = place(at.sliding * SPEED, inside);
     part(canvas, "w", |canvas| arrow(canvas, &place(0.0, inside), &tip, DRIVER, 4.0, "sliding-of-surface"));
-    canvas.label(&tip, &(right * outward), 8.0, &Label::part("w").and(" of the surface").shade(DRIVER));
+    canvas.label(&tip, &(right * outward), 8.0, &Label::part("w").and(" of the surface").in_colour(DRIVER));
     // Forces on the follower.
     let end = touch + up * (at.side * NORMAL);
     part(canvas, "F", |canvas| arrow(canvas, &touch, &end, INK, 4.0, "normal-force"));
@@ -165,13 +166,13 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     let from = touch + up * (at.side * WALL / 2.0);
     let end = from + right * (outward * FRICTION);
     arrow(canvas, &from, &end, CORIOLIS, 4.0, "friction");
-    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").shade(CORIOLIS).on(FILL);
+    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").in_colour(CORIOLIS).on(FILL);
     canvas.label(&end, &(right * outward), 8.0, &label);
 
     let values = [
-        Label::rate("r", 1).and("/").and_rate("θ", 1).and(" = ").and(&number(at.slide)).shade(RELATIVE),
+        Label::rate("r", 1).and("/").and_rate("θ", 1).and(" = ").and(&number(at.slide)).in_colour(RELATIVE),
         Label::symbol("s").and_symbol("ρ").and("(1 + ").and_symbol("q").and(") = ").and(&number(at.turning)),
-        Label::symbol("w").and("/").and_rate("θ", 1).and(" = ").and(&number(at.sliding)).shade(DRIVER),
+        Label::symbol("w").and("/").and_rate("θ", 1).and(" = ").and(&number(at.sliding)).in_colour(DRIVER),
     ];
     for (k, label) in values.into_iter().enumerate() {
         let corner = Vector2::new(28.0 + 210.0 * k as f64, top + HEIGHT - 24.0);

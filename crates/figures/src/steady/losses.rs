@@ -52,7 +52,7 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
         groups[k].iter().fold(Panel::new(260.0, &x, &y.titled(Label::words(titles[k]))), |panel, line| {
             let (points, (stroke, marker)) = (finite(line), kind(number(line)));
             let panel = panel.curve(points.iter().copied(), stroke.wide(2.2).class("loss"));
-            let name = Label::words(&with_hyphens(&line.name)).shade(stroke.shade);
+            let name = Label::words(&with_hyphens(&line.name)).in_colour(stroke.colour);
             // Named once, where the lines are farthest apart: the looks are the same in both panels.
             let is_named = groups.iter().take(k).any(|lines| lines.iter().any(|other| other.name == line.name));
             let last_half = points.iter().skip(points.len() / 2).copied();

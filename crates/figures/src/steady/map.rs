@@ -134,7 +134,7 @@ fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: 
     let corner = [0.05, 0.09, 0.13].map(|y| [0.79, y]).to_vec();
     panel = panel.name(Label::words("no single solution").on(FILL).bare(), Spot::Free(corner));
     for (value, points) in lines {
-        panel = panel.name(Label::words(&trimmed(*value, 2)).shade(LINES[k].shade), Spot::On(points.clone()));
+        panel = panel.name(Label::words(&trimmed(*value, 2)).in_colour(LINES[k].colour), Spot::On(points.clone()));
     }
     panel
 }

@@ -91,11 +91,11 @@ fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
         panel = rounds.iter().fold(panel, |panel, round| panel.curve(round.points.iter().copied(), stroke));
     }
     for ((rounds, stroke), name) in groups.iter().zip(STROKES).zip(NAMES) {
-        let marker = Marker::new(stroke.shade, Mark::Diamond).sized(10.0);
+        let marker = Marker::new(stroke.colour, Mark::Diamond).sized(10.0);
         panel = panel.marks(rounds.first().and_then(|round| round.switch), marker);
         for (number, round) in rounds.iter().take(2).enumerate().filter(|_| rounds.len() > 1) {
             let words = if number == 0 { format!("1, {name}") } else { (number + 1).to_string() };
-            let label = Label::words(&words).shade(stroke.shade);
+            let label = Label::words(&words).in_colour(stroke.colour);
             panel = panel.near(round.points.get(round.points.len() / 10).copied(), FRAC_PI_4, label);
         }
     }
@@ -104,7 +104,7 @@ fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
     panel = panel.near(switch, -FRAC_PI_4, Label::words("contact changes flank"));
     for round in cycle {
         let middle = round.points.iter().copied().skip(round.points.len() * 3 / 4);
-        panel = panel.near(middle, FRAC_PI_4 * 3.0, Label::words(NAMES[2]).shade(STROKES[2].shade));
+        panel = panel.near(middle, FRAC_PI_4 * 3.0, Label::words(NAMES[2]).in_colour(STROKES[2].colour));
     }
     let shares = [0.72, 0.28].into_iter().flat_map(|x| [0.94, 0.06, 0.88, 0.12].map(|y| [x, y]));
     panel.name(Label::words("line of centres"), Spot::Free(shares.collect()))

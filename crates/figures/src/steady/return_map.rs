@@ -80,18 +80,18 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
     panel = panel.marks([(fixed, fixed)], fixed_point).near(
         [(fixed, fixed)],
         -FRAC_PI_4,
-        Label::words(&format!("steady: {}", significant(fixed, 3))).shade(DRIVER),
+        Label::words(&format!("steady: {}", significant(fixed, 3))).in_colour(DRIVER),
     );
     for (stairs, (name, towards)) in stairs.iter().zip([("from rest", FRAC_PI_4), ("from above", -FRAC_PI_2)]) {
         for (number, point) in stairs.engagements.iter().take(NUMBERED).enumerate() {
             let name = if number == 0 { format!("1, {name}") } else { (number + 1).to_string() };
-            panel = panel.near([*point], towards, Label::words(&name).shade(CORIOLIS));
+            panel = panel.near([*point], towards, Label::words(&name).in_colour(CORIOLIS));
         }
     }
     let panel = panel
-        .near(late(1), FRAC_PI_2, mu(parameters.friction()).shade(DRIVER))
-        .near(late(2), PI, mu(0.0).shade(FOLLOWER))
-        .near(late(0), -FRAC_PI_4, Label::words("exit as entry").shade(INK));
+        .near(late(1), FRAC_PI_2, mu(parameters.friction()).in_colour(DRIVER))
+        .near(late(2), PI, mu(0.0).in_colour(FOLLOWER))
+        .near(late(0), -FRAC_PI_4, Label::words("exit as entry").in_colour(INK));
     let multiplier = short(steady.multiplier, 3);
     let words = Words::new(
         "steady-return-map",

@@ -78,7 +78,7 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
             panel.near(
                 ends,
                 if number % 2 == 0 { PI } else { 0.0 },
-                Label::words(&with_hyphens(name)).shade(kind(number).0.shade),
+                Label::words(&with_hyphens(name)).in_colour(kind(number).0.colour),
             )
         })
     });

@@ -2,7 +2,7 @@
 
 use super::view::Pixels;
 use crate::number::{trimmed, with_minus_sign};
-use crate::theme::{INK, PAPER, Shade};
+use crate::theme::{Colour, INK, PAPER};
 
 /// The look of a label's halo, but for its colour: attributes of a `text` element.
 pub const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
@@ -34,8 +34,8 @@ enum Style {
 #[derive(Clone, Debug)]
 pub struct Label {
     runs: Vec<(Style, String)>,
-    shade: Shade,
-    halo: Shade,
+    colour: Colour,
+    halo: Colour,
     haloed: bool,
     part: String,
 }
@@ -64,7 +64,7 @@ impl Label {
 
     /// A label that begins with upright text.
     pub fn words(text: &str) -> Self {
-        Self { runs: Vec::new(), shade: INK, halo: PAPER, haloed: true, part: String::new() }.and(text)
+        Self { runs: Vec::new(), colour: INK, halo: PAPER, haloed: true, part: String::new() }.and(text)
     }
 
     /// Adds upright text; hyphens become minus signs.
@@ -121,13 +121,13 @@ impl Label {
     }
 
     /// Sets the colour of the letters.
-    pub fn shade(mut self, shade: Shade) -> Self {
-        self.shade = shade;
+    pub fn in_colour(mut self, colour: Colour) -> Self {
+        self.colour = colour;
         self
     }
 
     /// Sets the colour of the halo: that of the face the label stands on.
-    pub fn on(mut self, halo: Shade) -> Self {
+    pub fn on(mut self, halo: Colour) -> Self {
         self.halo = halo;
         self
     }
@@ -139,8 +139,8 @@ impl Label {
     }
 
     /// The colour of the letters.
-    pub fn colour(&self) -> Shade {
-        self.shade
+    pub fn colour(&self) -> Colour {
+        self.colour
     }
 
     /// The label's first word alone.
@@ -223,7 +223,7 @@ impl Label {
             "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{}\"{halo}{part}>{spans}</text>",
             trimmed(x, 2),
             trimmed(base, 2),
-            self.shade.0,
+            self.colour.0,
         )
     }
 }

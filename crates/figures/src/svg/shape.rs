@@ -3,7 +3,7 @@
 use super::path::Path;
 use super::view::Pixels;
 use crate::number::trimmed;
-use crate::theme::Shade;
+use crate::theme::Colour;
 
 /// Dash pattern of construction lines.
 pub const DASHED: &str = "7 5";
@@ -35,8 +35,8 @@ impl Shape {
     }
 
     /// Draws the outline in a colour, so many pixels wide.
-    pub fn stroke(self, shade: Shade, width: f64) -> Self {
-        self.with("stroke", shade.0).with("stroke-width", &trimmed(width, 2))
+    pub fn stroke(self, colour: Colour, width: f64) -> Self {
+        self.with("stroke", colour.0).with("stroke-width", &trimmed(width, 2))
     }
 
     /// Breaks the outline: lengths of dashes and gaps in pixels.
@@ -45,8 +45,8 @@ impl Shape {
     }
 
     /// Fills the inside with a colour.
-    pub fn fill(self, shade: Shade) -> Self {
-        self.with("fill", shade.0)
+    pub fn fill(self, colour: Colour) -> Self {
+        self.with("fill", colour.0)
     }
 
     /// Names what is drawn: a class by which pages and tests find it.

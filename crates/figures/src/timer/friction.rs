@@ -31,8 +31,8 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
     }
     let range = least * (1.0 - ROOM)..most * (1.0 + ROOM);
     let steps = Axis::spanning(least, most, 5.0);
-    let marks = steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect();
-    let x = Axis { marks, range, ..steps }.titled(of_friction());
+    let ticks = steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect();
+    let x = Axis { ticks, range, ..steps }.titled(of_friction());
     let mut rows: Vec<[f64; 3]> = Vec::new();
     let mut curves = Vec::new();
     for one in all {
@@ -57,7 +57,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         panel = panel.curve(curve.iter().copied(), stroke.wide(2.2).class("rate"));
         panel = panel.marks(marks.iter().copied(), marker.sized(8.0));
         if let Some((_, gain)) = curve.last() {
-            let name = Label::words(&one.parameters.mechanism().pins().to_string()).shade(marker.shade);
+            let name = Label::words(&one.parameters.mechanism().pins().to_string()).in_colour(marker.colour);
             panel = panel.name(name, Spot::Beside(*gain));
         }
     }

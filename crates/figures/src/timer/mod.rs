@@ -66,7 +66,7 @@ fn axis(all: &[Tested]) -> Result<Axis, FigureError> {
     let room = 0.06 * (most - least);
     let steps = Axis::spanning(least, most, 3.0);
     let range = least - room..most + room;
-    Ok(Axis { marks: steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
+    Ok(Axis { ticks: steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
 }
 
 /// The title of an axis of frictions.
@@ -78,7 +78,7 @@ fn of_friction() -> Label {
 fn key(all: &[Tested]) -> Vec<Entry> {
     let entry = |one: &Tested| {
         let look = of_mechanism(one.parameters.mechanism().slots());
-        Entry::both(look, Label::words(&format!("{} pins", one.parameters.mechanism().pins())).shade(look.1.shade))
+        Entry::both(look, Label::words(&format!("{} pins", one.parameters.mechanism().pins())).in_colour(look.1.colour))
     };
     all.iter().map(entry).collect()
 }

@@ -128,8 +128,8 @@ pub fn runaway() -> Result<Figure, FigureError> {
         .horizontal(fast, Stroke::thin("mean").dashed("3 4"))
         .curve(twice.iter().copied(), two)
         .curve(once.iter().copied(), one)
-        .near(tops(&twice), FRAC_PI_2, Label::words("twice the torque").shade(RELATIVE))
-        .near(tops(&once), -FRAC_PI_2, Label::words("torque ").and_symbol("K").shade(DRIVER));
+        .near(tops(&twice), FRAC_PI_2, Label::words("twice the torque").in_colour(RELATIVE))
+        .near(tops(&once), -FRAC_PI_2, Label::words("torque ").and_symbol("K").in_colour(DRIVER));
     let words = Words::new(
         "timer-runaway",
         "A runaway escapement, and the speed of its wheel",
@@ -192,13 +192,13 @@ fn draw(canvas: &mut Canvas) {
         &(centre + Pixels::new(0.0, -0.5 * SCALE + 16.0)),
         &-up,
         12.0,
-        &Label::words("torque ").and_symbol("K").shade(DRIVER),
+        &Label::words("torque ").and_symbol("K").in_colour(DRIVER),
     );
     let weight = ends[1] + right * (WEIGHT * SCALE);
-    beside(weight, Label::words("weighted bar").shade(FOLLOWER), canvas);
+    beside(weight, Label::words("weighted bar").in_colour(FOLLOWER), canvas);
     let [left, exit] = pallets(PHASE);
-    canvas.label(&place(&left[3]), &-right, 12.0, &Label::words("driven pallet").shade(FOLLOWER));
-    beside(place(&exit[2]), Label::words("next to be hit").shade(FOLLOWER), canvas);
+    canvas.label(&place(&left[3]), &-right, 12.0, &Label::words("driven pallet").in_colour(FOLLOWER));
+    beside(place(&exit[2]), Label::words("next to be hit").in_colour(FOLLOWER), canvas);
 }
 
 #[cfg(test)]

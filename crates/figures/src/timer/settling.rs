@@ -48,13 +48,13 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
     let panels = looks.map(|(column, title, marker)| {
         let points = || rows.iter().map(move |row| (row[0], row[column]));
         let most = points().map(|point| point.1).fold(0.0, f64::max);
-        let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).shade(marker.shade));
+        let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).in_colour(marker.colour));
         let x = if column == 3 {
             x.clone().titled(Label::words("follower's inertia over the run's inertia"))
         } else {
             x.clone().unnumbered()
         };
-        Panel::new(165.0, &x, &y).curve(points(), Stroke::new(marker.shade).wide(2.0)).marks(points(), marker)
+        Panel::new(165.0, &x, &y).curve(points(), Stroke::new(marker.colour).wide(2.0)).marks(points(), marker)
     });
     let times = || rows.iter().map(|row| row[3]);
     let (quickest, slowest) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));

@@ -58,7 +58,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
             let panel = panel
                 .curve(curve.iter().map(|row| (row[1], row[2 + k])), stroke.wide(2.2).class("greatest"))
                 .marks(marks.iter().map(|row| (row[1], row[2 + k])), marker.sized(8.0));
-            let name = Label::words(&one.parameters.mechanism().pins().to_string()).shade(marker.shade);
+            let name = Label::words(&one.parameters.mechanism().pins().to_string()).in_colour(marker.colour);
             panel.name(name, Spot::Beside(curve.last().map_or(0.0, |row| row[2 + k])))
         })
     });

@@ -47,9 +47,9 @@ pub fn torque() -> Figure {
     let wide = panel(WIDE, 10.0, HOURS, 330.0, "gain, hours a day", false);
     let [from, to] = [66.0, 100.0];
     let wide = wide
-        .near([(84.0, 0.0)], FRAC_PI_2, Label::words("with a period of its own").shade(FOLLOWER))
-        .near([(from, HOURS * gained(from, ROOT))], FRAC_PI_2, Label::words("Geneva, runaway").shade(DRIVER))
-        .name(Label::words("verge").shade(INK), Spot::Within(NAMED.0, NAMED.1));
+        .near([(84.0, 0.0)], FRAC_PI_2, Label::words("with a period of its own").in_colour(FOLLOWER))
+        .near([(from, HOURS * gained(from, ROOT))], FRAC_PI_2, Label::words("Geneva, runaway").in_colour(DRIVER))
+        .name(Label::words("verge").in_colour(INK), Spot::Within(NAMED.0, NAMED.1));
     let narrow = panel(NARROW, 1.0, MINUTES, 270.0, "gain, minutes a day", true);
     let lost = -HOURS * gained(from, ROOT);
     let words = Words::new(

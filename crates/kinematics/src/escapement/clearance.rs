@@ -12,6 +12,17 @@ use nalgebra::Vector2;
 impl Mechanism {
     /// Least length of a slot, from the rim to the pin's place nearest to the follower's axis, in crank radii:
     /// cot(π/n) − (a − 1).
+    ///
+    /// ```
+    /// use geneva_kinematics::Mechanism;
+    /// use std::f64::consts::FRAC_PI_2;
+    ///
+    /// let (mechanism, root) = (Mechanism::FOUR_PIN, 2_f64.sqrt()); // a = √2 and cot 45° = 1, in crank radii
+    /// assert!((mechanism.slot_length() - (2.0 - root)).abs() < 1e-15);
+    /// assert!((mechanism.rim_arc() - FRAC_PI_2).abs() < 1e-15); // a quarter of a circle of radius one
+    /// assert!((mechanism.web() - (2.0 - root)).abs() < 1e-15);
+    /// assert!((mechanism.shaft_limit() - (root - 1.0)).abs() < 1e-15); // a − 1: from the axis to the rim
+    /// ```
     pub fn slot_length(&self) -> f64 {
         self.wheel().slot_length_ratio()
     }
@@ -38,6 +49,15 @@ impl Mechanism {
     /// driver angle in radians.
     ///
     /// Never negative but for rounding; it goes to zero as the next pin comes to its slot.
+    ///
+    /// ```
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// // While a pin is on the line of centres the next one is a quarter of a turn on: √(1 + a²) = √3 from the follower's axis.
+    /// let clearance = Mechanism::FOUR_PIN.idle_clearance(0.0)?;
+    /// assert!((clearance - (3_f64.sqrt() - 1.0)).abs() < 1e-15); // crank radii outside the rim
+    /// # Ok::<(), geneva_kinematics::EscapementError>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -17,9 +17,19 @@ use num_traits::One;
 pub type Roots = Surd<Surd<Rational, 2>, 3>;
 
 /// The mechanism at one driver angle.
+///
+/// ```
+/// use geneva_kinematics::Mechanism;
+///
+/// let layout = Mechanism::THREE_PIN.layout(0.0)?; // first pin on the line of centres, axes 2 crank radii apart
+/// assert_eq!((layout.pins.len(), layout.slots.len(), &layout.engaged[..]), (3, 6, &[(0, 0)][..]));
+/// let meeting = layout.meeting(0, 0).expect("there are such a pin and slot");
+/// assert_eq!((meeting.out, meeting.beside), (1.0, 0.0)); // in crank radii: a − 1, on the slot's centre line
+/// # Ok::<(), geneva_kinematics::EscapementError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Configuration<S> {
-    /// The follower's axis; the driver's is the origin.
+    /// The follower's axis, in crank radii from the driver's axis.
     pub follower_axis: Vector2<S>,
     /// Centres of all m pins, counter-clockwise.
     pub pins: Vec<Vector2<S>>,
@@ -36,7 +46,7 @@ pub struct Configuration<S> {
 pub struct Slot<S> {
     /// Unit vector from the follower's axis outwards.
     pub direction: Vector2<S>,
-    /// Where the pin's centre enters, on the follower's rim.
+    /// Point at which the pin's centre enters, on the follower's rim.
     pub mouth: Vector2<S>,
     /// The place of the pin's centre nearest to the follower's axis.
     pub bottom: Vector2<S>,
@@ -47,11 +57,11 @@ pub struct Slot<S> {
 pub struct RelativePosition<S> {
     /// How far out the pin is along the slot's centre line, from the follower's axis, in crank radii.
     pub out: S,
-    /// How far beside the slot's centre line it is, in crank radii; positive is counter-clockwise from it.
+    /// How far beside the slot's centre line the pin is, in crank radii; positive is counter-clockwise from it.
     pub beside: S,
-    /// Its velocity along the slot, outwards, in crank radii per radian of the driver.
+    /// Velocity of the pin along the slot, outwards, in crank radii per radian of the driver.
     pub outward: S,
-    /// Its velocity across the slot, counter-clockwise, in crank radii per radian of the driver.
+    /// Velocity of the pin across the slot, counter-clockwise, in crank radii per radian of the driver.
     pub across: S,
 }
 
@@ -75,6 +85,16 @@ impl<S: Field> RelativePosition<S> {
 }
 
 /// The instant at which one pin leaves and the next enters, exactly. Meyer 1973, figure 4.
+///
+/// ```
+/// use geneva_kinematics::{Field, Mechanism};
+/// use num_traits::Zero;
+///
+/// let hand_over = Mechanism::FOUR_PIN.hand_over();
+/// assert!(hand_over.follower_speeds.iter().all(Zero::is_zero)); // exactly at rest
+/// assert_eq!(hand_over.leaving.outward.approximate(), 1.0); // the pin goes straight out,
+/// assert_eq!(hand_over.entering.outward.approximate(), -1.0); // and the next one straight in
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandOver {
     /// Where everything is; pin 0 leaves slot 0.

@@ -15,6 +15,17 @@ use std::cmp::Ordering;
 use std::f64::consts::PI;
 
 /// m pins and n slots with one pin always engaged; lengths are in radii of the pins' circle.
+///
+/// ```
+/// use geneva_kinematics::escapement::{AtHandOver, Continuous};
+///
+/// let four = Continuous::new(4, 4).expect("4 pins, 4 slots");
+/// assert!((four.centre_distance_ratio() - 2_f64.sqrt()).abs() < 1e-15); // sin 90° / sin 45°
+/// assert_eq!(four.at_hand_over(), AtHandOver::Rests); // 1/4 + 1/4 = 1/2
+/// let twelve = Continuous::new(12, 12).expect("12 pins, 12 slots");
+/// assert_eq!((twelve.rim_radius(), twelve.at_hand_over()), (1.0, AtHandOver::TurnsOn));
+/// assert!((twelve.hand_over_ratio() - 0.75_f64.sqrt()).abs() < 1e-15); // cos 30°
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Continuous {
     pins: u32,
@@ -52,31 +63,31 @@ impl Continuous {
         self.slots
     }
 
-    /// π/m, the driver angle in radians at which a pin leaves.
+    /// Driver angle at which a pin leaves, π/m, in radians from the line of centres.
     pub fn engagement_half_angle(&self) -> f64 {
         PI / f64::from(self.pins)
     }
 
-    /// π/n, the follower angle in radians at which a pin leaves.
+    /// Follower angle at which a pin leaves, π/n, in radians from the line of centres.
     pub fn follower_half_angle(&self) -> f64 {
         PI / f64::from(self.slots)
     }
 
-    /// a = sin(π/m + π/n) / sin(π/n), centre distance over radius of the pins' circle, dimensionless.
+    /// Centre distance over radius of the pins' circle, a = sin(π/m + π/n) / sin(π/n), dimensionless.
     pub fn centre_distance_ratio(&self) -> f64 {
         let slot = self.follower_half_angle();
         libm::sin(self.engagement_half_angle() + slot) / libm::sin(slot)
     }
 
-    /// sin(π/m) / sin(π/n), distance of a pin from the follower's axis as it enters and leaves, in crank radii: the
-    /// radius of the follower's rim.
+    /// Radius of the follower's rim, sin(π/m) / sin(π/n), in crank radii: the distance of a pin from the follower's axis as
+    /// it enters and leaves.
     ///
     /// A pin is the nearer to that axis the nearer it is to the line of centres, so no other pin is inside the rim.
     pub fn rim_radius(&self) -> f64 {
         libm::sin(self.engagement_half_angle()) / libm::sin(self.follower_half_angle())
     }
 
-    /// cos(π/m + π/n) sin(π/n) / sin(π/m), the follower's angular velocity over the driver's at the hand-over,
+    /// Angular velocity of the follower over that of the driver at the hand-over, cos(π/m + π/n) sin(π/n) / sin(π/m),
     /// dimensionless: the least of the motion.
     pub fn hand_over_ratio(&self) -> f64 {
         let (crank, slot) = (self.engagement_half_angle(), self.follower_half_angle());

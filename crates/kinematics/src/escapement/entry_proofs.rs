@@ -1,4 +1,11 @@
 //! Which numbers of pins and slots an escapement can have, as identities. Meyer 1973, after Eq. (1-3).
+//!
+//! ```
+//! use geneva_kinematics::escapement::entry_proofs::PinsAndSlots;
+//! use geneva_kinematics::prove;
+//!
+//! assert!(prove(&PinsAndSlots::Factors).is_ok() && prove(&PinsAndSlots::NeverTwo).is_ok());
+//! ```
 
 use crate::{Expression, Identity};
 

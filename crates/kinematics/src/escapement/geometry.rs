@@ -13,6 +13,17 @@ use std::fmt;
 /// 2π/n; at entry the crank is at right angles to the slot, so π/m + π/n = π/2 and m = 2 n / (n − 2), an integer
 /// above two for three, four and six slots only. They are ordered by rising number of slots. Meyer 1973, Eq. (1-3) and
 /// the table after it.
+///
+/// ```
+/// use geneva_kinematics::{Mechanism, Turn};
+///
+/// let mechanism = Mechanism::new(6)?; // slots
+/// assert_eq!((mechanism.pins(), mechanism), (3, Mechanism::THREE_PIN));
+/// assert_eq!(mechanism.centre_distance_ratio(), 2.0); // 1 / sin 30°, in crank radii
+/// assert_eq!(mechanism.pin_distance(&Turn::from_radians(0.0)), 1.0); // a − 1, on the line of centres
+/// assert!(Mechanism::new(5).is_err()); // it would need 10/3 pins
+/// # Ok::<(), geneva_kinematics::EscapementError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Mechanism {
     slots: u32,
@@ -63,6 +74,15 @@ impl From<KinematicsError> for EscapementError {
 /// 1973, Eq. (1-3).
 ///
 /// In general it is not an integer. `None` for two slots or fewer, which no number of pins serves.
+///
+/// ```
+/// use geneva_kinematics::escapement::pins_needed;
+/// use geneva_kinematics::rational;
+///
+/// assert_eq!(pins_needed(6), Some(rational(3, 1)));
+/// assert_eq!(pins_needed(5), Some(rational(10, 3))); // no escapement
+/// assert_eq!(pins_needed(2), None);
+/// ```
 pub fn pins_needed(slots: u32) -> Option<Rational> {
     (slots > 2).then(|| rational(2 * i64::from(slots), i64::from(slots) - 2))
 }
@@ -72,6 +92,12 @@ pub fn pins_needed(slots: u32) -> Option<Rational> {
 /// The condition is (m − 2)(n − 2) = 4 ([`entry_proofs::PinsAndSlots`](super::entry_proofs::PinsAndSlots)), so n − 2 is
 /// a divisor of 4 and m − 2 the other one. Both divisors are positive: with negative ones m and n would be 1 and −2, or
 /// both 0, or −2 and 1. Meyer 1973, table after Eq. (1-3).
+///
+/// ```
+/// use geneva_kinematics::escapement::possible;
+///
+/// assert_eq!(possible(), [(3, 6), (4, 4), (6, 3)]); // 1/3 + 1/6 = 1/4 + 1/4 = 1/2
+/// ```
 pub fn possible() -> Vec<(u32, u32)> {
     const PRODUCT: u32 = 4;
     (1..=PRODUCT)
@@ -124,13 +150,14 @@ impl Mechanism {
         }
     }
 
-    /// θ₀ = π/m, the crank angle in radians at which a pin leaves its slot; it enters at minus this angle. Meyer 1973,
-    /// display before Eq. (1-1).
+    /// Crank angle at which a pin leaves its slot, θ₀ = π/m, in radians from the line of centres; it enters at minus this
+    /// angle. Meyer 1973, display before Eq. (1-1).
     pub fn engagement_half_angle(self) -> f64 {
         PI / f64::from(self.pins)
     }
 
-    /// φ₀ = π/n, the follower angle in radians at which a pin leaves. Meyer 1973, display before Eq. (1-1).
+    /// Follower angle at which a pin leaves, φ₀ = π/n, in radians from the line of centres. Meyer 1973, display before
+    /// Eq. (1-1).
     pub fn follower_half_angle(self) -> f64 {
         self.wheel().half_pitch_angle()
     }
@@ -155,14 +182,13 @@ impl Mechanism {
         self.centre_distance_ratio_squared().sqrt()
     }
 
-    /// a², a fraction, dimensionless: 4/3, 2 and 4.
+    /// Square of centre distance over crank radius, a², dimensionless: 4/3, 2 or 4.
     pub fn centre_distance_ratio_squared(self) -> f64 {
         let [numerator, denominator] = self.square.map(f64::from);
         numerator / denominator
     }
 
-    /// R at entry and exit in crank radii, cot(π/n) = √(a² − 1): there the slots begin, so it is the radius of the
-    /// follower's rim.
+    /// Radius of the follower's rim, cot(π/n) = √(a² − 1), in crank radii: R at entry and exit, where the slots begin.
     ///
     /// The source writes it r sin θ₀ / sin φ₀. Meyer 1973, Eq. (1-5) and appendix A.
     pub fn rim_radius(self) -> f64 {
@@ -170,7 +196,7 @@ impl Mechanism {
         ((numerator - denominator) / denominator).sqrt()
     }
 
-    /// R = √(1 + a² − 2 a cos θ) at any driver angle: distance of a pin from the follower's axis, in crank radii.
+    /// Distance of a pin from the follower's axis at any driver angle, R = √(1 + a² − 2 a cos θ), in crank radii.
     ///
     /// Meyer 1973, display after Eq. (1-12).
     pub fn pin_distance(self, crank: &Turn<f64>) -> f64 {

@@ -10,6 +10,15 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 ///
 /// Two are equal exactly if they were built by the same operations from the same parts, so equal means equal for all
 /// values of the variables. Nothing is simplified, but that zero is not added or multiplied by, nor one.
+///
+/// ```
+/// use geneva_kinematics::{Expression, rational};
+///
+/// let [x, y] = [0, 1].map(Expression::variable);
+/// let product = (x + y) * (x - y) / (1 + y);
+/// assert_eq!(product.at(&[rational(5, 1), rational(3, 1)]), rational(4, 1)); // (25 − 9) / 4
+/// assert_eq!(product.degrees(2), [2, 2]); // of the numerator, in x and in y
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expression(usize);
 

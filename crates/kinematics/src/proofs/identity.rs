@@ -9,12 +9,42 @@ use std::array::from_fn;
 use std::fmt;
 
 /// A statement "this expression is zero for all values of its `V` variables".
+///
+/// ```
+/// use geneva_kinematics::{Expression, Identity, Turn, prove};
+///
+/// /// cos² θ + sin² θ = 1. Variable: the tangent of θ/2.
+/// struct Pythagoras;
+///
+/// impl Identity<1> for Pythagoras {
+///     fn difference(&self, [half]: [Expression; 1]) -> Expression {
+///         let turn = Turn::from_half_tangent(&half);
+///         turn.cos.squared() + turn.sin.squared() - 1
+///     }
+/// }
+/// assert!(prove(&Pythagoras).is_ok()); // for every angle
+/// ```
 pub trait Identity<const V: usize> {
     /// Left side minus right side.
     fn difference(&self, variables: [Expression; V]) -> Expression;
 }
 
 /// A statement "this expression is zero for all values of its `V` variables" with a square root in it.
+///
+/// ```
+/// use geneva_kinematics::{Expression, IdentityWithRoot, prove_with_root};
+///
+/// /// (x + √D)(x − √D) = x² − D, asked for √2: it holds for this D and no other.
+/// struct Norm;
+///
+/// impl IdentityWithRoot<1> for Norm {
+///     fn difference(&self, root: Expression, [x]: [Expression; 1]) -> Expression {
+///         (x + root) * (x - root) - (x * x - 2)
+///     }
+/// }
+/// assert!(prove_with_root::<2, 1>(&Norm).is_ok());
+/// assert!(prove_with_root::<3, 1>(&Norm).is_err());
+/// ```
 pub trait IdentityWithRoot<const V: usize> {
     /// Left side minus right side.
     fn difference(&self, root: Expression, variables: [Expression; V]) -> Expression;
@@ -87,6 +117,21 @@ fn place(at: &[RBig]) -> String {
 /// variable that vanishes at d + 1 values of it vanishes for all; over several variables the same holds on the product
 /// grid. The values are the integers from 2 up; an identity must have no pole there.
 ///
+/// ```
+/// use geneva_kinematics::{Expression, Identity, prove};
+///
+/// /// The square of a sum, with or without its mixed term.
+/// struct SquareOfSum(i64);
+///
+/// impl Identity<2> for SquareOfSum {
+///     fn difference(&self, [x, y]: [Expression; 2]) -> Expression {
+///         (x + y).squared() - (x * x + self.0 * x * y + y * y)
+///     }
+/// }
+/// assert_eq!(prove(&SquareOfSum(2)).map(|proof| proof.points), Ok(9)); // degree 2 in both: 3 · 3 points
+/// assert!(prove(&SquareOfSum(0)).is_err_and(|refuted| refuted.difference.is_some()));
+/// ```
+///
 /// # Errors
 ///
 /// [`Refutation`] with the first point of the grid at which the sides differ, or at which something is divided by zero.
@@ -102,6 +147,20 @@ pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<P
 }
 
 /// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact.
+///
+/// ```
+/// use geneva_kinematics::{Expression, IdentityWithRoot, prove_with_root};
+///
+/// /// 1 / (x + √2) = (x − √2) / (x² − 2).
+/// struct Conjugate;
+///
+/// impl IdentityWithRoot<1> for Conjugate {
+///     fn difference(&self, root: Expression, [x]: [Expression; 1]) -> Expression {
+///         1 / (x + root) - (x - root) / (x * x - 2)
+///     }
+/// }
+/// assert!(prove_with_root::<2, 1>(&Conjugate).is_ok());
+/// ```
 ///
 /// # Errors
 ///

@@ -12,6 +12,17 @@ const ON_PIVOT: f64 = 4.0 * f64::EPSILON;
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A crank and a slotted lever on a common ground.
+///
+/// ```
+/// use geneva_kinematics::quick_return::QuickReturn;
+/// use std::f64::consts::FRAC_PI_6;
+///
+/// let mechanism = QuickReturn::new(200.0, 100.0)?; // distance of the axes and crank in mm
+/// let strokes = mechanism.strokes();
+/// assert!(strokes.swing_limit.is_some_and(|limit| (limit - FRAC_PI_6).abs() < 1e-15)); // sin 30° = 100 / 200
+/// assert!((strokes.time_ratio() - 2.0).abs() < 1e-14); // 240° out, 120° back
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuickReturn {
     ground: f64,
@@ -27,14 +38,14 @@ pub enum Branch {
     Far,
 }
 
-/// Where the parts are.
+/// Position of crank, lever and pin at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Position {
     /// Crank angle φ.
     pub crank: Turn<f64>,
     /// Lever angle ψ: the direction from the lever's pivot to the pin.
     pub lever: Turn<f64>,
-    /// r, distance of the pin from the lever's pivot, in the unit of the mechanism.
+    /// Distance of the pin from the lever's pivot, r, in the unit of the mechanism.
     pub pin_distance: f64,
 }
 
@@ -65,17 +76,17 @@ impl QuickReturn {
         Ok(Self { ground, crank })
     }
 
-    /// l, distance of the two axes, in the unit of the mechanism.
+    /// Distance of the two axes, l, in the unit of the mechanism.
     pub fn ground(&self) -> f64 {
         self.ground
     }
 
-    /// R, radius of the crank, in the same unit.
+    /// Radius of the crank, R, in the unit of the mechanism.
     pub fn crank(&self) -> f64 {
         self.crank
     }
 
-    /// l / R, dimensionless. Above one the lever swings, below one it turns.
+    /// Distance of the axes over the crank's radius, l / R, dimensionless. Above one the lever swings, below one it turns.
     pub fn ratio(&self) -> f64 {
         self.ground / self.crank
     }
@@ -92,7 +103,7 @@ impl QuickReturn {
         Strokes { swing_limit, slow: 2.0 * PI - fast, fast }
     }
 
-    /// Where the lever is at a crank angle.
+    /// Position of the parts at a crank angle.
     ///
     /// # Errors
     ///
@@ -109,11 +120,22 @@ impl QuickReturn {
         Ok(Position { crank: *crank, lever, pin_distance: distance * self.crank })
     }
 
-    /// The position at a crank angle in degrees, of any size and sign.
+    /// Position of the parts at a crank angle in degrees, of any size and sign.
+    ///
+    /// ```
+    /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
+    ///
+    /// let mechanism = QuickReturn::new(200.0, 100.0)?; // mm
+    /// let far = mechanism.at_crank_degrees(0.0)?;
+    /// assert_eq!((far.pin_distance, far.branch()), (300.0, Branch::Far)); // mm: 200 + 100
+    /// let near = mechanism.at_crank_degrees(180.0)?;
+    /// assert!((near.pin_distance - 100.0).abs() < 1e-12 && near.branch() == Branch::Near); // mm: 200 − 100
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///
-    /// [`KinematicsError::Angle`] if it is not finite, [`KinematicsError::PinOnPivot`] as before.
+    /// [`KinematicsError::Angle`] if it is not finite, [`KinematicsError::PinOnPivot`] if the pin is on the lever's pivot.
     pub fn at_crank_degrees(&self, degrees: f64) -> Result<Position, KinematicsError> {
         if !degrees.is_finite() {
             return Err(KinematicsError::Angle { name: "crank angle", asked: degrees });
@@ -121,10 +143,24 @@ impl QuickReturn {
         self.at_crank(&Turn::from_degrees(degrees % 360.0))
     }
 
-    /// Where the crank is at a lever angle in degrees, on one of the two branches.
+    /// Position of the parts at a lever angle in degrees, on one of the two branches.
     ///
     /// By the law of sines R sin β = l sin ψ, with β the angle at the pin between lever and crank: acute on the far
     /// branch, obtuse on the near one.
+    ///
+    /// ```
+    /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
+    ///
+    /// let mechanism = QuickReturn::new(200.0, 100.0)?; // mm: the lever swings by 30° to either side
+    /// let along = mechanism.at_lever_degrees(0.0, Branch::Near)?;
+    /// assert!((along.crank.degrees().abs() - 180.0).abs() < 1e-12); // the crank points to the lever's pivot
+    /// let [near, far] = [Branch::Near, Branch::Far].map(|branch| mechanism.at_lever_degrees(15.0, branch));
+    /// // Half-way between the two places of the pin is the foot of the perpendicular from the crank's axis.
+    /// let sum = near?.pin_distance + far?.pin_distance; // mm
+    /// assert!((sum - 2.0 * 200.0 * 15_f64.to_radians().cos()).abs() < 1e-12);
+    /// assert!(mechanism.at_lever_degrees(31.0, Branch::Near).is_err());
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -179,7 +215,7 @@ impl Position {
         if cosine < 0.0 { Branch::Near } else { Branch::Far }
     }
 
-    /// β, the angle at the pin between lever and crank, in radians.
+    /// Angle at the pin between lever and crank, β, in radians.
     pub fn angle_at_pin(&self) -> f64 {
         self.lever.reversed().plus(&self.crank).radians().abs()
     }

@@ -22,6 +22,18 @@ impl<S: Field> Drive<S> {
 }
 
 /// The whole motion at an instant: vectors in the frame of the [module](super), with directions and senses.
+///
+/// ```
+/// use geneva_kinematics::quick_return::{Drive, Motion};
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // Axes 2 apart, crank 1, at crank angle zero: the pin is 3 from the lever's pivot and moves across the lever.
+/// let along = Turn { cos: rational(1, 1), sin: rational(0, 1) };
+/// let drive = Drive::steady(rational(1, 1)); // rad per unit of time
+/// let motion = Motion::at(&rational(2, 1), &rational(1, 1), &along, &drive).expect("off the pivot");
+/// assert_eq!(motion.velocities.follower_speed, rational(1, 3));
+/// assert_eq!(motion.acceleration_gap().x, rational(0, 1)); // the diagram closes
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion<S> {
     /// From the crank's axis to the pin, in the unit of its radius.

@@ -4,6 +4,14 @@
 //! crank's component q = R sin φ is 1; p = R cos φ is its other one, and x is the pin's other coordinate, so l = x − p. That
 //! leaves out only positions on the line of centres, and an equation between rational functions that holds everywhere else
 //! holds there too. Few variables make short proofs.
+//!
+//! ```
+//! use geneva_kinematics::prove;
+//! use geneva_kinematics::quick_return::proofs::{Compared, DiagramAgainstSeries};
+//!
+//! assert!(prove(&DiagramAgainstSeries(Compared::LeverSpeed)).is_ok());
+//! assert!(prove(&DiagramAgainstSeries(Compared::Sliding)).is_ok());
+//! ```
 
 use super::motion::{Drive, Motion};
 use super::series::polar_rates;

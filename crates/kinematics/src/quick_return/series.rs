@@ -1,4 +1,4 @@
-//! The same motion by differentiating the loop closure twice: no vector diagram, no relative velocity.
+//! Motion of the lever by differentiating the loop closure twice: no vector diagram, no relative velocity.
 //!
 //! Around the loop, l + R e(φ) = r e(ψ) with e a unit vector in that direction. The left side is known as a power
 //! series in time; so is the polar angle's rate of the right side, and r² = |l + R e(φ)|². In polar coordinates the
@@ -15,17 +15,32 @@ use nalgebra::Vector2;
 pub struct PolarRates<S> {
     /// From the lever's pivot to the pin, in the unit of the ground distance: r e(ψ).
     pub position: Vector2<S>,
-    /// ψ̇ in the unit of the crank's speed, counter-clockwise positive.
+    /// Angular velocity of the lever, ψ̇, in the unit of the crank's speed, counter-clockwise positive.
     pub turning: S,
-    /// ψ̈ in the unit of the crank's acceleration.
+    /// Angular acceleration of the lever, ψ̈, in the unit of the crank's acceleration, counter-clockwise positive.
     pub turning_rate: S,
-    /// ṙ / r in the unit of the crank's speed, outwards positive.
+    /// Sliding speed of the pin over its distance, ṙ / r, in the unit of the crank's speed, outwards positive.
     pub sliding: S,
-    /// r̈ / r in the unit of the crank's acceleration.
+    /// Rate of the sliding speed over the pin's distance, r̈ / r, in the unit of the crank's acceleration.
     pub sliding_rate: S,
 }
 
-/// Differentiates the loop closure at crank angle φ. `None` if the pin is on the lever's pivot.
+/// Rates of the lever by differentiating the loop closure at crank angle φ, for ground distance l and crank radius R in
+/// one unit of length. `None` if the pin is on the lever's pivot.
+///
+/// ```
+/// use geneva_kinematics::quick_return::Drive;
+/// use geneva_kinematics::quick_return::series::polar_rates;
+/// use geneva_kinematics::{Turn, rational};
+///
+/// // Axes 2 apart and a crank of 1 at 90°: r² = 5 + 4 cos φ, so r ṙ = −2 and r r̈ + ṙ² = 0, with r² = 5.
+/// let across = Turn { cos: rational(0, 1), sin: rational(1, 1) };
+/// let drive = Drive::steady(rational(1, 1));
+/// let rates = polar_rates(&rational(2, 1), &rational(1, 1), &across, &drive).expect("off the pivot");
+/// assert_eq!(rates.sliding, rational(-2, 5)); // ṙ / r
+/// assert_eq!(rates.sliding_rate, rational(-4, 25)); // r̈ / r
+/// assert_eq!(rates.turning, rational(1, 5)); // the pin moves at 1 along the line of centres, 1 beside the pivot
+/// ```
 pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<PolarRates<S>> {
     let path = path(radius, ground, &crank.speeding_up(drive.speed.clone(), drive.acceleration.clone()));
     let turning = angular_velocity(&path)?;

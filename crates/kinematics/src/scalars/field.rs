@@ -8,6 +8,17 @@ use std::ops::Neg;
 /// A field: numbers with the four operations, fit for nalgebra's vectors.
 ///
 /// No order, no roots and no transcendental functions: whoever needs those says so by asking for `f64`.
+///
+/// ```
+/// use geneva_kinematics::{Field, rational};
+///
+/// /// Distance of the pin nearest to the follower's axis, in crank radii.
+/// fn deepest<S: Field>(ratio: &S) -> S {
+///     ratio.clone() - S::one()
+/// }
+/// assert_eq!(deepest(&2.5), 1.5);
+/// assert_eq!(deepest(&rational(4, 3)), rational(1, 3)); // without rounding
+/// ```
 pub trait Field:
     Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
 {
@@ -52,6 +63,13 @@ impl Field for Relaxed {
 }
 
 /// The exact fraction `numerator / denominator`; `denominator` must not be zero.
+///
+/// ```
+/// use geneva_kinematics::{Field, rational};
+///
+/// assert_eq!(rational(1, 3) + rational(1, 6), rational(1, 2));
+/// assert_eq!(rational(2, -4).approximate(), -0.5);
+/// ```
 pub fn rational(numerator: i64, denominator: i64) -> RBig {
     RBig::from(numerator) / RBig::from(denominator)
 }

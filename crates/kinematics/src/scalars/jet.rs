@@ -9,6 +9,17 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// Running a formula on a jet gives the formula's value and its first `N - 1` derivatives, exactly if `S` is exact.
 /// `N` must be at least 1.
+///
+/// ```
+/// use geneva_kinematics::Jet;
+///
+/// let x = Jet::<f64, 3>::variable(2.0);
+/// let cube = x * x * x;
+/// assert_eq!(cube.value(), 8.0);
+/// assert_eq!(cube.rate(), 12.0); // 3 x²
+/// assert_eq!(cube.derivative(2), Some(12.0)); // 6 x
+/// assert_eq!(cube.derivative(3), None); // not carried
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<S, const N: usize>([S; N]);
 

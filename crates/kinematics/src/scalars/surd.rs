@@ -7,6 +7,15 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// `a + b √D` over the field `S`, in which `D` must not be a square already.
 ///
 /// Nested, it holds several roots: `Surd<Surd<Rational, 2>, 3>` has √2, √3 and √6.
+///
+/// ```
+/// use geneva_kinematics::{Rational, Surd, rational};
+///
+/// let root = Surd::<Rational, 2>::root();
+/// let one = Surd::from_plain(rational(1, 1));
+/// assert_eq!((one.clone() + root.clone()) * (one.clone() - root.clone()), -one); // 1 − 2, exactly
+/// assert_eq!(root.clone() * root, Surd::from_plain(rational(2, 1)));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surd<S, const D: u32> {
     /// The part without the root, in the number's own unit.
@@ -21,7 +30,7 @@ impl<S: Field, const D: u32> Surd<S, D> {
         Self { plain: S::zero(), rooted: S::one() }
     }
 
-    /// `plain`, without a root.
+    /// The number `plain`, which has no part with the root.
     pub fn from_plain(plain: S) -> Self {
         Self { plain, rooted: S::zero() }
     }

@@ -9,6 +9,15 @@ use std::array::from_fn;
 ///
 /// As a pair, an angle needs no transcendental function: sums, half turns and motions are polynomials, and points of
 /// the circle with rational cosine and sine are exact.
+///
+/// ```
+/// use geneva_kinematics::{Turn, rational};
+///
+/// let crank = Turn::from_half_tangent(&rational(1, 2)); // the triangle of 3, 4 and 5
+/// assert_eq!((crank.cos.clone(), crank.sin.clone()), (rational(3, 5), rational(4, 5)));
+/// assert_eq!(crank.plus(&crank.reversed()), Turn { cos: rational(1, 1), sin: rational(0, 1) });
+/// assert!((Turn::from_degrees(50.0).plus(&Turn::from_degrees(40.0)).degrees() - 90.0).abs() < 1e-13);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<S> {
     /// Cosine of the angle, dimensionless.
@@ -52,6 +61,14 @@ impl<S: Field> Turn<S> {
     }
 
     /// The angle moving at `rate` (radians per unit of the jet's variable), as a power series from this instant on.
+    ///
+    /// ```
+    /// use geneva_kinematics::{Turn, rational};
+    ///
+    /// // At 3 radians per unit of time the sine grows by 3 times the cosine.
+    /// let crank = Turn::from_half_tangent(&rational(1, 2)); // cosine 3/5
+    /// assert_eq!(crank.moving::<2>(rational(3, 1)).sin.rate(), rational(9, 5));
+    /// ```
     pub fn moving<const N: usize>(&self, rate: S) -> Turn<Jet<S, N>> {
         self.moving_by(&Jet::from_coefficients(from_fn(|k| if k == 1 { rate.clone() } else { S::zero() })))
     }
@@ -91,7 +108,7 @@ impl Turn<f64> {
         Self { cos, sin }
     }
 
-    /// The angle of `degrees`.
+    /// The angle of so many degrees, by way of radians.
     pub fn from_degrees(degrees: f64) -> Self {
         Self::from_radians(degrees.to_radians())
     }
@@ -112,6 +129,15 @@ impl Turn<f64> {
 /// `None` where the position is the origin and has no direction. It is the derivative of the polar angle,
 /// (x y' − y x') / (x² + y²): rational, so no inverse tangent is differentiated. The series has one order less than
 /// the position: its highest coefficient means nothing.
+///
+/// ```
+/// use geneva_kinematics::{Jet, angular_velocity};
+/// use nalgebra::Vector2;
+///
+/// // A point that passes the origin at a distance of 2 m with 6 m/s turns about it at 3 rad/s.
+/// let position = Vector2::new(Jet::<f64, 2>::constant(2.0), Jet::from_coefficients([0.0, 6.0]));
+/// assert_eq!(angular_velocity(&position).map(|of| of.value()), Some(3.0));
+/// ```
 pub fn angular_velocity<S: Field, const N: usize>(position: &Vector2<Jet<S, N>>) -> Option<Jet<S, N>> {
     let (x, y) = (position.x.clone(), position.y.clone());
     let square = x.clone() * x.clone() + y.clone() * y.clone();

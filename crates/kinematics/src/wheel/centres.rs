@@ -9,6 +9,21 @@ use super::sizes::Sizes;
 use crate::KinematicsError;
 
 /// How far the axes may be from their right distance, each way, until no clearance is left.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+///
+/// let with_play = |play: f64| { // in mm
+///     let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+///     Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)
+/// };
+/// let (sizes, tight) = (with_play(0.2)?, with_play(0.0)?);
+/// let tolerance = sizes.centre_tolerance();
+/// assert!(tolerance.nearer > 0.0 && tolerance.nearer <= 0.1); // mm: no more than the gap at the locking disc
+/// assert!(sizes.clearance_at(sizes.centre_distance - tolerance.nearer)?.least().distance >= 0.0);
+/// assert_eq!(tight.centre_tolerance().farther, 0.0); // without play the axes must be exactly right
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CentreTolerance {
     /// How much nearer, in millimetres: zero or more.

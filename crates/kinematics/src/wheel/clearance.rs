@@ -53,22 +53,35 @@ pub struct Nearest {
 }
 
 /// The least distances of driver and wheel over a whole turn of the driver.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+///
+/// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+/// let clearance = sizes.clearance();
+/// assert!((clearance.pin_in_slot.distance - 0.1).abs() < 1e-12); // mm: half of the play on either side
+/// assert!(clearance.least().distance > clearance.tolerance); // nothing touches anything over the whole turn
+/// let near = sizes.clearance_at(sizes.centre_distance - 10.0)?; // with the axes 10 mm too near
+/// assert!(near.least().distance < 0.0); // the parts would overlap
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
-    /// Of a pin in its slot.
+    /// Least distance of a pin from the slot that it is in.
     pub pin_in_slot: Nearest,
-    /// Of a pin in no slot from the wheel; none where every pin is always in a slot.
+    /// Least distance of a pin in no slot from the wheel; none where every pin is always in a slot.
     pub pin_outside: Option<Nearest>,
-    /// Of the locking disc in its arc; none without one.
+    /// Least distance of the locking disc from the arc that it is in; none without a disc.
     pub locking_disc: Option<Nearest>,
-    /// Of the locking disc from the wheel during the engagement; none without a disc.
+    /// Least distance of the locking disc from the wheel during the engagement; none without a disc.
     pub crescent: Option<Nearest>,
     /// How much less, in millimetres, any of these distances may be somewhere than is said here.
     pub tolerance: f64,
 }
 
 impl Clearance {
-    /// The least of all.
+    /// The least of all distances, and where it is.
     pub fn least(&self) -> Nearest {
         let others = [self.pin_outside, self.locking_disc, self.crescent];
         others.into_iter().flatten().fold(self.pin_in_slot, Nearest::or)

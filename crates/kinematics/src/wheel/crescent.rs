@@ -100,8 +100,20 @@ impl Sizes {
         Ok(Vector2::new(y * sin - x * cos, y * cos + x * sin))
     }
 
-    /// How far that tip is from a locking disc, this one or another, in millimetres: from its cut, or from its edge where
-    /// that is the shorter way; below zero how deep it is in the disc. The crank angle is in radians.
+    /// Distance of the [tip of a horn](Self::horn_tip) from a locking disc, the one of these sizes or another, in millimetres:
+    /// from its cut, or from its edge where that is the shorter way; below zero how deep the tip is in the disc. The crank
+    /// angle is in radians.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?;
+    /// let disc = sizes.locking_disc.expect("one pin leaves a dwell");
+    /// for crank_angle in [-0.5, 0.0, 0.5] { // rad
+    ///     assert!(sizes.horn_gap(crank_angle, &disc)? > 0.0); // mm: the crescent lets the horn pass
+    /// }
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -17,7 +17,7 @@ pub enum Phase {
 /// The wheel at one crank angle, for a driver of constant speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
-    /// Advance or dwell.
+    /// Whether a pin moves the wheel, or the wheel dwells.
     pub phase: Phase,
     /// Whole stations that the wheel has passed: the middle of the last advance begun, or the dwell behind it.
     pub stations: i64,
@@ -36,6 +36,18 @@ impl Wheel {
     ///
     /// Both ends of the engagement belong to it. Work::Jazar2003, Eqs. (5.30) to (5.32).
     ///
+    /// ```
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let wheel = Wheel::new(6)?;
+    /// let middle = wheel.engaged(0.0)?; // pin on the line of centres
+    /// assert!((middle.velocity - 1.0).abs() < 1e-15); // 1 / (k − 1) with k = 2
+    /// assert_eq!((middle.angle, middle.acceleration), (0.0, 0.0));
+    /// let entry = wheel.engaged(-wheel.engagement_half_angle())?; // without a blow
+    /// assert!(entry.velocity.abs() < 1e-15);
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
@@ -45,6 +57,15 @@ impl Wheel {
 
     /// The angular velocity over the driver's alone, dimensionless, as [`engaged`](Self::engaged) gives it, where speed
     /// matters.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let wheel = Wheel::new(6)?;
+    /// assert!((wheel.velocity_ratio(0.0)? - 1.0).abs() < 1e-15); // 1 / (k − 1) with k = 2
+    /// assert_eq!(wheel.velocity_ratio(-0.5)?, wheel.velocity_ratio(0.5)?); // even in the crank angle
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -84,6 +105,19 @@ impl Wheel {
     /// At crank angle zero a pin is on the line of centres. Turns are counted in integers, so the wheel's angle
     /// has no running error however many there are. At the very ends of an engagement the wheel is in it.
     ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Phase, Wheel};
+    /// use std::f64::consts::PI;
+    ///
+    /// let wheel = Wheel::new(4)?;
+    /// let middle = wheel.at(3, 0.0)?; // three turns of the driver: three stations
+    /// assert_eq!((middle.phase, middle.stations, middle.angle), (Phase::Advance, 3, 0.0));
+    /// let dwell = wheel.at(3, 2.0)?; // 2 rad later the wheel stands, half a station on
+    /// assert_eq!((dwell.phase, dwell.stations, dwell.velocity), (Phase::Dwell, 3, 0.0));
+    /// assert!((dwell.angle - PI / 4.0).abs() < 1e-15); // rad
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
@@ -107,6 +141,16 @@ impl Wheel {
     }
 
     /// Peak angular speed in rad/s and peak angular acceleration in rad/s² for a driver of this speed in rad/s.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let wheel = Wheel::new(6)?;
+    /// let (slow, fast) = (wheel.peaks(10.0)?, wheel.peaks(20.0)?); // driver speeds in rad/s
+    /// assert!((slow.0 - 10.0).abs() < 1e-13); // rad/s: sin α / (1 − sin α) = 1 with six stations
+    /// assert!((fast.1 / slow.1 - 4.0).abs() < 1e-13); // accelerations go as the square of the speed
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -19,11 +19,25 @@
 use super::sizes::Sizes;
 
 /// How far the wheel turns loosely in the dwell.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+///
+/// let with_play = |play: f64| { // in mm
+///     let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+///     Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)
+/// };
+/// let loose = with_play(0.2)?.dwell_play().expect("one pin leaves a dwell");
+/// assert!(0.0 < loose.middle && loose.middle <= loose.greatest); // rad to either side
+/// let tight = with_play(0.0)?.dwell_play().expect("one pin leaves a dwell");
+/// assert!(tight.middle < 1e-7); // rad: without play the wheel cannot turn
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DwellPlay {
     /// Angle to either side in the middle of the dwell, in radians.
     pub middle: f64,
-    /// Part of the dwell, in its middle, in which the angle to either side is no greater than that, dimensionless. Zero
+    /// Part of the dwell, in its middle, in which the angle to either side is no greater than `middle`, dimensionless. Zero
     /// where an opening of the disc is within the locking arc all the time: then the play grows from the middle on.
     pub held: f64,
     /// Greatest angle to one side, in radians: forwards before a pin enters, backwards as long after one has left.
@@ -85,7 +99,7 @@ impl Sizes {
         Some((self.slot_gap() + given_way).min(self.bottom_gap()))
     }
 
-    /// What the driver turns in one dwell, in radians. None without a locking disc.
+    /// Angle by which the driver turns during one dwell, in radians. None without a locking disc.
     pub fn dwell_angle(&self) -> Option<f64> {
         let pins = f64::from(self.wheel.pins());
         self.locking_disc.map(|_| 2.0 * std::f64::consts::PI * self.wheel.dwell_fraction() / pins)

@@ -14,6 +14,17 @@ pub const STATIONS: RangeInclusive<u32> = 3..=1000;
 ///
 /// α is π/N itself, not its rounding: what the methods return is within 2 units in the last place of the value for
 /// that α and for the crank angle as given.
+///
+/// ```
+/// use geneva_kinematics::wheel::Wheel;
+///
+/// let wheel = Wheel::new(6)?; // α = π/6, so sin α = 1/2
+/// assert!((wheel.centre_distance_ratio() - 2.0).abs() < 1e-15); // 1 / sin α, in crank radii
+/// assert!((wheel.wheel_radius_ratio() - 3_f64.sqrt()).abs() < 1e-15); // 1 / tan α, in crank radii
+/// assert_eq!(wheel.motion_fraction(), 1.0 / 3.0); // it moves while the driver turns by 120° of 360°
+/// assert!((wheel.indexing_time(10.0)? - wheel.dwell_time(10.0)? / 2.0).abs() < 1e-15); // in s, at 10 rad/s
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Wheel {
     stations: u32,
@@ -41,6 +52,16 @@ impl Wheel {
     }
 
     /// A wheel of so many stations, and so many evenly spaced pins on its driver.
+    ///
+    /// ```
+    /// use geneva_kinematics::KinematicsError;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// // With four stations each pin is in a slot for a quarter of a turn, so four pins leave no dwell and five don't fit.
+    /// assert_eq!(Wheel::with_pins(4, 4)?.dwell_fraction(), 0.0);
+    /// assert!(matches!(Wheel::with_pins(4, 5), Err(KinematicsError::Pins { most: 4, .. })));
+    /// # Ok::<(), KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -106,6 +127,14 @@ impl Wheel {
     }
 
     /// The wheel as a pin in a slot, with a crank of this radius in any unit of length.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let mechanism = Wheel::new(6)?.pin_and_slot(25.0)?; // crank radius in mm
+    /// assert!((mechanism.centre_distance() - 50.0).abs() < 1e-13); // mm
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     ///
     /// # Errors
     ///

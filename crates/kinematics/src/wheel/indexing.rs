@@ -9,6 +9,13 @@ use crate::{KinematicsError, Turn, pin_slot};
 ///
 /// It is the greatest of the engagement for every N: [`wheel_jerk_proofs`](crate::wheel_jerk_proofs). As the pin enters
 /// and leaves the acceleration jumps, and the jerk has no finite value.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Wheel, peak_jerk};
+///
+/// assert!((peak_jerk(&Wheel::new(6)?) - 6.0).abs() < 1e-14); // (1/2) (3/2) / (1/2)³
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 pub fn peak_jerk(wheel: &Wheel) -> f64 {
     let (sine, rest) = (wheel.constants.sine, wheel.constants.rest);
     sine.plus(sine.times(sine)).over(rest.times(rest).times(rest)).hi

@@ -9,6 +9,19 @@ use crate::error::KinematicsError;
 use crate::pin_slot::{pin_from_pivot, velocity_ratio};
 
 /// A wheel and its driver at a given distance of their axes.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Misplaced, Wheel};
+///
+/// let wheel = Wheel::new(6)?; // k = 2 and the rim at √3, in crank radii
+/// let error = 0.01; // the axes are 1 % too far apart
+/// let wrong = Misplaced::new(&wheel, error)?;
+/// let k = 2.0 * (1.0 + error);
+/// // At the rim k cos θ − 1 = (k² − 4) / 2, over the square of the distance, 3.
+/// assert!((wrong.entry_velocity_ratio() - (k * k - 4.0) / 6.0).abs() < 1e-15);
+/// assert_eq!(Misplaced::new(&wheel, 0.0)?.entry_velocity_ratio(), 0.0); // no blow at the right distance
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misplaced {
     wheel: Wheel,
@@ -39,12 +52,12 @@ impl Misplaced {
         Ok(Self { wheel: *wheel, error, ratio, half: libm::acos(cosine) })
     }
 
-    /// The wheel.
+    /// The wheel as it is at the right distance.
     pub fn wheel(&self) -> &Wheel {
         &self.wheel
     }
 
-    /// By which part of the right distance the axes are too far apart, dimensionless; below zero too near.
+    /// Part of the right distance by which the axes are too far apart, dimensionless; below zero they are too near.
     pub fn error(&self) -> f64 {
         self.error
     }

@@ -9,6 +9,15 @@ use crate::{Field, Turn};
 /// −k (k² − 1) sin θ / (1 + k² − 2 k cos θ)².
 ///
 /// Positive while the wheel speeds up (θ < 0). Work::Jazar2003, Eq. (5.32); Eq. (5.29) with its lost sign for N = 4.
+///
+/// ```
+/// use geneva_kinematics::Turn;
+/// use geneva_kinematics::wheel::acceleration_ratio;
+///
+/// // Six stations: k = 2, and the pin enters at −60° with the acceleration tan 30°.
+/// let entry = acceleration_ratio(&2.0, &Turn::from_degrees(-60.0));
+/// assert!((entry - 1.0 / 3_f64.sqrt()).abs() < 1e-15);
+/// ```
 pub fn acceleration_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
     let square = slot_radius_squared(ratio, crank);
     let shape = ratio.clone() * (ratio.clone() * ratio.clone() - S::one());
@@ -21,6 +30,19 @@ pub fn acceleration_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
 ///
 /// Inside the engagement; at its ends the acceleration jumps and the jerk has no finite value.
 /// Work::Jazar2003, example (e), derivative of Eq. (5.32).
+///
+/// ```
+/// use geneva_kinematics::wheel::{acceleration_ratio, jerk_ratio};
+/// use geneva_kinematics::{Jet, Turn, rational};
+///
+/// // The rate of the acceleration ratio with the crank angle, without rounding.
+/// let (ratio, crank) = (rational(2, 1), Turn::from_half_tangent(&rational(1, 2)));
+/// let acceleration = acceleration_ratio(&Jet::constant(ratio.clone()), &crank.moving::<2>(rational(1, 1)));
+/// assert_eq!(jerk_ratio(&ratio, &crank), acceleration.rate());
+/// // On the line of centres it is −k (k + 1) / (k − 1)³.
+/// let middle = Turn { cos: rational(1, 1), sin: rational(0, 1) };
+/// assert_eq!(jerk_ratio(&ratio, &middle), rational(-6, 1));
+/// ```
 pub fn jerk_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
     let square = slot_radius_squared(ratio, crank);
     let shape = ratio.clone() * (ratio.clone() * ratio.clone() - S::one());
@@ -32,6 +54,15 @@ pub fn jerk_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
 /// acceleration ratio. In the unit of the driver's acceleration.
 ///
 /// Work::Jazar2003, display before Eq. (5.29), for any N.
+///
+/// ```
+/// use geneva_kinematics::Turn;
+/// use geneva_kinematics::wheel::unsteady_acceleration;
+///
+/// // On the line of centres a wheel with k = 2 follows the driver one to one, at any speed.
+/// let (middle, speed, acceleration) = (Turn::from_radians(0.0), 40.0, 3.0); // rad/s, rad/s²
+/// assert_eq!(unsteady_acceleration(&2.0, &middle, &speed, &acceleration), acceleration);
+/// ```
 pub fn unsteady_acceleration<S: Field>(ratio: &S, crank: &Turn<S>, driver_speed: &S, driver_acceleration: &S) -> S {
     driver_acceleration.clone() * velocity_ratio(ratio, crank)
         + driver_speed.clone() * driver_speed.clone() * acceleration_ratio(ratio, crank)

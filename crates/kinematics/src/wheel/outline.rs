@@ -10,6 +10,16 @@ use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A piece of an outline, in millimetres.
+///
+/// ```
+/// use geneva_kinematics::wheel::Edge;
+/// use nalgebra::Vector2;
+/// use std::f64::consts::PI;
+///
+/// // Half of a circle of 5 mm, counter-clockwise from its right end.
+/// let arc = Edge::Arc { centre: Vector2::zeros(), radius: 5.0, start: 0.0, sweep: PI };
+/// assert!((arc.to() - Vector2::new(-5.0, 0.0)).norm() < 1e-14); // mm
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edge {
     /// A straight line.
@@ -33,7 +43,7 @@ pub enum Edge {
 }
 
 impl Edge {
-    /// Where it begins.
+    /// Point at which the edge begins, in millimetres.
     pub fn from(&self) -> Vector2<f64> {
         match *self {
             Self::Line { from, .. } => from,
@@ -41,7 +51,7 @@ impl Edge {
         }
     }
 
-    /// Where it ends.
+    /// Point at which the edge ends, in millimetres.
     pub fn to(&self) -> Vector2<f64> {
         match *self {
             Self::Line { to, .. } => to,
@@ -99,6 +109,17 @@ fn sine_cosine(angle: f64) -> [f64; 2] {
 }
 
 /// A closed line: each edge begins where the one before it ends.
+///
+/// ```
+/// use geneva_kinematics::wheel::Loop;
+/// use nalgebra::Vector2;
+///
+/// let circle = Loop::circle(Vector2::zeros(), 20.0, false); // radius in mm
+/// let corners = circle.corners(0.01)?; // of a polygon that leaves it by 0.01 mm at most
+/// let middle = (corners[0] + corners[1]) / 2.0; // of a side
+/// assert!(corners.iter().all(|corner| (corner.norm() - 20.0).abs() < 1e-12) && middle.norm() > 20.0 - 0.01);
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
     /// Its pieces in order, the material on the left.
@@ -151,6 +172,19 @@ impl Loop {
 }
 
 /// A flat face with holes.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Face, Loop};
+/// use nalgebra::Vector2;
+/// use std::f64::consts::PI;
+///
+/// // A round plate of steel: radius 100 mm, 10 mm thick, 7800 kg/m³. Its moment of inertia is half its mass times r².
+/// let plate = Face { outer: Loop::circle(Vector2::zeros(), 100.0, false), holes: vec![] };
+/// let mass = 7800.0 * PI * 0.1 * 0.1 * 0.01; // kg
+/// assert!((plate.area() - PI * 1e4).abs() < 1e-9); // mm²
+/// assert!((plate.moment_of_inertia(10.0, 7800.0)? - mass * 0.1 * 0.1 / 2.0).abs() < 1e-15); // kg m²
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
     /// Its outer edge, counter-clockwise.
@@ -160,7 +194,7 @@ pub struct Face {
 }
 
 impl Face {
-    /// All its loops, the outer one first.
+    /// All loops of the face, the outer one first.
     pub fn loops(&self) -> impl Iterator<Item = &Loop> {
         std::iter::once(&self.outer).chain(&self.holes)
     }
@@ -171,12 +205,12 @@ impl Face {
         Self { outer: self.outer.placed(angle, by), holes }
     }
 
-    /// Its area in square millimetres, exact but for rounding.
+    /// Area of the face in square millimetres, exact but for rounding.
     pub fn area(&self) -> f64 {
         self.loops().map(Loop::area).sum()
     }
 
-    /// Its polar second moment of area about the origin, in the fourth power of millimetres, exact but for rounding.
+    /// Polar second moment of the face's area about the origin, in the fourth power of millimetres, exact but for rounding.
     pub fn second_moment(&self) -> f64 {
         self.loops().map(Loop::second_moment).sum()
     }
@@ -195,6 +229,18 @@ impl Face {
 }
 
 /// The outlines of both parts, each about its own axis.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+/// use std::f64::consts::PI;
+///
+/// let sizes = Sizes::new(Wheel::with_pins(6, 2)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
+/// let outline = sizes.outline();
+/// // At each station: two walls and the end of a slot, two pieces of rim and a locking arc.
+/// assert_eq!((outline.wheel.outer.edges.len(), outline.pins.len()), (6 * 6, 2));
+/// assert!(outline.wheel.area() < PI * sizes.tip_radius * sizes.tip_radius); // mm²
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     /// The wheel.
@@ -208,7 +254,7 @@ pub struct Outline {
 }
 
 impl Sizes {
-    /// The outlines of both parts.
+    /// The outlines of wheel, disc, plate and pins, in millimetres, each part about its own axis.
     pub fn outline(&self) -> Outline {
         let bore = |diameter: f64| {
             let hole = |diameter| Loop::circle(Vector2::zeros(), diameter / 2.0, true);

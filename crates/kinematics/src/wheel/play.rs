@@ -23,9 +23,9 @@ pub enum EntryContact {
 /// The first contact of a pin that comes to the wheel at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// What it meets.
+    /// Part of the wheel that the pin meets first.
     pub contact: EntryContact,
-    /// Crank angle from the line of centres, in radians.
+    /// Crank angle from the line of centres at which they meet, in radians.
     pub crank_angle: f64,
     /// Speed with which pin and wheel close in on each other, across their faces, over the pin's speed, dimensionless.
     pub closing_speed: f64,
@@ -59,6 +59,18 @@ impl Sizes {
     ///
     /// While the pin comes to the driving wall, the blow grows with the way that it has across the slot; it is greatest where
     /// the pin just passes the other wall. Beyond that it meets the other corner, the harder the farther the wheel has turned.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// let knock = sizes.knock().expect("the pin meets the wheel");
+    /// let cosine: f64 = 1.0 - 0.1 / 50.0; // of the crank angle past entry at which the gap is closed
+    /// assert!((knock.centred - (1.0 - cosine * cosine).sqrt()).abs() < 1e-12); // over the pin's speed
+    /// assert!(knock.centred <= knock.within && knock.within <= knock.drifted);
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
     pub fn knock(&self) -> Option<Knock> {
         let play = self.dwell_play()?;
         let speed = |drift: f64| self.entry_of_drifted(drift).map(|entry| entry.closing_speed);
@@ -84,6 +96,16 @@ impl Sizes {
     ///
     /// The gap over the pin's distance from the wheel's axis: greatest on the line of centres.
     ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// // On the line of centres the pin is 100 mm − 50 mm from the wheel's axis.
+    /// assert!((sizes.index_backlash(0.0)? - (0.1_f64 / 50.0).asin()).abs() < 1e-15); // rad
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
@@ -103,6 +125,18 @@ impl Sizes {
     /// In the slot's own frame the pin's centre is at (c' cos α − a sin τ, c' sin α − a cos τ), τ the crank angle from the
     /// nominal entry. Each face is met at an angle τ in closed form; the first counts. Play alone makes a blow: a pin
     /// that is a gap g away from the wall meets it at cos τ = 1 − g/a.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, EntryContact, Play, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// let entry = sizes.entry(0.0).expect("the pin comes to its slot");
+    /// assert_eq!(entry.contact, EntryContact::DrivingWall);
+    /// let past_entry = entry.crank_angle + sizes.wheel.engagement_half_angle(); // rad
+    /// assert!((past_entry.cos() - (1.0 - 0.1 / 50.0)).abs() < 1e-12);
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
     pub fn entry(&self, centre_error: f64) -> Option<Entry> {
         self.first_contact(centre_error, 0.0)
     }

@@ -15,6 +15,17 @@ use super::sizes::{LockingDisc, Sizes};
 
 /// How far every size may be wrong while all the others are wrong by as much as they may be, and the shafts as loose as their
 /// bores allow.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+///
+/// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+/// let shared = sizes.shared_tolerance().expect("the play is large enough");
+/// // Where all sizes may be wrong at once, the axes may be less wrong than where they alone may be.
+/// assert!(shared.nearer > 0.0 && shared.nearer < sizes.centre_tolerance().nearer); // mm
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SharedTolerance {
     /// How much longer the locking disc's radius may be, and how much shorter the locking arc's, each in millimetres.

@@ -23,6 +23,13 @@ pub enum Scale {
 }
 
 /// Play: how much wider each hollow is than what runs in it; the gap on each side is half as much.
+///
+/// ```
+/// use geneva_kinematics::wheel::Play;
+///
+/// let play = Play::of(0.2); // mm
+/// assert_eq!((play.slot, play.locking, play.bore), (0.2, 0.2, 0.05));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Play {
     /// Width of a slot less the pin's diameter, in millimetres.
@@ -76,13 +83,26 @@ pub struct Choices {
 /// The driver's locking disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LockingDisc {
-    /// Its radius, in millimetres.
+    /// Radius of the disc, in millimetres.
     pub radius: f64,
-    /// What is cut out of it before each pin.
+    /// The arc that is cut out of the disc before each pin.
     pub crescent: Crescent,
 }
 
 /// Sizes of a wheel and its driver, in millimetres.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+///
+/// // Six stations with the axes 100 mm apart, a pin of 10 mm and a play of 0.2 mm.
+/// let choices = Choices { pin_diameter: Some(10.0), play: Some(Play::of(0.2)), ..Choices::default() };
+/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CentreDistance(100.0), &choices)?;
+/// assert!((sizes.crank_radius - 50.0).abs() < 1e-12); // mm: 100 sin 30°
+/// assert!((sizes.wheel_radius - 50.0 * 3_f64.sqrt()).abs() < 1e-12); // mm: 100 cos 30°
+/// assert!((sizes.slot_width - (10.0 + 0.2)).abs() < 1e-12); // mm
+/// assert!(sizes.warnings().is_empty());
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Sizes {
@@ -135,7 +155,16 @@ pub struct Sizes {
 const SHORTEST_DWELL: f64 = 1e-9;
 
 impl Sizes {
-    /// The sizes of a wheel of this scale.
+    /// The sizes of a wheel from one length and the designer's choices.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Remedy, Scale, Sizes, SizesError, Wheel};
+    ///
+    /// let thick = Choices { pin_diameter: Some(60.0), ..Choices::default() }; // mm, on a crank of 50 mm
+    /// let refused = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &thick);
+    /// assert!(matches!(refused, Err(SizesError::DoesNotFit { remedies, .. }) if remedies.contains(&Remedy::ThinnerPin)));
+    /// # Ok::<(), SizesError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -207,7 +236,7 @@ impl Sizes {
         Ok(sizes)
     }
 
-    /// Radius of a pin, in millimetres.
+    /// Radius of a pin, in millimetres: half its diameter.
     pub fn pin_radius(&self) -> f64 {
         self.pin_diameter / 2.0
     }
@@ -230,6 +259,15 @@ impl Sizes {
 
     /// Between the locking disc and the middle of the locking arc in the dwell, in millimetres. As much may the disc's radius
     /// be too long, and the locking arc's radius and the centre distance, together, too short. None without a disc.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// assert!(sizes.locking_gap().is_some_and(|gap| (gap - 0.1).abs() < 1e-12)); // half of the play, in mm
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
     pub fn locking_gap(&self) -> Option<f64> {
         self.locking_disc.map(|disc| self.locking_arc_radius - disc.radius)
     }

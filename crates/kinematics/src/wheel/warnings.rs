@@ -46,7 +46,16 @@ impl fmt::Display for Warning {
 }
 
 impl Sizes {
-    /// Warnings to a maker of these parts; none for most sizes.
+    /// Warnings to someone who makes these parts: no play, a wheel that can miss its pin, thin walls. Most sizes have none.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Warning, Wheel};
+    ///
+    /// let choices = Choices { play: Some(Play::of(0.0)), ..Choices::default() };
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?; // mm
+    /// assert!(sizes.warnings().contains(&Warning::NoPlay));
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
     pub fn warnings(&self) -> Vec<Warning> {
         let is_tight = self.play.slot == 0.0 || self.locking_gap() == Some(0.0);
         let turns = self.dwell_play().filter(|play| play.can_miss).map(|play| play.greatest);

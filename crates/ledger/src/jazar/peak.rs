@@ -15,14 +15,13 @@ const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
     reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because the \
              printed ratio is larger than the largest value that the equation takes for six stations. We can only \
-             suggest a possible origin. If a 5 replaces the 9 of the printed angle, and only in the denominator, the \
-             equation gives the printed digits. The answer to (e) is the ratio times the square of the right speed.",
+             suggest a possible origin. With a 5 for the 9 in the angle of the denominator, but the printed angle in the numerator, the equation gives the printed digits. The answer to (e) is the ratio times the square of the right speed.",
     witness: "We took the pin's position as a power series, and from it the angle at which the pin is seen from the \
               wheel's axis. By halving intervals, we found where this angle's third derivative is zero, which is where \
               the acceleration peaks.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The peak of the wheel's angular acceleration, which is the answer to (e), becomes smaller.",
+    changes: "The printed peak of the wheel's angular acceleration, which is the answer to (e), is too large.",
 };
 
 pub fn claims() -> Vec<Claim> {

@@ -26,8 +26,7 @@ fn less_friction() -> Claim {
              steps, by less than a tenth of a millisecond, while the tables have units of one millisecond. If we go \
              by that velocity to two per cent, more friction lengthens the rise in none of the steps. If we assume \
              that a difference of speed dies away evenly, the rise becomes shorter from each friction of the runs to \
-             the next. If we count whole engagements until the average of peak and minimum is the steady average, \
-             nearly every step lengthens the rise, but the rise drops wherever one engagement fewer is enough. In \
+             the next. If we let the rise last until the first whole engagement whose average of peak and minimum is the steady average, more friction lengthens the rise in nearly every step, because each engagement takes longer. But wherever one engagement fewer is enough, the rise becomes shorter. In \
              Appendix E, more friction goes with a longer rise time in 8 of 34 pairs of rows",
         )
 }

@@ -99,8 +99,7 @@ pub fn claims() -> Vec<Claim> {
                     consequence: Consequence::Remark,
                     ..slip(
                         "Wheels of three and of four slots work, and all formulas of the page hold for them.",
-                        "By coordinates, the pin comes into a slot and leaves it with three slots, but never with \
-                         two.",
+                        "By coordinates, in a wheel with three slots the pin comes into a slot and leaves it again, but in a wheel with two it never does.",
                         "The commonest wheel, which has four slots, is excluded by the page.",
                     )
                 },

@@ -137,6 +137,14 @@ impl Deck {
 }
 
 /// The deck in a text that has it among other things: from its first CON or PAR card to its END card.
+///
+/// ```
+/// use geneva_mimic::language::listing_in;
+///
+/// let text = "A program follows.\nCON(K)\nFIN(T,K)\nEND\nIt was run once.\n";
+/// assert_eq!(listing_in(text), Some("CON(K)\nFIN(T,K)\nEND\n"));
+/// assert_eq!(listing_in("No program."), None);
+/// ```
 pub fn listing_in(text: &str) -> Option<&str> {
     let lines = || {
         text.split_inclusive('\n').scan(0, |end, line| {

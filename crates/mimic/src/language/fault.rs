@@ -268,6 +268,14 @@ const ELSEWHERE: [(&str, &str); 5] = [("LN", "LOG"), ("ALOG", "LOG"), ("SQRT", "
 
 /// The known name that is nearest to a word, if one is near: the name of the same thing in another language, or one in
 /// which at most two characters differ, are missing, are too many or are swapped.
+///
+/// ```
+/// use geneva_mimic::language::nearest_to;
+///
+/// assert_eq!(nearest_to("SQRT", ["SIN", "SQR"]).as_deref(), Some("SQR")); // another language's name
+/// assert_eq!(nearest_to("SNI", ["SIN", "SQR"]).as_deref(), Some("SIN")); // two letters swapped
+/// assert_eq!(nearest_to("VELOCITY", ["SIN", "SQR"]), None);
+/// ```
 pub fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let known: Vec<&str> = known.into_iter().collect();
     let same = ELSEWHERE.iter().find(|(other, _)| *other == word).map(|(_, own)| *own);

@@ -85,6 +85,14 @@ pub const DECKS: [(&str, &str); 9] = [
 ];
 
 /// The text of a deck of this project.
+///
+/// ```
+/// use geneva_mimic::language::{Deck, Layout, deck_named};
+///
+/// let text = deck_named("decay").expect("a deck of this project");
+/// assert!(Deck::read(text, Layout::Free).is_ok());
+/// assert_eq!(deck_named("growth"), None);
+/// ```
 pub fn deck_named(name: &str) -> Option<&'static str> {
     DECKS.iter().find(|(of, _)| *of == name).map(|(_, text)| *text)
 }

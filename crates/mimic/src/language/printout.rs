@@ -22,6 +22,16 @@ fn number(value: f64) -> String {
 }
 
 /// The print-out of a run: parameters, a table for each OUT card, and the plots.
+///
+/// ```
+/// use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
+///
+/// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), Layout::Free)?;
+/// let runs = Program::new(&deck)?.runs(&deck.data_sets()?, &Choices::default())?;
+/// let page = print_out(&runs[0], "DECAY");
+/// assert!(page.starts_with("DECAY\n") && page.contains(&runs[0].columns[0]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn print_out(run: &Run, title: &str) -> String {
     let mut page = String::new();
     let _ = writeln!(page, "{title}");
@@ -76,6 +86,16 @@ fn line(page: &mut String, cells: impl Iterator<Item = String>) {
 /// A plot in characters: X down the page, the others across, each with a mark of its own.
 ///
 /// Where two of them meet, the later one is seen. A point beyond the paper is drawn at its edge.
+///
+/// ```
+/// use geneva_mimic::language::{Plot, line_plot};
+///
+/// // The line Y = X, from the top left to the bottom right.
+/// let plot = Plot { names: vec!["X".to_owned(), "Y".to_owned()], zero: None, scale: None };
+/// let page = line_plot(&plot, &[vec![0.0, 0.0], vec![1.0, 1.0]]);
+/// let stars: Vec<_> = page.lines().skip(2).filter_map(|line| line.find('*')).collect();
+/// assert_eq!(stars[1] - stars[0], 100); // columns across
+/// ```
 pub fn line_plot(plot: &Plot, points: &[Vec<f64>]) -> String {
     let count = plot.names.len();
     let range = |k: usize| {
