@@ -2,7 +2,7 @@
 
 use geneva_ledger::{Consequence, Decimal, Places, Verdict, numeric_tokens, slips, verdicts};
 use geneva_press::pages::{self, PAGES, Page, Records};
-use geneva_press::{address, bibliography, computed, fences, figures};
+use geneva_press::{address, asked, bibliography, computed, fences, figures};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
 /// The pages by file name, with their Markdown.
@@ -122,6 +122,18 @@ fn every_number_of_the_lists_is_said_in_some_chapter() {
     for name in computed::names() {
         assert!(all.contains(&format!("{{{{computed:{name}}}}}")), "{name} is computed and not said");
     }
+}
+
+#[test]
+fn every_question_is_asked_in_some_chapter_and_typed_as_it_is_asked() {
+    let all: String = chapters().into_iter().map(|(_, text)| text).collect();
+    for name in asked::names() {
+        let asks = [format!("{{{{ask:{name}."), format!("{{{{question:{name}}}}}")];
+        assert!(asks.iter().any(|placeholder| all.contains(placeholder)), "{name} is stated and not asked");
+    }
+    let worked = asked::question("worked").expect("a question");
+    let words = |text: &str| text.replace('\\', "").split_whitespace().map(str::to_owned).collect::<Vec<_>>().join(" ");
+    assert!(words(&all).contains(&words(&worked)), "no chapter has the command {worked}");
 }
 
 #[test]

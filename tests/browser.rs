@@ -12,8 +12,8 @@ use std::path::Path;
 use std::sync::Mutex;
 use tempfile::TempDir;
 
-/// The widths of a phone, a tablet and two screens, in pixels.
-const WIDTHS: [u32; 4] = [WIDE, 1920, 768, PHONE];
+/// The widths of a phone, a tablet and two screens, in pixels, the one last at which most is checked.
+const WIDTHS: [u32; 4] = [PHONE, 768, 1920, WIDE];
 const PHONE: u32 = 390;
 
 /// From this width on nothing scrolls sideways.
@@ -59,7 +59,7 @@ const FAULTS: &[&str] = &[
     "console page: Light 1280",
     "cut #cut: Light 390 768 1280 1920, Paper 673",
     "cut #outside: Light 390 768 1280 1920",
-    "error page: Light 1280",
+    "error page: Dark 1280",
     "keyboard #unreached: Light 1280",
     "keyboard #unseen: Light 1280",
     "note #opens-nothing: Light 390 768 1280 1920",
@@ -67,6 +67,9 @@ const FAULTS: &[&str] = &[
     "overlap #overlap: Light 390 768 1280 1920",
     "overlap #turned: Light 390 768 1280 1920",
     "request page: Light 1280",
+    "scheme #dark-right: Dark 1280",
+    "scheme #for-the-dark: Dark 1280",
+    "scheme page: Dark 1280",
     "scripts page: Light 1280",
     "small #index: Light 390 768 1280 1920",
     "small #phone: Light 390",
@@ -172,55 +175,54 @@ impl Look<'_> {
         }
     }
 
-    fn check(&mut self, expression: &str) {
-        let found = self.browser.evaluate(expression);
-        for fault in found.as_array().into_iter().flatten() {
+    /// Shows the page for these functions of `browser/check.js`, notes the faults that they find, and gives what one of them
+    /// says that finds none.
+    fn check(&mut self, checks: &[String]) -> Value {
+        let calls: Vec<_> = checks.iter().map(|check| format!("() => geneva.{check}")).collect();
+        let said = self.browser.evaluate(&format!("geneva.shown({})", calls.join(", ")));
+        for fault in said.as_array().into_iter().flatten().filter_map(Value::as_array).flatten() {
             let part = |name: &str| fault[name].as_str().unwrap_or_default();
             self.fault(part("kind"), part("at"), part("what"));
         }
+        said.as_array().into_iter().flatten().find(|of| of.is_object()).cloned().unwrap_or_default()
     }
 
-    fn boxes(&mut self) {
+    /// What is checked in every way of showing a page.
+    fn boxes(&self) -> Vec<String> {
         let scrolling = match self.view {
             (_, Medium::Paper) => "",
             (width, _) if width < WIDE => SCROLLING,
             _ => "",
         };
-        self.check(&format!("geneva.tooWide({})", json!(scrolling)));
+        let mut checks = vec![format!("tooWide({})", json!(scrolling))];
         if self.view.1 != Medium::Paper {
-            self.check("geneva.drawings()");
-            self.check(&format!("geneva.labels({SMALLEST}, {TOUCHING})"));
-            self.check("geneva.notes()");
+            checks.extend(["drawings()".to_owned(), format!("labels({SMALLEST}, {TOUCHING})"), "notes()".to_owned()]);
         }
+        checks
     }
 
     fn everything(&mut self) {
-        self.open(WIDE, Medium::Light);
+        // Whatever changes, the width or the medium, has the browser look up all styles anew. So each way is shown once. Of
+        // light and dark one is enough where the boxes are looked at, for a style that knew them apart by more than colours
+        // would be a fault. The page follows the system from dark to light; that it also follows it back, and begins in the
+        // light, is a test of its own.
+        self.open(WIDE, Medium::Dark);
         self.browser.evaluate(&format!("geneva.load({})", json!(address(&crate::path(AXE)))));
-        let read = self.browser.evaluate("geneva.content()");
-        self.check("geneva.keyboard()");
-        // The page follows the system from light to dark; that it also begins in the dark is a test of its own. From one way to
-        // the next only one thing changes, the width or the colours: each has the browser look up all styles anew.
-        for (k, width) in WIDTHS.into_iter().enumerate() {
-            let media = [Medium::Light, Medium::Dark];
-            for medium in [media[k % 2], media[1 - k % 2]] {
-                self.turn(width, medium);
-                if width < WIDE {
-                    self.browser.evaluate("geneva.closeList()");
-                }
-                self.boxes();
-                match (width, medium) {
-                    (WIDE, _) => self.check("geneva.contrast()"),
-                    (PHONE, Medium::Light) => self.check(&format!("geneva.targets({TARGET})")),
-                    _ => {}
-                }
-            }
-        }
+        self.check(&[self.boxes(), vec!["contrast()".to_owned(), "schemes()".to_owned()]].concat());
         self.turn(SHEET, Medium::Paper);
-        self.boxes();
-        self.turn(WIDE, Medium::Light);
-        self.browser.evaluate("geneva.openList()");
-        self.check("geneva.accessibility()");
+        self.check(&self.boxes());
+        let mut read = Value::Null;
+        for width in WIDTHS {
+            self.turn(width, Medium::Light);
+            let list = if width < WIDE { "closeList()" } else { "openList()" };
+            let mut checks = [vec![list.to_owned()], self.boxes()].concat();
+            match width {
+                PHONE => checks.push(format!("targets({TARGET})")),
+                WIDE => checks.extend(["content()", "keyboard()", "contrast()", "accessibility()"].map(str::to_owned)),
+                _ => {}
+            }
+            read = self.check(&checks);
+        }
         self.without_scripts(&read);
     }
 
@@ -228,7 +230,7 @@ impl Look<'_> {
     fn without_scripts(&mut self, read: &Value) {
         self.browser.run_scripts(false);
         self.open(WIDE, Medium::Light);
-        let left = self.browser.evaluate("geneva.content()");
+        let left = self.check(&["content()".to_owned()]);
         self.browser.run_scripts(true);
         for part in ["counts", "text"] {
             let [with, without] = [read, &left].map(|of| of[part].as_str().unwrap_or_default());
@@ -302,9 +304,9 @@ fn views(all: &BTreeMap<(Medium, u32), &str>) -> String {
         let much = if much.is_empty() { String::new() } else { format!(" ({much})") };
         media.entry(*medium).or_default().push(format!("{width}{much}"));
     }
-    if media.get(&Medium::Light) == media.get(&Medium::Dark) {
-        media.remove(&Medium::Dark);
-    }
+    // What is wrong in the light, too, needs no mention.
+    let light = media.get(&Medium::Light).cloned().unwrap_or_default();
+    media.retain(|medium, widths| *medium != Medium::Dark || widths.iter().any(|width| !light.contains(width)));
     let ways = media.into_iter().map(|(medium, widths)| format!("{medium:?} {}", widths.join(" ")));
     ways.collect::<Vec<_>>().join(", ")
 }

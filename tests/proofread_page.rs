@@ -1,7 +1,7 @@
 //! Does the page that proofreads a text show what the library finds, whatever is pasted, and send it nowhere?
 
 use crate::browser::devtools::{Browser, Medium};
-use crate::live::module::{module, served};
+use crate::live::module::{BROKEN, module, served};
 use geneva_proofread_page::{MOST_BYTES, answer, too_long};
 use serde_json::{Value, json};
 
@@ -63,6 +63,18 @@ const TEXTS: [(&str, &str); 7] = [
     ("plain", "F = (2.0 kg)(3.0 m/s²) = 7.0 N\n1.5e-3 * 2 = 3.1e-3\n"),
     ("plain", "a < b and nothing else"),
 ];
+
+#[test]
+fn a_paste_is_checked_at_once_and_what_is_typed_after_a_pause() {
+    let Some(mut browser) = opened() else { return };
+    let busy = of(
+        &mut browser,
+        "(async () => { const by = inputType => { area.value = '2 + 2 = 5'; area.dispatchEvent(new InputEvent('input', { bubbles: \
+         true, inputType })); return place.hasAttribute('aria-busy') }; const typed = by('insertText'), pasted = \
+         by('insertFromPaste'); await settled(); return [typed, pasted, found().length] })()",
+    );
+    assert_eq!(busy, json!([false, true, 1]));
+}
 
 #[test]
 fn the_example_stands_as_the_script_shows_it() {
@@ -279,8 +291,9 @@ fn options_change_the_result_and_it_can_be_copied() {
 #[test]
 fn a_module_that_traps_or_never_ends_is_replaced_and_the_page_says_so() {
     let Some(mut browser) = opened() else { return };
-    for (ask, why) in [(&[0x00][..], "unreachable"), (&[0x03, 0x40, 0x0c, 0, 0x0b, 0x41, 0], "no answer within 5 s")] {
+    for (ask, why, before) in BROKEN {
         open(&mut browser);
+        browser.evaluate(before);
         let shown = of(
             &mut browser,
             &format!(

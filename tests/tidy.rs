@@ -2,6 +2,7 @@
 
 mod examples;
 mod units;
+mod words;
 
 use geneva_ledger::numeric_tokens;
 use toml::Table;
@@ -16,13 +17,28 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("figures", &["kinematics", "dynamics", "mimic", "case1973"]),
     ("proofread", &[]),
     ("workshop", &["kinematics"]),
-    ("live", &["kinematics", "dynamics", "mimic", "case1973", "figures", "workshop"]),
+    ("ask", &["kinematics", "dynamics", "figures", "workshop"]),
+    ("live", &["kinematics", "dynamics", "mimic", "case1973", "figures", "ask"]),
     (
         "press",
-        &["kinematics", "dynamics", "mimic", "case1973", "ledger", "figures", "live", "proofread", "proofread-page"],
+        &[
+            "kinematics",
+            "dynamics",
+            "mimic",
+            "case1973",
+            "ledger",
+            "figures",
+            "ask",
+            "live",
+            "proofread",
+            "proofread-page",
+        ],
     ),
     ("proofread-page", &["proofread"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"]),
+    (
+        "geneva",
+        &["kinematics", "dynamics", "mimic", "ledger", "figures", "ask", "proofread", "workshop", "live", "press"],
+    ),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
@@ -144,6 +160,7 @@ fn no_printed_decimal_stands_outside_the_ledger() {
         "crates/case1973",
         "crates/figures",
         "crates/workshop",
+        "crates/ask",
         "crates/press",
         "crates/geneva",
         "tests",
@@ -176,6 +193,7 @@ fn formulas_use_no_mathematics_of_the_platform() {
         "crates/ledger/src",
         "crates/figures/src",
         "crates/workshop/src",
+        "crates/ask/src",
         "crates/proofread/src",
     ] {
         for (path, text) in crate::files(package, &[".rs"]) {

@@ -1,6 +1,7 @@
 //! Does `geneva wheel` say what the kinematics say, and does it refuse what they refuse?
 
 mod cycle;
+mod everywhere;
 mod idle;
 mod loads;
 mod parts;
@@ -68,8 +69,9 @@ const OF_SIZE: [&str; 38] = [
 /// What needs speed and size.
 const OF_KNOCK: [&str; 3] = ["knock_mm_s", "knock_within_backlash_mm_s", "greatest_knock_mm_s"];
 /// What needs speed and inertia.
-const OF_LOAD: [&str; 14] = [
+const OF_LOAD: [&str; 15] = [
     "inertia_kgm2",
+    "entry_wheel_torque_nm",
     "peak_wheel_torque_nm",
     "peak_wheel_torque_at_deg",
     "peak_crank_torque_nm",

@@ -166,13 +166,14 @@
     };
     form.addEventListener('click', event => actions[event.target.dataset.do]?.());
     form.addEventListener('submit', event => event.preventDefault());
-    form.addEventListener('input', ({ target }) => {
+    form.addEventListener('input', ({ target, inputType }) => {
         if (target === area) {
             // What is typed over a file is no longer of its kind only if nothing of it is left.
             if (area.value === '') {
                 [extension, from.textContent] = ['', ''];
             }
-            soon();
+            // Nobody waits for the end of a paste.
+            inputType === 'insertFromPaste' ? check() : soon();
         }
     });
     form.addEventListener('change', ({ target }) => {

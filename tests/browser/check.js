@@ -29,13 +29,31 @@ const geneva = (() => {
     };
     const fault = (kind, element, what) => ({ kind, at: element ? place(element) : 'page', what });
 
+    const hide = () => document.documentElement.style.setProperty('display', 'none');
+
     /**
-     * Opens everything that is folded, and waits for what is loaded then. What is off the screen is laid out, too.
+     * What some checks find. Before and after these the page is hidden: nothing is painted that nobody looks at, and what
+     * changes its width and its colours lays it out once.
+     */
+    const shown = async (...checks) => {
+        document.documentElement.style.removeProperty('display');
+        const found = [];
+        for (const check of checks) {
+            found.push(await check());
+        }
+        hide();
+        return found;
+    };
+
+    /**
+     * Opens everything that is folded, and waits for what is loaded then. What is off the screen is laid out, too. The page is
+     * hidden until it is checked.
      *
      * What is asked for in a list of claims is made alike for all claims of a kind and a verdict: of these it opens the first,
      * and every one that shows formulas.
      */
     const unfold = async () => {
+        hide();
         const looks = new Set();
         const isOpened = details => {
             const row = details.closest('.claims > li');
@@ -58,10 +76,14 @@ const geneva = (() => {
         document.querySelector('#mdbook-sidebar-toggle-anchor:checked')?.click();
         // Or the next page would open without it.
         localStorage.removeItem('mdbook-sidebar');
+        return [];
     };
 
     /** Opens it again. */
-    const openList = () => document.querySelector('#mdbook-sidebar-toggle-anchor:not(:checked)')?.click();
+    const openList = () => {
+        document.querySelector('#mdbook-sidebar-toggle-anchor:not(:checked)')?.click();
+        return [];
+    };
 
     /** What is wider than its box. `scrolling`: the elements that may be, since they scroll by design. */
     const tooWide = scrolling => {
@@ -140,6 +162,41 @@ const geneva = (() => {
                 found.push(fault('note', note, `is wider than its box, by ${note.scrollWidth - note.clientWidth} px`));
             }
             note.hidePopover();
+        }
+        return found;
+    };
+
+    /** Whether a declaration changes the colours of what is shown, and nothing of its size or place. */
+    const isOfColours = (name, value) => /^(?:color|color-scheme|background-[a-z-]+|fill|stroke|filter|opacity|box-shadow)$|-color$/.test(name)
+        || name.startsWith('--') && (CSS.supports('color', value) || CSS.supports('filter', value) || /^(?:light|dark)$/.test(value));
+
+    /**
+     * What a style changes, besides colours, between light and dark: the names of mdBook's themes are classes. So boxes that are
+     * right in the one are right in the other.
+     */
+    const schemes = () => {
+        const found = [];
+        const look = (rules, isAlready) => {
+            for (const rule of rules) {
+                const isOne = isAlready || /prefers-color-scheme/.test(rule.media?.mediaText)
+                    || /\.(?:light|rust|coal|navy|ayu)\b/.test(rule.selectorText);
+                for (const name of isOne ? rule.style ?? [] : []) {
+                    if (!isOfColours(name, rule.style.getPropertyValue(name).trim())) {
+                        found.push({ kind: 'scheme', at: rule.selectorText, what: `sets ${name} for light or dark alone` });
+                    }
+                }
+                look(rule.cssRules ?? [], isOne);
+            }
+        };
+        for (const sheet of document.styleSheets) {
+            try {
+                look(sheet.cssRules, /prefers-color-scheme/.test(sheet.media.mediaText));
+            } catch {
+                found.push(fault('scheme', null, `a style cannot be read, ${sheet.href}`));
+            }
+        }
+        for (const source of document.querySelectorAll('[media*="prefers-color-scheme"]:not(style, link, meta)')) {
+            found.push(fault('scheme', source, 'shows something else in light or dark'));
         }
         return found;
     };
@@ -280,32 +337,35 @@ const geneva = (() => {
         }));
     };
 
-    /** The looks or rows that were good on an earlier page. */
+    /** The looks or parts that were good on an earlier page. */
     const known = name => new Set(JSON.parse(localStorage.getItem(name) ?? '[]'));
     const learn = (name, all) => localStorage.setItem(name, JSON.stringify([...all]));
 
     /**
      * What axe-core finds, colours aside. Its time goes with the number of elements. So what it has no rule for is left out,
-     * the parts of formulas, drawings and code; and of rows that differ in their words only it sees one. The page is
-     * of no use afterwards.
+     * the parts of formulas, drawings and code; and of rows, paragraphs, items and figures that differ in their words and
+     * in the names and sizes of their parts only, and are in the same place of a page, it sees one. The page is of no use afterwards.
      */
     const accessibility = async () => {
         // Where the page begins, its bar covers nothing that can be pressed.
         window.scrollTo({ top: 0, behavior: 'instant' });
         main().querySelectorAll('math, pre > code').forEach(of => { of.textContent = of.textContent; });
         main().querySelectorAll('svg > :not(title, desc)').forEach(of => of.remove());
-        const rows = known('good rows');
-        for (const row of main().querySelectorAll('tbody tr, .claims > li')) {
-            const alike = row.outerHTML.replace(/>[^<]+</g, '>x<').replace(/="[^"]+"/g, '="x"');
-            if (rows.has(alike)) {
-                row.remove();
-            }
-            rows.add(alike);
+        const words = />[^<]+</g;
+        const names = / (id|href|src|title|for|name|value|width|height|viewBox|popovertarget|aria-(?:label|labelledby|describedby|controls)|data-[\w-]+)="[^"]+"/g;
+        const around = of => of && of !== document.body ? `${around(of.parentElement)} ${of.localName}.${of.className}` : '';
+        const seen = known('good parts');
+        const skipped = [];
+        for (const part of document.querySelectorAll('tbody tr, main li, main p, main figure, nav li')) {
+            const alike = `${around(part.parentElement)} ${part.outerHTML.replace(words, '>x<').replace(names, ' $1="x"')}`;
+            (seen.has(alike) ? skipped : []).push(part);
+            seen.add(alike);
         }
+        skipped.forEach(of => of.remove());
         const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
         const found = await axeFinds(document, { type: 'tag', values: tags }, { rules: { 'color-contrast': { enabled: false } } });
-        if (found.every(({ at }) => !/\btr\b|\bli\b/.test(at))) {
-            learn('good rows', rows);
+        if (found.every(({ at }) => !/\b(?:tr|li|p|figure|nav)\b/.test(at))) {
+            learn('good parts', seen);
         }
         return found;
     };
@@ -382,5 +442,5 @@ const geneva = (() => {
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 
-    return { unfold, closeList, openList, tooWide, drawings, targets, notes, labels, keyboard, load, accessibility, contrast, content };
+    return { unfold, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, keyboard, load, accessibility, contrast, content };
 })();

@@ -47,7 +47,7 @@ pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
         .with([
             (r"\dot\theta", speed),
             (r"\dot\varphi", triangle.follower_speed),
-            (r"\ddot\varphi", -rates.turning_rate),
+            (r"\ddot\varphi", -rates.angular_acceleration),
         ])
         .with([("x", vectors.position.x), ("y", vectors.position.y)])
         .with([(r"\dot x", vectors.pin_velocity.x), (r"\dot y", vectors.pin_velocity.y)])
@@ -74,7 +74,7 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     let distance = rates.position.norm();
     Moment::default()
         .with([(r"\dot r", rates.sliding * distance), (r"\ddot r", rates.sliding_rate * distance)])
-        .with([(r"\dot\theta", speed), (r"\dot\varphi", turning), (r"\ddot\varphi", rates.turning_rate)])
+        .with([(r"\dot\theta", speed), (r"\dot\varphi", turning), (r"\ddot\varphi", rates.angular_acceleration)])
         .with([("l", ground), ("R", crank), ("r", position.pin_distance), (r"\varphi", lever)])
         .with([(r"\theta", position.crank.radians() - PI), (r"\beta", position.angle_at_pin())])
         .with([("v_2", velocities.pin_velocity.norm())])

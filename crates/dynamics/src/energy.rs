@@ -41,9 +41,9 @@ fn pose_of_pair<S: Field>(crank: &Turn<S>) -> Pose<S> {
     let radius_squared = crank.cos.clone() * crank.cos.clone() + crank.sin.clone() * crank.sin.clone();
     Pose {
         numerator: crank.cos.clone() - radius_squared.clone(),
-        cross: crank.sin.clone(),
-        square: along.clone() * along + crank.sin.clone() * crank.sin.clone(),
-        shape: radius_squared - S::one(),
+        k_sin_theta: crank.sin.clone(),
+        radius_squared: along.clone() * along + crank.sin.clone() * crank.sin.clone(),
+        one_minus_k_squared: radius_squared - S::one(),
     }
 }
 
@@ -80,7 +80,7 @@ impl Identity<7> for EnergyBalance {
         let pose = Pose::from_square(&square, &numerator, &cross);
         let moving = pose.moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
         let follower = moving.velocity_ratio() * Jet::from_coefficients([Expression::ONE, angular_acceleration]);
-        let sliding = moving.square.rate() / 2;
+        let sliding = moving.radius_squared.rate() / 2;
         let lost = self.normal.of(follower.rate()) * self.sliding.of(sliding) / square;
         let growth = inertia * angular_acceleration + follower.value() * follower.rate();
         let balance = growth - drive + friction * lost;

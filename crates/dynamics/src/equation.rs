@@ -69,7 +69,7 @@ pub fn coefficient_b<S: Field>(pose: &Pose<S>) -> S {
 /// ```
 #[inline]
 pub fn coefficient_c<S: Field>(pose: &Pose<S>, friction: &S) -> S {
-    friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.acceleration_ratio()
+    friction.clone() * (pose.k_sin_theta.clone() / pose.radius_squared.clone()) * pose.acceleration_ratio()
 }
 
 /// D: friction from the acceleration, μ a sin θ (a cos θ − 1) / R⁴, dimensionless. Meyer 1973, after (1-18).
@@ -85,7 +85,7 @@ pub fn coefficient_c<S: Field>(pose: &Pose<S>, friction: &S) -> S {
 /// ```
 #[inline]
 pub fn coefficient_d<S: Field>(pose: &Pose<S>, friction: &S) -> S {
-    friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.velocity_ratio()
+    friction.clone() * (pose.k_sin_theta.clone() / pose.radius_squared.clone()) * pose.velocity_ratio()
 }
 
 /// The five coefficients of Eq. (1-19) at one crank angle.

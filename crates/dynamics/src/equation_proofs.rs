@@ -5,11 +5,11 @@
 //!
 //! ```
 //! use geneva_dynamics::Sign;
-//! use geneva_dynamics::equation_proofs::{SignDecider, SolutionOfOneSign};
+//! use geneva_dynamics::equation_proofs::{SwitchingFunctionDecidesSign, SolutionOfOneSign};
 //! use geneva_kinematics::prove;
 //!
 //! for sign in Sign::BOTH {
-//!     assert!(prove(&SolutionOfOneSign(sign)).is_ok() && prove(&SignDecider(sign)).is_ok());
+//!     assert!(prove(&SolutionOfOneSign(sign)).is_ok() && prove(&SwitchingFunctionDecidesSign(sign)).is_ok());
 //! }
 //! ```
 
@@ -36,12 +36,12 @@ impl Identity<6> for SolutionOfOneSign {
 
 /// (A + S D) (C θ'² + D θ'') = A C θ'² + D (E − B θ'²) for the solution of either sign. Variables: A + D, A − D, B, C,
 /// E, θ'.
-pub struct SignDecider(
+pub struct SwitchingFunctionDecidesSign(
     /// The sign of the bars.
     pub Sign,
 );
 
-impl Identity<6> for SignDecider {
+impl Identity<6> for SwitchingFunctionDecidesSign {
     fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
         let coefficients = of_slopes([plus, minus, b, c, e]);
         let angular_acceleration = coefficients.acceleration_with(&speed, self.0);

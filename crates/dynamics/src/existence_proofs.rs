@@ -22,10 +22,10 @@ impl Identity<2> for HalfEngagement {
     fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&half));
         if self.radius {
-            pose.square + pose.shape + 2 * pose.numerator
+            pose.radius_squared + pose.one_minus_k_squared + 2 * pose.numerator
         } else {
             let along = 1 + pose.numerator;
-            pose.cross * pose.cross - (ratio * ratio - along * along)
+            pose.k_sin_theta * pose.k_sin_theta - (ratio * ratio - along * along)
         }
     }
 }
@@ -124,8 +124,8 @@ pub struct MarginDerivative;
 impl Identity<4> for MarginDerivative {
     fn difference(&self, [square, h, g, friction]: [Expression; 4]) -> Expression {
         let moving = Pose::from_square(&square, &h, &g).moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
-        let reach = Jet::constant(friction) * moving.cross - moving.numerator;
-        let worst = moving.numerator * reach / moving.square / moving.square;
+        let reach = Jet::constant(friction) * moving.k_sin_theta - moving.numerator;
+        let worst = moving.numerator * reach / moving.radius_squared / moving.radius_squared;
         let g2 = g * g;
         let bracket = (g2 - h * h - h) * square + 4 * g2 * h;
         let geometry = 2 * h * g * (square + 2 * h);

@@ -66,8 +66,9 @@ impl Parameters {
         let angular_acceleration = self.acceleration(angle, speed)?.value;
         let pose = self.pose(angle);
         let follower_acceleration = pose.follower_acceleration(&speed, &angular_acceleration);
-        let normal_moment = self.inertias().follower() * follower_acceleration / pose.square.sqrt();
-        let friction_torque = self.friction() * normal_moment.abs() * moment_arm_ratio(pose.cross, pose.square);
+        let normal_moment = self.inertias().follower() * follower_acceleration / pose.radius_squared.sqrt();
+        let friction_torque =
+            self.friction() * normal_moment.abs() * moment_arm_ratio(pose.k_sin_theta, pose.radius_squared);
         let flank = match normal_moment {
             moment if moment > 0.0 => Flank::Leading,
             moment if moment < 0.0 => Flank::Trailing,

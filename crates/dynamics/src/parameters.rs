@@ -129,7 +129,7 @@ impl Parameters {
     /// The pose at a crank angle in radians from the line of centres.
     pub fn pose(&self, angle: f64) -> Pose<f64> {
         let pose = Pose::new(&self.mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
-        Pose { shape: 1.0 - self.mechanism.centre_distance_ratio_squared(), ..pose }
+        Pose { one_minus_k_squared: 1.0 - self.mechanism.centre_distance_ratio_squared(), ..pose }
     }
 
     /// Coefficients of Eq. (1-19) at a crank angle in radians from the line of centres.

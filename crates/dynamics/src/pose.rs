@@ -9,9 +9,9 @@ use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 /// use geneva_dynamics::Pose;
 /// use geneva_kinematics::{Jet, Turn, rational};
 ///
-/// // a = 2 and the crank at cosine 3/5, sine 4/5, without rounding.
+/// // k = 2 and the crank at cosine 3/5, sine 4/5, without rounding.
 /// let pose = Pose::new(&rational(2, 1), &Turn::from_half_tangent(&rational(1, 2)));
-/// assert_eq!((pose.numerator.clone(), pose.square.clone()), (rational(1, 5), rational(13, 5)));
+/// assert_eq!((pose.numerator.clone(), pose.radius_squared.clone()), (rational(1, 5), rational(13, 5)));
 /// assert_eq!(pose.velocity_ratio(), rational(1, 13));
 /// // The acceleration ratio is the rate of the velocity ratio.
 /// let moving = pose.moving_by(&Jet::<_, 2>::variable(rational(0, 1)));
@@ -19,15 +19,15 @@ use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
-    /// a cos θ − 1, dimensionless: zero as the pin enters and leaves, positive between.
+    /// k cos θ − 1, dimensionless, with the centre distance k in crank radii (a in Meyer 1973): zero as the pin enters and leaves, positive between.
     pub numerator: S,
-    /// a sin θ, dimensionless: half the rate of change of `square` with θ.
-    pub cross: S,
-    /// 1 + a² − 2 a cos θ, the square of the pin's distance from the follower's pivot over that of the crank radius,
+    /// k sin θ, dimensionless: half the rate of change of `radius_squared` with θ.
+    pub k_sin_theta: S,
+    /// 1 + k² − 2 k cos θ, the square of the pin's distance from the follower's pivot over that of the crank radius,
     /// dimensionless.
-    pub square: S,
-    /// 1 − a², dimensionless, negative for centres farther apart than a crank radius.
-    pub shape: S,
+    pub radius_squared: S,
+    /// 1 − k², dimensionless, negative for centres farther apart than a crank radius.
+    pub one_minus_k_squared: S,
 }
 
 impl<S: Field> Pose<S> {
@@ -36,30 +36,30 @@ impl<S: Field> Pose<S> {
     pub fn new(ratio: &S, crank: &Turn<S>) -> Self {
         Self {
             numerator: ratio.clone() * crank.cos.clone() - S::one(),
-            cross: ratio.clone() * crank.sin.clone(),
-            square: pin_slot::slot_radius_squared(ratio, crank),
-            shape: S::one() - ratio.clone() * ratio.clone(),
+            k_sin_theta: ratio.clone() * crank.sin.clone(),
+            radius_squared: pin_slot::slot_radius_squared(ratio, crank),
+            one_minus_k_squared: S::one() - ratio.clone() * ratio.clone(),
         }
     }
 
-    /// The pose from R² / r², a cos θ − 1 and a sin θ. The law of cosines gives the fourth number, `shape` = 1 − a², which is
-    /// −(`square` + 2 `numerator`).
+    /// The pose from the squared distance of the pin in crank radii, k cos θ − 1 and k sin θ. The law of cosines gives the fourth
+    /// number, `one_minus_k_squared` = −(`radius_squared` + 2 `numerator`).
     ///
     /// For exact proofs: with the square as a variable of its own, degrees stay low. The three are bound by
-    /// `square` = `numerator`² + `cross`²; what is proven without using that holds all the more with it.
+    /// `radius_squared` = `numerator`² + `k_sin_theta`²; what is proven without using that holds all the more with it.
     pub fn from_square(square: &S, numerator: &S, cross: &S) -> Self {
         Self {
             numerator: numerator.clone(),
-            cross: cross.clone(),
-            square: square.clone(),
-            shape: -(square.clone() + S::integer(2) * numerator.clone()),
+            k_sin_theta: cross.clone(),
+            radius_squared: square.clone(),
+            one_minus_k_squared: -(square.clone() + S::integer(2) * numerator.clone()),
         }
     }
 
     /// Angular velocity of the follower over that of the driver, dimensionless. Meyer 1973, Eq. (1-7).
     #[inline]
     pub fn velocity_ratio(&self) -> S {
-        self.numerator.clone() / self.square.clone()
+        self.numerator.clone() / self.radius_squared.clone()
     }
 
     /// Angular acceleration of the follower over the square of a constant speed of the driver, dimensionless.
@@ -67,7 +67,9 @@ impl<S: Field> Pose<S> {
     /// Meyer 1973, Eq. (1-8).
     #[inline]
     pub fn acceleration_ratio(&self) -> S {
-        self.cross.clone() * self.shape.clone() / self.square.clone() / self.square.clone()
+        self.k_sin_theta.clone() * self.one_minus_k_squared.clone()
+            / self.radius_squared.clone()
+            / self.radius_squared.clone()
     }
 
     /// Angular acceleration of the follower for a driver of this speed and acceleration, in the unit of the latter.
@@ -90,7 +92,7 @@ impl<S: Field> Pose<S> {
     ///
     /// (a cos θ, a sin θ) turns like any direction, and R² changes as −2 a cos θ does.
     pub fn moving_by<const N: usize>(&self, advance: &Jet<S, N>) -> Pose<Jet<S, N>> {
-        let pair = Turn { cos: self.numerator.clone() + S::one(), sin: self.cross.clone() }.moving_by(advance);
+        let pair = Turn { cos: self.numerator.clone() + S::one(), sin: self.k_sin_theta.clone() }.moving_by(advance);
         let from = |start: &S, factor: i64, series: &Jet<S, N>| {
             Jet::from_coefficients(std::array::from_fn(|k| match k {
                 0 => start.clone(),
@@ -99,9 +101,9 @@ impl<S: Field> Pose<S> {
         };
         Pose {
             numerator: from(&self.numerator, 1, &pair.cos),
-            cross: pair.sin.clone(),
-            square: from(&self.square, -2, &pair.cos),
-            shape: Jet::constant(self.shape.clone()),
+            k_sin_theta: pair.sin.clone(),
+            radius_squared: from(&self.radius_squared, -2, &pair.cos),
+            one_minus_k_squared: Jet::constant(self.one_minus_k_squared.clone()),
         }
     }
 }

@@ -34,9 +34,9 @@ fn a_pair_of_any_length_gives_the_same_coefficients() {
     let place = pin_slot::pin_from_pivot(&one, &pair);
     let pose = Pose {
         numerator: pair.cos.clone() - squares.clone(),
-        cross: pair.sin.clone(),
-        square: place.dot(&place),
-        shape: squares - one,
+        k_sin_theta: pair.sin.clone(),
+        radius_squared: place.dot(&place),
+        one_minus_k_squared: squares - one,
     };
     let [inertia, friction, drive] = [rational(1, 3), rational(2, 5), rational(7, 2)];
     assert_eq!(

@@ -3,14 +3,14 @@
 use crate::proving::holds;
 use geneva_dynamics::Sign;
 use geneva_dynamics::equation_proofs::InOneFormula;
-use geneva_dynamics::equation_proofs::{SignDecider, Slope, SolutionOfOneSign, SolutionsMeet};
+use geneva_dynamics::equation_proofs::{Slope, SolutionOfOneSign, SolutionsMeet, SwitchingFunctionDecidesSign};
 
 #[test]
 fn the_sign_and_the_single_solution_are_proven() {
     holds("solutions meet", &SolutionsMeet);
     for sign in Sign::BOTH {
         holds("solution", &SolutionOfOneSign(sign));
-        holds("sign", &SignDecider(sign));
+        holds("sign", &SwitchingFunctionDecidesSign(sign));
         holds("one formula", &InOneFormula(sign));
         holds("slope", &Slope(sign));
     }

@@ -20,7 +20,7 @@ fn the_driver_balances_torque_inertia_and_friction() {
                 let angular_acceleration = escapement.acceleration(angle, speed).expect("one acceleration").value;
                 // Moments about the driver's axis: the normal force has the arm R φ'/θ'.
                 let pose = escapement.pose(angle);
-                let reaction = forces.normal_moment * pose.square.sqrt() * pose.velocity_ratio();
+                let reaction = forces.normal_moment * pose.radius_squared.sqrt() * pose.velocity_ratio();
                 let balance = 2.0 - reaction - forces.friction_torque - 3.0 * angular_acceleration;
                 assert!(balance.abs() < 1e-12 * (1.0 + speed * speed), "{mechanism:?} {angle} {speed} {balance}");
             }

@@ -25,7 +25,7 @@ fn a_pose_moves_as_its_angle_does() {
 #[test]
 fn three_numbers_of_a_pose_give_the_fourth() {
     let pose = Pose::new(&rational(9, 5), &Turn::from_half_tangent(&rational(2, 7)));
-    assert_eq!(Pose::from_square(&pose.square, &pose.numerator, &pose.cross), pose);
-    let sum = pose.numerator.clone() * pose.numerator + pose.cross.clone() * pose.cross;
-    assert_eq!(sum, pose.square);
+    assert_eq!(Pose::from_square(&pose.radius_squared, &pose.numerator, &pose.k_sin_theta), pose);
+    let sum = pose.numerator.clone() * pose.numerator + pose.k_sin_theta.clone() * pose.k_sin_theta;
+    assert_eq!(sum, pose.radius_squared);
 }

@@ -110,7 +110,7 @@ fn an_energy_balance_gives_the_same_greatest_normal_force() {
         let middle = (w[0].angle + w[1].angle) / 2.0;
         let energy = (w[1].follower_speed * w[1].follower_speed - w[0].follower_speed * w[0].follower_speed) / 2.0;
         let (pose, turned) = (of.pose(middle), w[1].angle - w[0].angle);
-        energy / (pose.velocity_ratio() * turned) / pose.square.sqrt()
+        energy / (pose.velocity_ratio() * turned) / pose.radius_squared.sqrt()
     });
     let strongest = by_energy.fold(0.0_f64, |most, n| if n.abs() > most.abs() { n } else { most });
     assert_relative_eq!(found.value, strongest, max_relative = 3e-3);

@@ -10,6 +10,8 @@ use geneva_ledger::Verdict;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
+pub use geneva_ask::written::count;
+
 /// Characters in a line of text.
 pub const WIDTH: usize = 100;
 
@@ -179,11 +181,6 @@ pub fn cut(text: &str, width: usize) -> String {
     }
     let kept: String = text.chars().take(width.saturating_sub(1)).collect();
     format!("{kept}…")
-}
-
-/// "1 claim", "2 claims".
-pub fn count(number: usize, thing: &str) -> String {
-    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
 #[cfg(test)]

@@ -10,6 +10,8 @@ use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
+pub use geneva_ask::written::{as_typed, rounded};
+
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
 
@@ -130,36 +132,6 @@ fn computable(text: &str, value: f64) -> Result<f64, String> {
     ))
 }
 
-/// A number that was typed, with all its digits, in a form that can be typed again.
-pub fn as_typed(value: f64) -> String {
-    let written = format!("{value:?}");
-    written.strip_suffix(".0").map_or(written.clone(), str::to_owned)
-}
-
-/// A computed limit in a message, to six significant digits: never below it, so that what is said of it holds.
-pub fn rounded_up(limit: f64) -> String {
-    six_digits(limit, 1.0)
-}
-
-/// A computed limit in a message, to six significant digits: never above it, so that a number up to it is accepted.
-pub fn rounded_down(limit: f64) -> String {
-    six_digits(limit, -1.0)
-}
-
-/// `limit` to six significant digits, never on the other side of it than `side`, which is 1 or −1.
-fn six_digits(limit: f64, side: f64) -> String {
-    let nearest: f64 = format!("{limit:.5e}").parse().unwrap_or(limit);
-    let exponent = format!("{limit:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    let half = 0.5 * 10_f64.powi(exponent.unwrap_or(0) - 5);
-    let is_safe = (nearest - limit) * side >= 0.0;
-    as_typed(if is_safe { nearest } else { format!("{:.5e}", limit + side * half).parse().unwrap_or(limit) })
-}
-
-/// The number that a reader would have typed: rounded to fifteen digits, which any number between typed ones may need.
-pub fn rounded(value: f64) -> f64 {
-    format!("{value:.14e}").parse().unwrap_or(value)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -171,11 +143,6 @@ mod tests {
         }
         assert_eq!(number(" −7 "), Some(-7.0));
         assert_eq!(number("0,3"), None);
-        assert_eq!([0.1 + 0.2, 3e-4 * 3.0, 0.0].map(rounded), [0.3, 9e-4, 0.0]);
-        let limits = [0.424_956_373_400_169_8, 0.424_956_9, 2.0, 1.6e-16, 0.999_999_9].map(rounded_up);
-        assert_eq!(limits, ["0.424957", "0.424957", "2", "1.6e-16", "1"]);
-        let limits = [19.471_220_634_490_69, 25.714_285_714_285_715, 90.0, 13.846_153_846_153_847].map(rounded_down);
-        assert_eq!(limits, ["19.4712", "25.7142", "90", "13.8461"]);
     }
 
     #[test]

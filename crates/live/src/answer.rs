@@ -1,5 +1,7 @@
 //! What a figure answers.
 
+use crate::control::Quantity;
+use geneva_ask::{Field, Rounding};
 use geneva_figures::Figure;
 
 /// A drawing and its numbers.
@@ -9,6 +11,8 @@ pub struct Answer {
     pub figure: Figure,
     /// What is told beside it.
     pub numbers: Vec<Number>,
+    /// What is told, too, that isn't one of the figure's own quantities.
+    pub further: Vec<Quantity>,
     /// Where controls stand that follow the others.
     pub followers: Vec<(&'static str, f64)>,
     /// What is to be said of the setting, if anything.
@@ -40,7 +44,8 @@ pub struct Progress {
 impl Answer {
     /// A drawing and its numbers.
     pub fn new(figure: Figure, numbers: impl IntoIterator<Item = Number>) -> Self {
-        Self { figure, numbers: numbers.into_iter().collect(), followers: Vec::new(), message: None, progress: None }
+        let (numbers, further, followers) = (numbers.into_iter().collect(), Vec::new(), Vec::new());
+        Self { figure, numbers, further, followers, message: None, progress: None }
     }
 
     /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
@@ -109,6 +114,16 @@ impl Number {
     pub fn significant(name: &'static str, value: f64, digits: usize, unit: &str) -> Self {
         let magnitude = if value == 0.0 || !value.is_finite() { 0.0 } else { libm::floor(libm::log10(value.abs())) };
         Self::new(name, value, (digits as f64 - 1.0 - magnitude).clamp(0.0, 12.0) as usize, unit)
+    }
+
+    /// The number of an answer's field, rounded as the field says, with its unit.
+    pub fn of(name: &'static str, field: &Field) -> Option<Self> {
+        let value = field.number()?;
+        Some(match field.rounding {
+            Rounding::Significant(digits) => Self::significant(name, value, digits, field.unit),
+            Rounding::Decimals(digits) => Self::new(name, value, digits, field.unit),
+            Rounding::Percent(digits) => Self::new(name, 100.0 * value, digits, "%"),
+        })
     }
 }
 

@@ -141,7 +141,7 @@ pub struct Preset {
 }
 
 /// A number that is told.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
     /// Its name in the answer.
     pub name: &'static str,

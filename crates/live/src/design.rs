@@ -1,14 +1,13 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{Answer, Number, shown};
+use crate::answer::{self, Answer, Number};
 use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
-use geneva_dynamics::line_contact::{LineContact, MATERIALS};
+use geneva_ask::Error;
+use geneva_ask::wheel::{Design, Effort, Question};
+use geneva_dynamics::line_contact::MATERIALS;
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::stations;
-use geneva_kinematics::KinematicsError;
-use geneva_kinematics::wheel::{Choices, Contact, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{Layout, dxf};
-use std::f64::consts::TAU;
+use geneva_kinematics::wheel::{Contact, Sizes, Wheel};
 
 pub const LIVE: Live = Live {
     name: "design",
@@ -93,12 +92,15 @@ pub const LIVE: Live = Live {
         File {
             name: "dxf",
             label: "Drawing for the machine (DXF)",
-            make: |settings| Ok(dxf(&sizes(settings)?, Layout::Apart)),
+            make: |settings| design(settings)?.dxf().map_err(words),
         },
         File {
             name: "svg",
             label: "Drawing with sizes (SVG)",
-            make: |settings| Ok(stations::dimensions(&sizes(settings)?).standalone()),
+            make: |settings| {
+                let design = design(settings)?;
+                Ok(stations::dimensions(design.sizes.as_ref().ok_or(NO_SIZES)?).standalone())
+            },
         },
         File { name: "csv", label: "These numbers (CSV)", make: numbers_file },
     ],
@@ -108,37 +110,41 @@ pub const LIVE: Live = Live {
 /// Materials of the wheel, as they are called and in the order of [`MATERIALS`].
 const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze", "acetal"];
 
-fn sizes(settings: &Settings) -> Result<Sizes, String> {
-    let wheel =
-        Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
-    let scale = Scale::CrankRadius(settings.value("radius")?);
-    let choices = Choices {
+/// The wheel of these settings, whose clearances are looked for no longer than a tenth of a second.
+fn design(settings: &Settings) -> Result<Design, String> {
+    let wall = *MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
+    let question = Question {
+        stations: Some(settings.count("stations")?),
+        pins: Some(settings.count("pins")?),
+        crank_radius: Some(settings.value("radius")?),
         pin_diameter: settings.moved("pin")?,
-        play: settings.moved("play")?.map(Play::of),
+        play: settings.moved("play")?,
+        bore_play: settings.moved("bore-play")?,
         wheel_shaft: settings.moved("wheel-shaft")?,
-        ..Choices::default()
+        rpm: Some(settings.value("speed")?),
+        inertia: Some(settings.value("inertia")?),
+        friction_torque: Some(settings.value("friction")?),
+        thickness: Some(settings.value("thickness")?),
+        pin_material: Some(MATERIALS[0]),
+        wheel_material: Some(wall),
+        centre_error: settings.value("error")?,
+        effort: Effort { clearance: 40_000, tolerance: 12_000 },
+        ..Question::default()
     };
-    let sized = |choices: &Choices| Sizes::new(wheel, scale, choices).map_err(|error| error.to_string());
-    match settings.moved("bore-play")? {
-        None => sized(&choices),
-        // The other play is the one that it has without.
-        Some(bore) => {
-            let others = Choices { wheel_shaft: None, ..choices };
-            sized(&Choices { play: Some(Play { bore, ..sized(&others)?.play }), ..choices })
-        }
-    }
+    Design::new(question).map_err(words)
 }
 
-/// Crank angles at which the least clearance is looked for, and clearances with the axes apart, for each of a few turns: a tenth
-/// of a second.
-const ANGLES: u32 = 40_000;
-const ANGLES_EACH: u32 = 12_000;
+/// A wheel without a crank radius, which the control always gives.
+const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radius";
 
-/// What was found, if it was found in time.
-fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, String> {
-    match found {
-        Err(KinematicsError::TooManyAngles { .. }) => Ok(None),
-        found => found.map(Some).map_err(|error| error.to_string()),
+/// An error without the arguments that only the command line has.
+fn words(error: Error) -> String {
+    match error {
+        Error::Sizes { error, .. } => error.to_string(),
+        Error::Kinematics(error) => error.to_string(),
+        Error::Dynamics(error) => error.to_string(),
+        Error::Argument(message) => message,
+        Error::Escapement(_) | Error::Figure(_) => "another mechanism; give a wheel".to_owned(),
     }
 }
 
@@ -153,15 +159,15 @@ fn millimetres(name: &'static str, value: f64) -> Number {
 
 /// Names, values and texts of all numbers, a line for each.
 fn numbers_file(settings: &Settings) -> Result<String, String> {
-    let Answer { numbers, followers, .. } = draw(settings)?;
+    let Answer { numbers, followers, further, .. } = draw(settings)?;
     let label = |name: &str| {
-        let all = LIVE.quantities.iter().chain(LIVE.others);
+        let all = LIVE.quantities.iter().chain(LIVE.others).chain(&further);
         all.into_iter().find(|of| of.name == name).map_or("", |of| of.label)
     };
     let mut lines = vec!["quantity,value,text".to_owned()];
     for control in LIVE.controls {
         let value = match followers.iter().find(|(name, _)| *name == control.name) {
-            Some((_, value)) => shown(*value),
+            Some((_, value)) => answer::shown(*value),
             None => settings.value(control.name)?,
         };
         let text = match control.kind {
@@ -175,11 +181,11 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
 }
 
 fn draw(settings: &Settings) -> Result<Answer, String> {
-    let sizes = sizes(settings)?;
-    let error = settings.value("error")?;
-    let mut numbers = parts(&sizes);
-    let clearance = in_time(sizes.least_clearance_within(sizes.centre_distance + error, ANGLES))?;
-    let tolerance = in_time(sizes.centre_tolerance_within(ANGLES_EACH))?;
+    let design = design(settings)?;
+    let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
+    let mut numbers = parts(sizes);
+    let clearance = design.clearance().map_err(words)?;
+    let tolerance = design.centre_tolerance().map_err(words)?;
     if let Some((nearest, tolerance)) = clearance {
         numbers.push(Number::new("clearance", nearest.distance, decimals(tolerance), "mm"));
         let angle = nearest.crank_angle.to_degrees().abs();
@@ -192,11 +198,13 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
         numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
     }
-    let speed = settings.value("speed")? * TAU / 60.0;
-    loads(settings, &sizes, speed, &mut numbers)?;
-    let is_met = play(&sizes, error, speed * sizes.crank_radius, &mut numbers);
-    let figure = stations::dimensions_on_a_page(&sizes);
+    numbers.extend(loads(&design, &sizes.wheel).map_err(words)?);
+    let is_met = play(sizes, error, design.pin_speed().unwrap_or(f64::NAN), &mut numbers);
+    let figure = stations::dimensions_on_a_page(sizes);
     numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
+    let more = design.on_pages(&sizes.wheel).map_err(words)?;
+    numbers.extend(more.iter().filter_map(|field| Number::of(field.key, field)));
+    let further = more.iter().filter_map(|of| Some(Quantity { name: of.key, label: of.line.as_ref()?.name })).collect();
     let followers = vec![
         ("pin", sizes.pin_diameter),
         ("play", sizes.play.slot),
@@ -204,8 +212,8 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         ("bore-play", sizes.play.bore),
     ];
     let depth = clearance.map(|(nearest, _)| nearest.distance);
-    let message = message(&sizes, error, is_met, depth, clearance.is_none() || tolerance.is_none());
-    Ok(Answer { followers, message, ..Answer::new(figure, numbers) })
+    let message = message(sizes, error, is_met, depth, clearance.is_none() || tolerance.is_none());
+    Ok(Answer { further, followers, message, ..Answer::new(figure, numbers) })
 }
 
 fn parts(sizes: &Sizes) -> Vec<Number> {
@@ -222,34 +230,28 @@ fn parts(sizes: &Sizes) -> Vec<Number> {
 }
 
 /// Times, torques and forces, with the axes at the right distance.
-fn loads(settings: &Settings, sizes: &Sizes, speed: f64, numbers: &mut Vec<Number>) -> Result<(), String> {
-    let told = |error: &dyn std::fmt::Display| error.to_string();
-    let loads = WheelLoads::new(&sizes.wheel, settings.value("inertia")?, settings.value("friction")?, speed)
-        .map_err(|error| told(&error))?;
-    let index = sizes.wheel.indexing_time(speed).map_err(|error| told(&error))?;
-    let dwell = sizes.wheel.dwell_time(speed).map_err(|error| told(&error))?;
-    // A moment at the crank radius, which is in millimetres.
-    let force = 1000.0 * loads.pin_moment().driving.value / sizes.crank_radius;
-    let wall = MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
-    let thickness = settings.value("thickness")?;
-    let contact = LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, &MATERIALS[0], wall);
-    let pressure = contact.and_then(|contact| contact.pressure(force)).map_err(|error| told(&error))?;
-    let own = sizes.outline().wheel.moment_of_inertia(thickness, wall.density).map_err(|error| told(&error))?;
-    for (name, value, digits, unit) in [
-        ("index", index, 4, "s"),
-        ("dwell", dwell, 4, "s"),
-        ("torque", loads.wheel_torque().driving.value, 4, "N m"),
+fn loads(design: &Design, wheel: &Wheel) -> Result<Vec<Number>, Error> {
+    let loads = design.loads(wheel)?;
+    let load = |of: fn(&WheelLoads<Wheel>) -> f64| loads.as_ref().map(of);
+    let times = design.times(wheel)?;
+    let force = load(|loads| loads.pin_moment().driving.value).and_then(|moment| design.force(moment));
+    let pressure = force.map(|force| design.pressure(force)).transpose()?.flatten();
+    let own = design.question.wheel_material.map(|of| design.own_inertia(of.density)).transpose()?.flatten();
+    let all = [
+        ("index", times.map(|[index, _]| index), 4, "s"),
+        ("dwell", times.map(|[_, dwell]| dwell), 4, "s"),
+        ("torque", load(|loads| loads.wheel_torque().driving.value), 4, "N m"),
         ("force", force, 4, "N"),
-        ("crank", loads.crank_torque().driving.value, 4, "N m"),
-        ("rms", loads.rms_crank_torque(), 4, "N m"),
-        ("power", loads.peak_power(), 3, "W"),
-        ("mean", loads.mean_crank_torque(), 3, "N m"),
+        ("crank", load(|loads| loads.crank_torque().driving.value), 4, "N m"),
+        ("rms", load(|loads| loads.rms_crank_torque()), 4, "N m"),
+        ("power", load(|loads| loads.peak_power()), 3, "W"),
+        ("mean", load(|loads| loads.mean_crank_torque()), 3, "N m"),
         ("own", own, 3, "kg m²"),
-        ("pressure", pressure / 1e6, 3, "MPa"),
-    ] {
-        numbers.push(Number::significant(name, value, digits, unit));
-    }
-    Ok(())
+        ("pressure", pressure, 3, "MPa"),
+    ];
+    let number =
+        |(name, value, digits, unit): (_, Option<f64>, _, _)| Some(Number::significant(name, value?, digits, unit));
+    Ok(all.into_iter().filter_map(number).collect())
 }
 
 /// Backlash and blows of a pin of this speed in mm/s; whether the pin meets the slot at all.

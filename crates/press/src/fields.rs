@@ -1,103 +1,16 @@
-//! What is told as data: keys with values, a row of them, JSON and CSV.
-//!
-//! In JSON a list of fields is an object, in CSV a row.
+//! Values under keys as JSON and CSV: in JSON a list of fields is an object, in CSV a row.
 
-use serde::ser::{Serialize, Serializer};
-
-/// What a field says.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Value {
-    /// Nothing is known, or nothing was asked for: null in JSON, an empty cell.
-    Missing,
-    /// Whether something is so.
-    Flag(bool),
-    /// How many.
-    Count(u64),
-    /// A number, which JSON and CSV write with all its digits.
-    Number(f64),
-    /// A word or a sentence.
-    Text(String),
-    /// Several, with semicolons between them in a cell.
-    List(Vec<Value>),
-    /// Fields of its own: columns of their own in CSV; null in JSON if every one of them is missing.
-    Object(Row),
-    /// Fields of one of a list, and the words for them in a cell.
-    Worded(Row, String),
-}
-
-/// Keys, which are also the columns, with their values.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row(pub Vec<(&'static str, Value)>);
-
-impl Value {
-    /// Whether every number in it is one.
-    pub fn is_finite(&self) -> bool {
-        match self {
-            Self::Number(number) => number.is_finite(),
-            Self::List(values) => values.iter().all(Self::is_finite),
-            Self::Object(row) | Self::Worded(row, _) => row.0.iter().all(|(_, value)| value.is_finite()),
-            Self::Missing | Self::Flag(_) | Self::Count(_) | Self::Text(_) => true,
-        }
-    }
-
-    /// What it is in JSON, and its place among what one field may be: what says nothing comes last.
-    pub fn kind(&self) -> (u8, &'static str) {
-        match self {
-            Self::Flag(_) => (0, "true or false"),
-            Self::Count(_) | Self::Number(_) => (1, "number"),
-            Self::Text(_) => (2, "text"),
-            Self::List(_) => (3, "list"),
-            Self::Object(row) if row.is_empty() => (5, "null"),
-            Self::Object(_) | Self::Worded(..) => (4, "object"),
-            Self::Missing => (5, "null"),
-        }
-    }
-
-    /// As it stands in a cell: a number as in JSON.
-    fn cell(&self) -> String {
-        match self {
-            Self::Missing | Self::Object(_) => String::new(),
-            Self::Flag(flag) => flag.to_string(),
-            Self::Count(count) => count.to_string(),
-            Self::Number(number) => serde_json::to_string(number).unwrap_or_default(),
-            Self::Text(text) | Self::Worded(_, text) => text.clone(),
-            Self::List(values) => values.iter().map(Self::cell).collect::<Vec<_>>().join("; "),
-        }
-    }
-}
-
-impl Row {
-    /// Whether every field of it is missing.
-    fn is_empty(&self) -> bool {
-        self.0.iter().all(|(_, value)| *value == Value::Missing)
-    }
-
-    /// The names of the cells: the keys, those of an object behind its own.
-    fn columns(&self) -> Vec<String> {
-        let names = self.0.iter().flat_map(|(key, value)| match value {
-            Value::Object(inner) => inner.columns().iter().map(|column| format!("{key}_{column}")).collect(),
-            _ => vec![(*key).to_owned()],
-        });
-        names.collect()
-    }
-
-    fn cells(&self) -> Vec<String> {
-        let cells = self.0.iter().flat_map(|(_, value)| match value {
-            Value::Object(inner) => inner.cells(),
-            other => vec![other.cell()],
-        });
-        cells.collect()
-    }
-}
+pub use geneva_ask::{Row, Value};
+use serde::Serialize;
 
 /// A header, which is that of any such row, and the rows.
 pub fn csv(any: Option<&Row>, rows: impl IntoIterator<Item = Row>) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     if let Some(any) = any {
-        writer.write_record(any.columns())?;
+        writer.write_record(columns(any))?;
     }
     for row in rows {
-        writer.write_record(row.cells())?;
+        writer.write_record(cells(&row))?;
     }
     Ok(String::from_utf8(writer.into_inner()?)?)
 }
@@ -107,71 +20,58 @@ pub fn json(said: &impl Serialize) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(said)? + "\n")
 }
 
-impl Serialize for Row {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
+/// The names of the cells: the keys, those of an object behind its own.
+fn columns(row: &Row) -> Vec<String> {
+    let names = row.0.iter().flat_map(|(key, value)| match value {
+        Value::Object(inner) => columns(inner).iter().map(|column| format!("{key}_{column}")).collect(),
+        _ => vec![(*key).to_owned()],
+    });
+    names.collect()
+}
+
+fn cells(row: &Row) -> Vec<String> {
+    let cells = row.0.iter().flat_map(|(_, value)| match value {
+        Value::Object(inner) => cells(inner),
+        other => vec![cell(other)],
+    });
+    cells.collect()
+}
+
+/// A value as it stands in a cell: a number as in JSON.
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Missing | Value::Object(_) => String::new(),
+        Value::Flag(flag) => flag.to_string(),
+        Value::Count(count) => count.to_string(),
+        Value::Number(number) => serde_json::to_string(number).unwrap_or_default(),
+        Value::Text(text) | Value::Worded(_, text) => text.clone(),
+        Value::List(values) => values.iter().map(cell).collect::<Vec<_>>().join("; "),
     }
 }
 
-impl Serialize for Value {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Missing => serializer.serialize_none(),
-            Self::Flag(flag) => serializer.serialize_bool(*flag),
-            Self::Count(count) => serializer.serialize_u64(*count),
-            Self::Number(number) => serializer.serialize_f64(*number),
-            Self::Text(text) => serializer.serialize_str(text),
-            Self::List(values) => serializer.collect_seq(values),
-            Self::Object(row) if row.is_empty() => serializer.serialize_none(),
-            Self::Object(row) | Self::Worded(row, _) => row.serialize(serializer),
-        }
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl From<bool> for Value {
-    fn from(flag: bool) -> Self {
-        Self::Flag(flag)
-    }
-}
-
-impl From<u32> for Value {
-    fn from(count: u32) -> Self {
-        Self::Count(count.into())
-    }
-}
-
-impl From<usize> for Value {
-    fn from(count: usize) -> Self {
-        Self::Count(count as u64)
-    }
-}
-
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Self::Number(number)
-    }
-}
-
-impl From<&str> for Value {
-    fn from(text: &str) -> Self {
-        Self::Text(text.to_owned())
-    }
-}
-
-impl From<String> for Value {
-    fn from(text: String) -> Self {
-        Self::Text(text)
-    }
-}
-
-impl<T: Into<Value>> From<Option<T>> for Value {
-    fn from(value: Option<T>) -> Self {
-        value.map_or(Self::Missing, T::into)
-    }
-}
-
-impl<T: Into<Value>> From<Vec<T>> for Value {
-    fn from(values: Vec<T>) -> Self {
-        Self::List(values.into_iter().map(T::into).collect())
+    #[test]
+    fn json_and_csv_say_the_same_of_what_is_there_and_of_what_is_missing() {
+        let finding = Row(vec![("form", "printed".into()), ("holds", false.into())]);
+        let row = |inner: Option<f64>| {
+            Row(vec![
+                ("a", 6e-5.into()),
+                ("b", Value::Missing),
+                ("c", vec![Value::Worded(finding.clone(), "printed fails".to_owned()), 2_u32.into()].into()),
+                ("d", Value::Object(Row(vec![("x", inner.into()), ("y", inner.map(|_| "text").into())]))),
+            ])
+        };
+        let (some, none) = (row(Some(1.0)), row(None));
+        let text = serde_json::to_string(&[&some, &none]).expect("JSON");
+        let list = r#"[{"form":"printed","holds":false},2]"#;
+        let expected = format!(
+            r#"[{{"a":0.00006,"b":null,"c":{list},"d":{{"x":1.0,"y":"text"}}}},{{"a":0.00006,"b":null,"c":{list},"d":null}}]"#
+        );
+        assert_eq!(text, expected);
+        let text = csv(Some(&none), [some, none.clone()]).expect("CSV");
+        assert_eq!(text, "a,b,c,d_x,d_y\n0.00006,,printed fails; 2,1.0,text\n0.00006,,printed fails; 2,,\n");
     }
 }

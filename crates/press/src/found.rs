@@ -8,6 +8,7 @@ const UNITS: &str = include_str!("../../proofread/judged/university-physics-unit
 const CONTACT: &str = include_str!("../../proofread/judged/contact.csv");
 const ERRATA: &str = include_str!("../../proofread/judged/errata.csv");
 const RUNS: &str = include_str!("../../proofread/judged/runs.csv");
+const SUMS: &str = include_str!("../../proofread/judged/sums.csv");
 
 /// What a person who read a flag in its context says of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
@@ -80,7 +81,7 @@ pub struct UnitFlag {
 /// A flag at first contact with a text.
 #[derive(Clone, Debug, serde::Deserialize)]
 pub struct Contact {
-    /// `first` or `second`; `again` if only a run after repairs raised it.
+    /// `first`, `second` or `third`; `again` if only a run after repairs raised it.
     pub round: String,
     /// The text.
     pub text: String,
@@ -132,6 +133,20 @@ pub struct Run {
     pub operands: Option<u32>,
     /// How many changed operands were flagged.
     pub operands_noticed: Option<u32>,
+}
+
+/// Signs of a sum in some texts.
+#[derive(Clone, Debug, serde::Deserialize)]
+pub struct Sums {
+    /// How many there are.
+    pub signs: u32,
+    /// How many have a summand of numbers and a printed result.
+    pub of_numbers: u32,
+}
+
+/// The signs of a sum that were counted.
+pub fn sums() -> anyhow::Result<Vec<Sums>> {
+    read(SUMS)
 }
 
 fn read<T: DeserializeOwned>(record: &str) -> anyhow::Result<Vec<T>> {
@@ -204,7 +219,7 @@ mod tests {
     #[test]
     fn the_runs_count_the_flags_that_were_judged() {
         let contacts = contacts().expect("read");
-        for run in runs().expect("read").iter().filter(|run| ["first", "second"].contains(&run.run.as_str())) {
+        for run in runs().expect("read").iter().filter(|run| ["first", "second", "third"].contains(&run.run.as_str())) {
             let judged = contacts.iter().filter(|flag| flag.round == run.run && flag.text == run.text).count();
             assert_eq!(judged, run.flags as usize, "{}", run.text);
         }

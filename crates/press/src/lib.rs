@@ -32,6 +32,7 @@ pub mod fields;
 pub mod records;
 
 // What stands for a placeholder.
+pub mod asked;
 pub mod bibliography;
 pub mod computed;
 pub mod figures;

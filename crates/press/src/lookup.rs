@@ -1,7 +1,7 @@
 //! Finding things by name; the error tells the nearest name or all there are.
 
 use anyhow::anyhow;
-use geneva_ledger::{Consequence, Judged, Work, claims, verdict, verdicts, verdicts_of};
+use geneva_ledger::{Claim, Consequence, Judged, Work, claims, verdict, verdicts, verdicts_of};
 
 /// What bears this name in a list.
 pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
@@ -10,6 +10,12 @@ pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Res
         let names: Vec<_> = list.iter().map(|(name, _)| *name).collect();
         anyhow!("no {what} `{name}`; there are: {}", names.join(", "))
     })
+}
+
+/// The claim with this id, without its verdict.
+pub fn claim(id: &str) -> anyhow::Result<&'static Claim> {
+    let found = claims().iter().find(|claim| claim.id == id);
+    found.ok_or_else(|| unknown("claim", id, claims().iter().map(|claim| claim.id)))
 }
 
 /// The judged claim with this id.

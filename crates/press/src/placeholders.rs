@@ -7,7 +7,7 @@ use crate::data::File;
 use crate::edition::Edition;
 use crate::html::{Table, code, escape};
 use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
-use crate::{address, bibliography, citing, computed, figures, live, maths, measurements, proofread, tables};
+use crate::{address, asked, bibliography, citing, computed, figures, live, maths, measurements, proofread, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -38,6 +38,7 @@ use Put::{Alone, Dated, DatedOf, Marked, Numbered, Of};
 
 /// Every key, what it says or shows, and how that is made.
 const KEYS: &[(&str, &str, Put)] = &[
+    ("ask", "a number of a mechanism's answer: QUESTION.KEY, and after a colon its digits", Of(asked::number)),
     ("bibtex", "how to cite the book, as BibTeX", Dated(|of| Ok(code(&citing::bibtex(of, address::known()))))),
     ("citation", "what the source is", Of(inline::citation)),
     ("cite", "a work of others, by its key, and after a semicolon where in it", Of(bibliography::cite)),
@@ -73,6 +74,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("printed", "a claim's printed characters", Of(inline::printed)),
     ("proofread", "the form for a text of the reader's own, with an example", Alone(proofread::form)),
     ("proofread-weight", "what that form loads at most", Alone(|| Ok(proofread::weight()))),
+    ("question", "a question to a mechanism, as it is typed at the command line", Of(asked::question)),
     (
         "recorded",
         "what the record of the benchmarks says of its making: processor, cores, compiler, date",

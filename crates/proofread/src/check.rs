@@ -2,10 +2,11 @@
 
 use crate::binding::{Follow, Known, assignment, single_name};
 use crate::chain::{Chain, Relation, Side, chains};
+use crate::customs;
 use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
-use crate::reader::{self, Format, Formula, Unreadable};
+use crate::reader::{self, Format, Formula, Unreadable, Written};
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, has_number};
 use crate::value::Literal;
@@ -172,7 +173,10 @@ impl Check<'_> {
                 continue;
             }
             let trusted = chain.sides.len();
-            let from = usize::from(at == 0 && formula.continues);
+            // In running text, what comes before a sign of a sum or a product was not read.
+            let lacks_its_start = formula.written == Written::Plain
+                && chain.sides[0].tokens.first().is_some_and(|first| first.is_one_of("+×·/"));
+            let from = usize::from((at == 0 && formula.continues) || lacks_its_start);
             let to = trusted - usize::from(at == last && formula.goes_on);
             self.chain(chain, formula, from..to, at == last);
         }
@@ -236,7 +240,9 @@ impl Check<'_> {
             }
         }
         let values = judgement.values.as_ref();
-        let printed = values.is_some_and(|(left, right)| left.is_literal() && right.is_literal() && left.has_unit);
+        let printed = values.is_some_and(|(left, right)| {
+            left.is_literal() && right.is_literal() && left.has_unit && customs::may_be_to_scale(left, right)
+        });
         if printed && surroundings::speaks_of_scale(self.text, formula.span) {
             judgement.verdict = Verdict::Doubtful;
         }

@@ -40,6 +40,39 @@ pub(crate) fn lacks_degrees(left: &Value, right: &Value) -> bool {
         || (bare(right) && in_degrees(left) && right.meets(&scaled(left), 0.0))
 }
 
+/// Whether two sides, of which only one is in electronvolts, agree with the charge of an electron rounded to three digits.
+pub(crate) fn rounded_charge(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
+    const VOLTS: [&str; 5] = ["eV", "meV", "keV", "MeV", "GeV"];
+    let Some(volt) = unit("eV").filter(|volt| volt.dimension == left.dimension) else { return false };
+    let rounded = 1.60e-19 / volt.factor;
+    match sides.map(|side| has(side, &VOLTS)) {
+        [true, false] => left.scaled(rounded).meets(right, 0.0),
+        [false, true] => left.meets(&right.scaled(rounded), 0.0),
+        _ => false,
+    }
+}
+
+/// Whether a side turns an angle into degrees by a factor 180/π that lacks its degree sign.
+pub(crate) fn turns_into_degrees(side: &[Token]) -> bool {
+    let is_straight = |of: &[Token]| matches!(of, [one] if one.number() == Some("180"));
+    let is_pi = |of: &[Token]| matches!(of, [one] if one.kind == Kind::Name("π".to_owned()));
+    let stacked = any(side, &|kind| matches!(kind, Kind::Fraction(above, below) if is_straight(above) && is_pi(below)));
+    stacked || side.windows(3).any(|of| is_straight(&of[..1]) && of[1].is('/') && is_pi(&of[2..]))
+}
+
+/// Whether one side is a vector along an axis, and the other one its component without the direction.
+pub(crate) fn lacks_direction(left: &Value, right: &Value) -> bool {
+    let along = |of: &Value| match of.parts.0 {
+        [None, Some(x), None, None] | [None, None, Some(x), None] | [None, None, None, Some(x)] => Some(x),
+        _ => None,
+    };
+    let of = |vector: &Value, scalar: &Value| match (along(vector), scalar.parts.0) {
+        (Some(x), [Some(y), None, None, None]) => x.meets(y, 0.0),
+        _ => false,
+    };
+    of(left, right) || of(right, left)
+}
+
 /// Whether two sides agree once the unit that one of them leaves to be understood is put in: the electronvolt beside meV, the
 /// centimetre beside μm, the revolution beside a division by 2π, the atomic mass unit.
 pub(crate) fn understood(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
@@ -73,12 +106,13 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     let (one, other) = values;
     let both_printed = one.is_literal() && other.is_literal();
     let decibels = [has(left, &DECIBELS), has(right, &DECIBELS)];
-    if decibels == [true, true] {
+    let are_added = |tokens: &[Token]| has(tokens, &DECIBELS) && any(tokens, &|kind| *kind == Kind::Operator('+'));
+    if decibels == [true, true] && (are_added(left) || are_added(right)) {
         return true;
     }
     // A price.
     let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
-    if money(left) != money(right) && one.has_unit && other.has_unit {
+    if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
         return true;
     }
     if !both_printed || one.parts.is_vector() || other.parts.is_vector() {
@@ -92,13 +126,25 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
         return one.dimension != other.dimension
             && (unity || (is_convertible(one.dimension) && is_convertible(other.dimension)));
     }
-    decibels != [false, false] || counted(left) != counted(right) || is_one(one) || is_one(other)
+    let stands_for_one = (is_one(one) && other.has_unit) || (is_one(other) && one.has_unit);
+    decibels[0] != decibels[1] || counted(left) != counted(right) || stands_for_one
 }
 
-/// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, weight, temperature,
-/// amount, number, wave number.
+/// Whether one quantity may stand for another one on a drawing: they are of different kinds, or of sizes that no misprint of
+/// a conversion explains.
+pub(crate) fn may_be_to_scale(left: &Value, right: &Value) -> bool {
+    let size = |of: &Value| of.number().map_or(0.0, |number| number.point.abs());
+    let (one, other) = (size(left), size(right));
+    left.dimension != right.dimension || one > 3.0 * other || other > 3.0 * one
+}
+
+/// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, energy of a mole, weight,
+/// temperature, amount, number, wave number.
 fn is_convertible(dimension: Dimension) -> bool {
     let of = |word: &str| unit(word).map(|unit| unit.dimension);
     let known = ["kg", "J", "K", "N", "mol", "rad"].map(of);
-    known.contains(&Some(dimension)) || of("m").map(|length| length.power(-1.0)) == Some(dimension)
+    let of_a_mole = of("J").zip(of("mol")).map(|(energy, amount)| energy.times(amount, -1.0));
+    known.contains(&Some(dimension))
+        || of_a_mole == Some(dimension)
+        || of("m").map(|length| length.power(-1.0)) == Some(dimension)
 }

@@ -164,8 +164,14 @@ impl<'b> Evaluator<'b> {
         let value = self.between(&tokens[..at], &tokens[at]);
         let rest = trimmed(&tokens[at + 1..]);
         Some(value.and_then(|value| {
-            if rest.is_empty() {
-                return Ok(value);
+            let Some(first) = rest.first() else { return Ok(value) };
+            if first.is_one_of("+-") {
+                // The terms behind the bar may have bars of their own.
+                let others = match self.bar(rest) {
+                    Some(others) => others?,
+                    None => self.whole(rest)?,
+                };
+                return value.plus(&others, false);
             }
             let other = self.whole(rest)?;
             value.times(&other, None, true)

@@ -66,6 +66,17 @@ fn is_bracketed(tokens: &[Token]) -> bool {
     depth == 0
 }
 
+/// Whether the next group is an argument of a command that is not known.
+fn is_argument(before: &[Token]) -> bool {
+    let of = before.iter().rev().find(|token| !matches!(token.kind, Kind::Group(_)));
+    of.is_some_and(|of| matches!(&of.kind, Kind::Unknown(name) if name.starts_with('\\')))
+}
+
+/// A comma in an argument ends no side.
+fn without_comma(token: Token) -> Token {
+    if token.is(',') { unknown("a comma in an argument", token.span) } else { token }
+}
+
 fn flat(tokens: &[Token]) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::new();
     let mut related = false;
@@ -82,6 +93,7 @@ fn flat(tokens: &[Token]) -> Vec<Token> {
                 }
             }
             Kind::Table(_) => out.push(unknown("a table", span)),
+            Kind::Group(inner) if is_argument(&tokens[..at]) => out.extend(flat(inner).into_iter().map(without_comma)),
             Kind::Group(inner) => out.extend(flat(inner)),
             Kind::Scripts(base, sub, sup) => scripts([base, sub, sup], span, &mut out),
             Kind::Accent(base, sign) => {

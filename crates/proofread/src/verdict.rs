@@ -6,7 +6,7 @@ use crate::evaluate::{Bindings, Evaluator};
 use crate::interval::Interval;
 use crate::printed::Mode;
 use crate::reading::Reading;
-use crate::token::Token;
+use crate::token::{Kind, Token};
 use crate::value::{Evaluated, Obstacle, Value};
 use std::f64::consts::PI;
 
@@ -261,11 +261,19 @@ impl Pair<'_> {
         if customs::lacks_degrees(left, right) {
             return Ok(judgement(Verdict::Doubtful));
         }
-        if customs::understood(self.sides, left, right) {
+        if customs::understood(self.sides, left, right) || customs::lacks_direction(left, right) {
             return Ok(judgement(Verdict::Units));
         }
+        for (which, turned) in
+            [(0, [left.scaled(PI / 180.0), right.clone()]), (1, [left.clone(), right.scaled(PI / 180.0)])]
+        {
+            let turns = self.inverse && customs::turns_into_degrees(self.sides[which]);
+            if turns && (turned[0].meets(&turned[1], 0.0) || angles(&turned, &points, Reading::USUAL).is_some()) {
+                return Ok(judgement(Verdict::Doubtful));
+            }
+        }
         let loose = customs::looseness(self.sides[0], self.sides[1]);
-        if loose > 0.0 && left.meets(right, loose) {
+        if (loose > 0.0 && left.meets(right, loose)) || customs::rounded_charge(self.sides, left, right) {
             return Ok(fine(Verdict::Rounded));
         }
         if is_continued(left, right) {
@@ -276,13 +284,17 @@ impl Pair<'_> {
         {
             return Ok(if verdict == Verdict::Units { judgement(verdict) } else { fine(verdict) });
         }
-        if left.meets(right, 0.0) && is_likely(&strict, &points, literal, true) {
+        let computed = self.sides[usize::from(literal[0])];
+        let of_one_unit = !numbers || has_words_of(self.sides[0], self.sides[1]);
+        let exact_steps = of_one_unit && literal[0] != literal[1] && is_plain_sum(computed);
+        if left.meets(right, 0.0) && !exact_steps && is_likely(&strict, &points, literal, true) {
             return Ok(fine(Verdict::Rounded));
         }
         let near = (literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left));
         // Three digits behind ≈ are meant to be right.
         let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) };
-        let rough = !exact || (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
+        let strictly = (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
+        let rough = !exact || strictly;
         let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
         let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
         if self.relation == Relation::Approximate && rounds_to_one {
@@ -303,14 +315,17 @@ impl Pair<'_> {
         if cut {
             return Ok(fine(Verdict::Truncated));
         }
-        if lenient[0].meets(&lenient[1], 0.0) && is_likely(&lenient, &points, literal, false) {
+        if lenient[0].meets(&lenient[1], 0.0)
+            && is_likely(&lenient, &points, literal, false)
+            && is_as_coarse(&lenient, literal)
+        {
             return Ok(judgement(if by_numbers { Verdict::Units } else { Verdict::Doubtful }));
         }
         if by_numbers {
             return Ok(judgement(Verdict::Dimensions));
         }
         // What the steps would allow, but not likely, is more than a digit.
-        let near = near && !left.meets(right, 0.0);
+        let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
         Ok(judgement(if near { Verdict::LastDigit } else { Verdict::Inconsistent }))
     }
 }
@@ -330,6 +345,37 @@ fn is_likely(open: &[Value; 2], points: &[Value; 2], literal: [bool; 2], one_mor
         digits == 0.0 || (one_more && difference <= 3.0001 * digits) || difference <= likely * (steps + digits)
     })
 }
+
+/// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
+fn is_plain_sum(side: &[Token]) -> bool {
+    let is_term = |token: &Token| match &token.kind {
+        Kind::Number(_) | Kind::Word(_) | Kind::Space(_) => true,
+        Kind::Operator(c) => "+-()[]|".contains(*c),
+        _ => false,
+    };
+    let products =
+        side.windows(2).any(|pair| pair[1].is_one_of("([") && !pair[0].is_one_of("+-([") && !pair[0].is_space());
+    side.iter().all(is_term) && side.iter().any(|token| token.is_one_of("+-")) && !products
+}
+
+/// Whether all units of one side are among those of another one.
+fn has_words_of(side: &[Token], other: &[Token]) -> bool {
+    side.iter().filter_map(Token::word).all(|word| other.iter().any(|token| token.word() == Some(word)))
+}
+
+/// Whether a printed result is as coarse as its integers would be if they were rounded; a finer one shows that they are exact.
+fn is_as_coarse([left, right]: &[Value; 2], literal: [bool; 2]) -> bool {
+    let (computed, printed) = match literal {
+        [false, true] => (left, right),
+        [true, false] => (right, left),
+        _ => return true,
+    };
+    let halves = computed.parts.pairs(&printed.parts).map(|(a, b)| (a.half(), b.half()));
+    halves.into_iter().all(|(steps, digits)| digits == 0.0 || steps <= FINEST * digits)
+}
+
+/// How many times finer than its rounded integers a result may be printed.
+const FINEST: f64 = 10.0;
 
 /// How much of what the steps leave open they are expected to use. In University Physics, where steps were rounded, all but
 /// three of 73 results stay within it, and half of the planted digits that the whole interval hides are noticed.

@@ -114,8 +114,15 @@ fn digits_leave_open_what_they_leave_open() {
         (r"\frac{22}{7} \approx 3.1", &["consistent"]),
         (r"1234 \approx 1200", &["consistent"]),
         (r"5280 \approx 5400", &["approximate"]),
-        (r"80.93 + 450.0 = 530.98", &["inconsistent"]),
+        (r"80.93 + 450.0 = 530.98", &["last-digit"]),
         (r"27 - 20 = 6", &["last-digit"]),
+        // Nothing is rounded on the way in a sum, nor are integers if the result is much finer.
+        (r"150.1 - 75.0 = 75.0", &["last-digit"]),
+        (r"160^\circ + 47^\circ = 208^\circ", &["last-digit"]),
+        (r"(4.73\,\text{J}) - (-2.28\,\text{J}) = 7.00\,\text{J}", &["last-digit"]),
+        (r"(150.1)(75.0) = 11260", &["consistent"]),
+        (r"\frac{80}{3} + 0.125 = 26.731", &["inconsistent"]),
+        (r"400/3 = 130", &["consistent"]),
         // Not said to be equal.
         (r"3 \neq 7", &[]),
         (r"2 + 2 < 5", &[]),

@@ -247,3 +247,62 @@ fn programs_are_no_formulas() {
     );
     quiet(Format::Markdown, &["`x = 2*3 = 7`", "```\nx = 2*3 = 7\n```"]);
 }
+
+#[test]
+fn degrees_and_directions_may_come_with_the_result_only() {
+    quiet(
+        Format::Markdown,
+        &[
+            r"$\arctan\left(\frac{3.0}{4.0}\right) \times \frac{180}{\pi} = 36.9^\circ$",
+            r"$\arctan(-2.0/-3.0) \times 180/\pi \approx 33.7^\circ + 180^\circ \approx 214^\circ$",
+            r"$(4.0\,\text{m})(-3.0\,\text{m}) = (-12\,\text{m}^2)\hat{k}$",
+        ],
+    );
+    loud(
+        Format::Markdown,
+        &[
+            r"$\arctan\left(\frac{3.0}{4.0}\right) \times \frac{180}{\pi} = 38.9^\circ$",
+            r"$(4.0\,\text{m})(3.0\,\text{m}) = (-12\,\text{m}^2)\hat{k}$",
+            r"$12\hat{i} + 3\hat{j} = 12$",
+        ],
+    );
+}
+
+#[test]
+fn constants_of_nature_may_be_rounded_or_understood() {
+    quiet(
+        Format::Markdown,
+        &[
+            r"$7.88\times10^{-26}\,\text{J} = 4.93\times10^{-7}\,\text{eV}$",
+            r"$1000.0\,\text{cm}^{-1} = 11.96\,\text{kJ/mol}$",
+        ],
+    );
+    loud(
+        Format::Markdown,
+        &[
+            r"$7.88\times10^{-26}\,\text{J} = 4.95\times10^{-7}\,\text{eV}$",
+            r"$7.88\times10^{-26}\,\text{J} = 4.90\times10^{-7}\,\text{eV}$",
+        ],
+    );
+}
+
+#[test]
+fn a_wrong_conversion_is_no_correspondence() {
+    quiet(
+        Format::Markdown,
+        &[
+            r"On the map, $1\,\text{cm} = 50\,\text{m}$.",
+            r"$60\,\text{dB} + 60\,\text{dB} = 63\,\text{dB}$",
+            r"$1 = 60\,\text{s}$",
+        ],
+    );
+    loud(
+        Format::Markdown,
+        &[
+            r"On that scale, $1.000\,\text{kcal} = 4106\,\text{J}$.",
+            r"$73\,\text{dB} - 70\,\text{dB} = 5\,\text{dB}$",
+            r"$10^4 = 1$",
+            r"$\$600/(\$235/\text{y}) = 2.9\,\text{y}$",
+        ],
+    );
+}

@@ -19,6 +19,7 @@ fn the_place_is_the_printed_result() {
         ("é $$2 + 2 = 5.0\\ \\mathrm{m}$$", Format::Markdown, r"5.0\ \mathrm{m"),
         ("mdBook: \\\\( 2.0 + 2.0 = 5.1 \\\\)", Format::Markdown, "5.1"),
         ("```math\n2 + 2 = 5\n```\n", Format::Markdown, "5"),
+        ("```{math}\n2 + 2 = 5\n```\n", Format::Markdown, "5"),
         ("The sum 2 + 2 = 5 is wrong.", Format::Markdown, "5"),
         (r"\begin{align} a &= 2 + 2 \\ &= 5 \end{align}", Format::Latex, "5"),
         (r"\newcommand{\x}[1]{#1 + 2} $\x{2} = 5$", Format::Latex, "5"),

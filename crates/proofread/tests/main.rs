@@ -1,5 +1,6 @@
 //! Does the proofreader find what is wrong, leave alone what is right, and read whatever it is given?
 
+mod adjoining;
 mod chains;
 #[cfg(feature = "cli")]
 mod command;

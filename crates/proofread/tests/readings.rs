@@ -115,7 +115,7 @@ fn behind_approximately_equal_three_digits_are_meant() {
         (r"\frac{22}{7} \approx 3.2", &["approximate"]),
         (r"\frac{22}{7} \approx 3", &["consistent"]),
         (r"0.952 \approx 1", &["approximate"]),
-        (r"\frac{22}{7} \approx 3.18", &["last-digit"]),
+        (r"\frac{22}{7} \approx 3.18", &["inconsistent"]),
     ]);
 }
 

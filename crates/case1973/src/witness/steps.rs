@@ -145,8 +145,8 @@ fn repeated(course: &Course) -> Option<Vec<f64>> {
             return Some(squares);
         }
         let twice = *course.squares(once).last()?;
-        let (angular_acceleration, next_gain) = (once - first, twice - once);
-        first = once + next_gain / (1.0 - next_gain / angular_acceleration);
+        let (angular_acceleration, next_acceleration) = (once - first, twice - once);
+        first = once + next_acceleration / (1.0 - next_acceleration / angular_acceleration);
     }
     None
 }

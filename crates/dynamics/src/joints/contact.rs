@@ -68,9 +68,9 @@ pub struct Arms<S> {
 impl Reach<f64> {
     /// The place for a pose: R² is its square, dR/dθ = a sin θ / R.
     pub fn of_pose(pose: &Pose<f64>) -> Self {
-        let radius = pose.square.sqrt();
+        let radius = pose.radius_squared.sqrt();
         // At the ends a cos θ − 1 is zero but for rounding.
-        Self { radius, ratio: pose.numerator.max(0.0) / pose.square, slide: pose.cross / radius }
+        Self { radius, ratio: pose.numerator.max(0.0) / pose.radius_squared, slide: pose.k_sin_theta / radius }
     }
 }
 

@@ -4,10 +4,10 @@
 //! the drag torque are free: nothing depends on what they stand for.
 //!
 //! ```
-//! use geneva_dynamics::joints::equation_proofs::{FlankDecider, SolutionObeys};
+//! use geneva_dynamics::joints::equation_proofs::{SwitchingFunctionDecidesFlank, SolutionObeys};
 //! use geneva_kinematics::prove;
 //!
-//! assert!(prove(&SolutionObeys).is_ok() && prove(&FlankDecider).is_ok());
+//! assert!(prove(&SolutionObeys).is_ok() && prove(&SwitchingFunctionDecidesFlank).is_ok());
 //! ```
 
 use super::{Reach, Terms};
@@ -34,9 +34,9 @@ impl Identity<7> for SolutionObeys {
 /// The factor of θ'' times the follower's moment is the switching function, in which m does not stand.
 ///
 /// Variables: factor of θ'', m, q, p, drive, drag torque, θ'².
-pub struct FlankDecider;
+pub struct SwitchingFunctionDecidesFlank;
 
-impl Identity<7> for FlankDecider {
+impl Identity<7> for SwitchingFunctionDecidesFlank {
     fn difference(&self, [slope, leverage, ratio, bend, drive, drag, square]: [Expression; 7]) -> Expression {
         let terms = terms([slope, leverage, ratio, bend, drive, drag]);
         let angular_acceleration = terms.angular_acceleration(&square, &leverage);
@@ -50,7 +50,7 @@ impl Identity<7> for FlankDecider {
 /// stand in m alone, which stays. Variables: factor of θ'', m, q, p, drive, drag torque, θ'², κ.
 pub enum Similarity {
     /// Of θ''.
-    Gain,
+    AngularAcceleration,
     /// Of the number that decides the flank.
     Flank,
 }
@@ -61,7 +61,7 @@ impl Identity<8> for Similarity {
         let old = terms([slope, leverage, ratio, bend, drive, drag]);
         let new = terms([slope, leverage, ratio, bend, scaled(drive), scaled(drag)]);
         match self {
-            Self::Gain => {
+            Self::AngularAcceleration => {
                 new.angular_acceleration(&scaled(square), &leverage)
                     - scaled(old.angular_acceleration(&square, &leverage))
             }

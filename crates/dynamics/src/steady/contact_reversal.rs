@@ -3,7 +3,7 @@
 //!
 //! The sign is that of A C u + D (E − B u) = μ k (i ρ' u + ρ E). Before the line of centres k < 0 < ρ', so it is minus
 //! all the way. From the line of centres on k > 0 > ρ', and it is plus while u < Q with Q = ρ/(i k (1 + 2 ρ)), u over E.
-//! Q falls from +∞ to zero at the exit ([`SwitchFalls`](super::proofs::SwitchFalls)). Where u = Q the follower turns
+//! Q falls from +∞ to zero at the exit ([`SwitchingFunctionFalls`](super::proofs::SwitchingFunctionFalls)). Where u = Q the follower turns
 //! without force, φ'' = 0, so that ρ θ' is level there and u grows as ρ falls. So there is exactly one switch, and past
 //! the exit, where ρ < 0, the sign stays minus.
 
@@ -34,7 +34,7 @@ pub(super) struct ContactReversal {
 /// At the switch both signs have the same slope, so that what the motion errs by is of the order of the step's square.
 #[derive(Clone, Debug)]
 pub(super) struct Split {
-    pub switch: ContactReversal,
+    pub reversal: ContactReversal,
     /// u where it is divided, dimensionless.
     pub square: f64,
     /// With the plus sign up to there, with the minus sign from there on.
@@ -52,7 +52,7 @@ pub(super) struct Part {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     /// w of the switch, dimensionless.
-    pub switch: f64,
+    pub reversal: f64,
     /// w of the last place that was asked for, dimensionless.
     pub at: f64,
     /// u there, dimensionless.
@@ -91,7 +91,7 @@ impl Engagement {
     ///
     /// Both must have the slope of the equation of motion at the switch; they need not have it elsewhere. `ends` is the
     /// excess at the subinterval's ends: the search starts where the straight line is zero.
-    pub(super) fn switch_within(
+    pub(super) fn reversal_within(
         &self,
         nodes: &Nodes,
         ends: [f64; 2],
@@ -108,7 +108,7 @@ impl Engagement {
             let next = w - excess / slope;
             let moved = next - w;
             if refining && libm::fabs(moved) <= enough * width {
-                return Found { switch: next.clamp(nodes.low, nodes.high), at: w, square };
+                return Found { reversal: next.clamp(nodes.low, nodes.high), at: w, square };
             }
             if !refining {
                 *(if excess > 0.0 { &mut low } else { &mut high }) = w;
@@ -117,7 +117,7 @@ impl Engagement {
             refining |= inside && libm::fabs(moved) <= COARSE * width;
             w = if inside || refining { next.clamp(nodes.low, nodes.high) } else { low + (high - low) / 2.0 };
         }
-        Found { switch: w, at: w, square: fine(w) }
+        Found { reversal: w, at: w, square: fine(w) }
     }
 
     /// The excess, and its slope by w at the switch.

@@ -33,7 +33,7 @@ pub struct Passage<'a> {
     pub(super) end: f64,
     /// How long it takes, in units of 1/√E.
     time: f64,
-    pub(super) switch: Option<ContactReversal>,
+    pub(super) reversal: Option<ContactReversal>,
     /// In the order of the motion.
     pub(super) traversals: Vec<Traversal<'a>>,
 }
@@ -98,11 +98,11 @@ impl Engagement {
                 let mut before = None;
                 let fine =
                     |w: f64| before.insert(self.part(subinterval.nodes.low, w, self.friction)).solution.up(square);
-                let found = self.switch_within(&subinterval.nodes, ends, coarse, fine);
+                let found = self.reversal_within(&subinterval.nodes, ends, coarse, fine);
                 let after = self.part(found.at, subinterval.nodes.high, -self.friction);
-                let switch = ContactReversal { subinterval: number, at: found.switch };
+                let reversal = ContactReversal { subinterval: number, at: found.reversal };
                 let parts = before.map(|before| Box::new([before, after]));
-                return parts.map(|parts| Split { switch, square: found.square, parts });
+                return parts.map(|parts| Split { reversal, square: found.square, parts });
             }
             (square, excess) = (next, ends[1]);
         }
@@ -119,8 +119,8 @@ impl Engagement {
         let mut march = March::new(self, entry);
         march.traversals = Some(Vec::with_capacity(2 * self.subintervals.len() + 2));
         let march = march.over(split);
-        let (end, time, switch) = (march.square, march.time, split.map(|split| split.switch));
-        Passage { engagement: self, entry, end, time, switch, traversals: march.traversals.unwrap_or_default() }
+        let (end, time, reversal) = (march.square, march.time, split.map(|split| split.reversal));
+        Passage { engagement: self, entry, end, time, reversal, traversals: march.traversals.unwrap_or_default() }
     }
 
     /// How long that motion takes, in units of 1/√E: the same number as its passage has.
@@ -164,13 +164,13 @@ impl<'a> Passage<'a> {
     /// Crank angle in radians at which the follower starts to run ahead of the pin; none if the end comes before.
     ///
     /// Friction changes its sign there and at 0, on the line of centres, and nowhere else.
-    pub fn switch_angle(&self) -> Option<f64> {
-        self.switch.map(|switch| self.engagement.circle.angle(switch.at))
+    pub fn reversal_angle(&self) -> Option<f64> {
+        self.reversal.map(|reversal| self.engagement.circle.angle(reversal.at))
     }
 
     /// Driver's speed where the follower starts to run ahead of the pin, in radians per unit of time; none if the end comes
     /// before.
-    pub fn switch_speed(&self) -> Option<f64> {
+    pub fn reversal_speed(&self) -> Option<f64> {
         let trailing = self.traversals.iter().find(|part| part.mode == ContactMode::Trailing)?;
         Some(self.speed(trailing.ends[0]))
     }
@@ -192,7 +192,7 @@ impl<'a> Passage<'a> {
     /// line of centres and gained past it up to the switch is the same. A reset angle elsewhere adds the loss of an
     /// engagement that ends with the follower in motion.
     pub fn multiplier(&self) -> f64 {
-        libm::exp(self.engagement.log_multiplier(self.switch))
+        libm::exp(self.engagement.log_multiplier(self.reversal))
     }
 }
 
@@ -203,18 +203,18 @@ impl Engagement {
     }
 
     /// ln of the multiplier with this contact reversal.
-    pub(super) fn log_multiplier(&self, switch: Option<ContactReversal>) -> f64 {
+    pub(super) fn log_multiplier(&self, reversal: Option<ContactReversal>) -> f64 {
         let (exit, end) = (self.to_exit, self.to_end);
         if self.ends_before_centres {
             return -exponents(&self.subintervals[end..exit]);
         }
         let beyond: f64 = self.subintervals[exit.min(end)..end].iter().map(|of| self.trailing(of).minus.exponent).sum();
         let short = exponents(&self.subintervals[end.min(exit)..exit]);
-        let gap = switch.map_or(0.0, |switch| {
-            let subinterval = &self.subintervals[switch.subinterval];
-            let nodes = self.nodes(switch.at, subinterval.nodes.high, NodeMapping::Linear);
+        let gap = reversal.map_or(0.0, |reversal| {
+            let subinterval = &self.subintervals[reversal.subinterval];
+            let nodes = self.nodes(reversal.at, subinterval.nodes.high, NodeMapping::Linear);
             let rest: f64 =
-                self.subintervals[switch.subinterval + 1..end.min(exit)].iter().map(|of| self.trailing(of).gap).sum();
+                self.subintervals[reversal.subinterval + 1..end.min(exit)].iter().map(|of| self.trailing(of).gap).sum();
             rest + self.rule.integral(&nodes.gap(self.inertia, self.friction))
         });
         beyond - short - gap
@@ -290,7 +290,7 @@ impl<'a> March<'a> {
         for (number, subinterval) in engagement.subintervals[..engagement.to_end].iter().enumerate() {
             let nodes: &Nodes = &subinterval.nodes;
             match split {
-                Some(split) if split.switch.subinterval == number => {
+                Some(split) if split.reversal.subinterval == number => {
                     let [before, after] = &*split.parts;
                     if before.nodes.low < before.nodes.high {
                         self.add(&before.nodes, None, &before.solution, ContactMode::Recess, 0);
@@ -300,7 +300,7 @@ impl<'a> March<'a> {
                         self.add(&after.nodes, None, &after.solution, ContactMode::Trailing, 0);
                     }
                 }
-                Some(split) if split.switch.subinterval < number => {
+                Some(split) if split.reversal.subinterval < number => {
                     self.add(nodes, Some(nodes), &engagement.trailing(subinterval).minus, ContactMode::Trailing, 0);
                 }
                 _ => self.add(nodes, Some(nodes), &subinterval.plus, ContactMode::Recess, 0),

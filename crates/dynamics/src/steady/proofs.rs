@@ -25,7 +25,7 @@ impl Identity<2> for OnACircle {
     fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
         let centre = 1 / (ratio * ratio - 1);
-        let (along, across) = (pose.velocity_ratio() - centre, pose.cross / pose.square);
+        let (along, across) = (pose.velocity_ratio() - centre, pose.k_sin_theta / pose.radius_squared);
         let radius = centre * ratio;
         along * along + across * across - radius * radius
     }
@@ -40,7 +40,7 @@ pub struct TurningOnTheCircle {
 impl Identity<2> for TurningOnTheCircle {
     fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
         let pose = moving(ratio, tangent);
-        let (numerator, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let (numerator, slide) = (pose.velocity_ratio(), pose.k_sin_theta / pose.radius_squared);
         let turning = 1 + 2 * numerator.value();
         if self.numerator {
             numerator.rate() + slide.value() * turning
@@ -59,7 +59,7 @@ impl Identity<6> for SwitchingFactors {
     fn difference(&self, [ratio, tangent, inertia, friction, drive, speed]: [Expression; 6]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
         let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
-        let slide = friction * (pose.cross / pose.square);
+        let slide = friction * (pose.k_sin_theta / pose.radius_squared);
         let square = speed * speed;
         let angular_acceleration = inertia * pose.acceleration_ratio() * square + pose.velocity_ratio() * drive;
         coefficients.sign_switching_function(&speed) - slide * angular_acceleration
@@ -76,7 +76,7 @@ impl Identity<4> for RateOfDecay {
     fn difference(&self, [ratio, tangent, inertia, friction]: [Expression; 4]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
         let of = Coefficients::of_pose(&pose, &inertia, &friction, &Expression::ONE);
-        let (numerator, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let (numerator, slide) = (pose.velocity_ratio(), pose.k_sin_theta / pose.radius_squared);
         let both = numerator + friction * slide;
         let inert = inertia + numerator * both;
         let turning = 1 + 2 * numerator;
@@ -102,20 +102,20 @@ impl Identity<4> for Multiplier {
 
 /// Q = ρ/(k (1 + 2 ρ)), the u at which the sign switches, falls with ψ: −dQ/dψ k² (1 + 2 ρ)² = c + 2 c ρ − ρ² + (ρ − c)
 /// ρ (1 + 2 ρ) on the circle. Variables: a, tan(θ/2).
-pub struct SwitchFalls;
+pub struct SwitchingFunctionFalls;
 
-impl Identity<2> for SwitchFalls {
+impl Identity<2> for SwitchingFunctionFalls {
     fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
         let pose = moving(ratio, tangent);
-        let (numerator, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let (numerator, slide) = (pose.velocity_ratio(), pose.k_sin_theta / pose.radius_squared);
         let turning = Jet::integer(1) + Jet::integer(2) * numerator;
-        let switch = numerator / (slide * turning);
+        let reversal = numerator / (slide * turning);
         let (numerator, slide, turning) = (numerator.value(), slide.value(), turning.value());
         let centre = 1 / (ratio * ratio - 1);
         let square = slide * turning * slide * turning;
         let claimed =
             centre + 2 * centre * numerator - numerator * numerator + (numerator - centre) * numerator * turning;
         // A rate with θ is 1 + 2 ρ times the rate with ψ.
-        switch.rate() * square + claimed * turning
+        reversal.rate() * square + claimed * turning
     }
 }

@@ -45,7 +45,7 @@ pub struct SteadyState {
     /// Crank angle in radians where friction changes its sign past the line of centres; none if the end comes before.
     ///
     /// The other change is at 0.
-    pub switch_angle: Option<f64>,
+    pub reversal_angle: Option<f64>,
     /// Factor by which one engagement reduces a small difference of the squares of two speeds, dimensionless; between 0
     /// and 1.
     ///
@@ -127,7 +127,7 @@ impl Engagement {
             minimum,
             period,
             mean_speed: self.reset() / period,
-            switch_angle: passage.switch_angle(),
+            reversal_angle: passage.reversal_angle(),
             multiplier: libm::exp(repeated.log),
         })
     }
@@ -226,12 +226,12 @@ impl Engagement {
             last = Some((balance.end(square), rest.log, Box::new([before, after])));
             square
         };
-        let found = self.switch_within(nodes, ends, coarse, fine);
+        let found = self.reversal_within(nodes, ends, coarse, fine);
         let Some((entry, log, parts)) = last else { return (f64::NAN, None, f64::NAN) };
         // The multiplier starts at the switch, not where the subinterval is divided.
-        let log = log + self.gap_at(found.at) * (found.switch - found.at);
-        let switch = ContactReversal { subinterval: number, at: found.switch };
-        (entry, Some(Split { switch, square: found.square, parts }), log)
+        let log = log + self.gap_at(found.at) * (found.reversal - found.at);
+        let reversal = ContactReversal { subinterval: number, at: found.reversal };
+        (entry, Some(Split { reversal, square: found.square, parts }), log)
     }
 
     /// What follows the lower end of a subinterval, from what follows its upper end.
@@ -253,8 +253,8 @@ impl Engagement {
             offset = subinterval.plus.up(offset);
         }
         let entry = offset / -libm::expm1(-exponents(&self.subintervals[self.to_end..self.to_exit]));
-        let switches = || self.switching_function(self.subintervals[self.to_end - 1].nodes.high, entry) <= 0.0;
-        (self.ends_before_centres || !switches()).then_some(entry)
+        let is_reversed = || self.switching_function(self.subintervals[self.to_end - 1].nodes.high, entry) <= 0.0;
+        (self.ends_before_centres || !is_reversed()).then_some(entry)
     }
 }
 

@@ -27,7 +27,7 @@ use geneva_kinematics::{Turn, pin_slot};
 /// assert!((strong.share / weak.share - 1.0).abs() < 1e-9);
 /// // The blow takes m v² / 2, where m is the mass of both members at the pin, whose arms are about R and R φ'/θ'.
 /// let pose = timer(1.0)?.pose(weak.to);
-/// let mass = 1.0 / (pose.square * (1.0 + pose.velocity_ratio().powi(2) / 0.1));
+/// let mass = 1.0 / (pose.radius_squared * (1.0 + pose.velocity_ratio().powi(2) / 0.1));
 /// let energy = mass * weak.closing_speed * weak.closing_speed / 2.0;
 /// assert!((weak.energy / energy - 1.0).abs() < 0.02); // the better the less play there is
 /// # Ok::<(), geneva_dynamics::Error>(())
@@ -68,7 +68,9 @@ impl Crossing {
         let play = positive("play", play)?;
         let engagement = Engagement::new(parameters)?;
         let passage = engagement.passage(engagement.steady_state()?.entry_speed)?;
-        let Some((from, driver_speed)) = passage.switch_angle().zip(passage.switch_speed()) else { return Ok(None) };
+        let Some((from, driver_speed)) = passage.reversal_angle().zip(passage.reversal_speed()) else {
+            return Ok(None);
+        };
         let flight = Flight::new(parameters, from, driver_speed);
         // The crank angle grows as driver_speed t + ½ a t²; the exit is where it is half an engagement.
         let left = parameters.mechanism().engagement_half_angle() - from;
@@ -149,7 +151,7 @@ impl EntryBlow {
         let entry = Engagement::new(parameters)?.steady_state()?.entry_speed;
         let square = entry * entry + 2.0 * torque / inertias.driver() * late;
         // The pin has gone inwards by sin τ, so the flank's arm is that much shorter.
-        let flank = parameters.pose(half).square.sqrt() - across;
+        let flank = parameters.pose(half).radius_squared.sqrt() - across;
         let mobility = flank * flank / inertias.follower() + across * across / inertias.driver();
         let energy = 0.5 * across * across * square / mobility;
         Ok(Self { late, closing_speed: across * square.sqrt(), energy, share: energy / (torque * 2.0 * half) })
@@ -188,7 +190,7 @@ impl<'a> Flight<'a> {
 
     /// How far the pin has fallen behind across the slot, in crank radii.
     fn gap(&self, time: f64) -> f64 {
-        self.of.pose(self.driver(time).0).square.sqrt() * libm::sin(self.ahead(time))
+        self.of.pose(self.driver(time).0).radius_squared.sqrt() * libm::sin(self.ahead(time))
     }
 
     /// Closing speed across the slot and the energy that a blow without rebound takes at a time from the start.
@@ -199,9 +201,9 @@ impl<'a> Flight<'a> {
     fn blow(&self, time: f64) -> (f64, f64) {
         let (angle, speed) = self.driver(time);
         let (pose, inertias, ahead) = (self.of.pose(angle), self.of.inertias(), self.ahead(time));
-        let radius = pose.square.sqrt();
+        let radius = pose.radius_squared.sqrt();
         let flank = radius * libm::cos(ahead);
-        let pin = pose.velocity_ratio() * flank - pose.cross / radius * libm::sin(ahead);
+        let pin = pose.velocity_ratio() * flank - pose.k_sin_theta / radius * libm::sin(ahead);
         let closing = flank * self.follower_speed - pin * speed;
         let mobility = flank * flank / inertias.follower() + pin * pin / inertias.driver();
         (closing, 0.5 * closing * closing / mobility)

@@ -2,14 +2,16 @@
 
 use crate::proving::holds;
 use geneva_dynamics::Sign;
-use geneva_dynamics::joints::equation_proofs::{FlankDecider, GoesOverToMeyer, Similarity, SolutionObeys};
+use geneva_dynamics::joints::equation_proofs::{
+    GoesOverToMeyer, Similarity, SolutionObeys, SwitchingFunctionDecidesFlank,
+};
 
 #[test]
 fn the_flank_is_told_beforehand_and_the_ideal_is_the_thesis() {
-    holds("similarity", &Similarity::Gain);
+    holds("similarity", &Similarity::AngularAcceleration);
     holds("similarity of the flank", &Similarity::Flank);
     holds("solution", &SolutionObeys);
-    holds("flank", &FlankDecider);
+    holds("flank", &SwitchingFunctionDecidesFlank);
     for flank in Sign::BOTH {
         for sliding in Sign::BOTH {
             holds("ideal", &GoesOverToMeyer { flank, sliding });

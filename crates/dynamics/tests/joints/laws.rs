@@ -87,7 +87,7 @@ fn a_pin_of_a_tenth_speeds_up_by_some_per_cent_and_makes_up_for_journals() {
 }
 
 #[test]
-fn the_contraction_grows_with_the_pin_and_falls_with_the_drivers_journal() {
+fn the_multiplier_grows_with_the_pin_and_falls_with_the_drivers_journal() {
     for mechanism in Mechanism::ALL {
         let parameters = like_the_thesis(mechanism);
         let grow = |varied, most: f64| {

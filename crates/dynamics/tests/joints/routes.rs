@@ -50,9 +50,9 @@ fn without_sizes_the_steady_motion_is_the_ideal_one() {
             assert_relative_eq!(state.multiplier, ideal.multiplier, max_relative = 1e-9);
             assert_relative_eq!(state.minimum.angle, ideal.minimum.angle, epsilon = 1e-6);
             assert_relative_eq!(state.minimum.time, ideal.minimum.time, max_relative = 1e-6);
-            let switch = ideal.switch_angle.expect("a switch");
+            let reversal = ideal.reversal_angle.expect("a switch");
             assert_eq!(state.changes.len(), 1);
-            assert_relative_eq!(state.changes[0], switch, epsilon = 1e-9);
+            assert_relative_eq!(state.changes[0], reversal, epsilon = 1e-9);
         }
     }
 }

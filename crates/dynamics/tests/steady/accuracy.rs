@@ -24,13 +24,13 @@ fn the_tolerance_is_met() {
                     });
                     (subintervals, count) = (subintervals + one.0, count + 1);
                     let (one, finest) = (one.1, finest.1);
-                    let [switch, same] = [one, finest].map(|steady| steady.switch_angle.expect("a switch"));
+                    let [reversal, same] = [one, finest].map(|steady| steady.reversal_angle.expect("a switch"));
                     for (name, a, b) in [
                         ("entry", one.entry_speed, finest.entry_speed),
                         ("peak", one.peak.speed, finest.peak.speed),
                         ("minimum", one.minimum.speed, finest.minimum.speed),
                         ("period", one.period, finest.period),
-                        ("switch", switch, same),
+                        ("switch", reversal, same),
                         ("multiplier", libm::log(one.multiplier), libm::log(finest.multiplier)),
                     ] {
                         let error = (a / b - 1.0).abs();

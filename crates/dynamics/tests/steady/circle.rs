@@ -21,7 +21,10 @@ fn the_circle_has_the_pose_of_the_mechanism() {
             let place = circle.place(w);
             assert!((circle.angle(w) - angle).abs() < 2e-15 * (1.0 + angle), "{mechanism:?} {angle}");
             assert!((place.rho - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
-            assert!((place.k - pose.cross / pose.square).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
+            assert!(
+                (place.k - pose.k_sin_theta / pose.radius_squared).abs() < 2e-13 * circle.radius,
+                "{mechanism:?} {angle}"
+            );
             let rate = -place.k * place.angular_velocity();
             assert!((rate - pose.acceleration_ratio()).abs() < 2e-12 * circle.radius, "{mechanism:?} {angle}");
         }

@@ -17,7 +17,7 @@ fn the_steady_state_is_handed_on_unchanged() {
         let passage = engagement.passage(steady.entry_speed).expect("a speed");
         assert_relative_eq!(passage.duration(), steady.period, max_relative = 2e-13);
         assert_relative_eq!(passage.multiplier(), steady.multiplier, max_relative = 1e-9);
-        assert_eq!(passage.switch_angle().is_some(), steady.switch_angle.is_some());
+        assert_eq!(passage.reversal_angle().is_some(), steady.reversal_angle.is_some());
         let [low, high] = [steady.minimum.speed, steady.peak.speed];
         assert!(low > 0.0 && low <= steady.entry_speed && steady.entry_speed <= high);
         assert!(low < steady.mean_speed && steady.mean_speed < high);

@@ -2,7 +2,7 @@
 
 use crate::proving::holds;
 use geneva_dynamics::steady::proofs::{
-    Multiplier, OnACircle, RateOfDecay, SwitchFalls, SwitchingFactors, TurningOnTheCircle,
+    Multiplier, OnACircle, RateOfDecay, SwitchingFactors, SwitchingFunctionFalls, TurningOnTheCircle,
 };
 use geneva_kinematics::Mechanism;
 
@@ -15,11 +15,11 @@ fn the_steady_motion_rests_on_identities() {
     holds("switching function", &SwitchingFactors);
     holds("rate of decay", &RateOfDecay);
     holds("multiplier", &Multiplier);
-    holds("switch falls", &SwitchFalls);
+    holds("switch falls", &SwitchingFunctionFalls);
 }
 
 #[test]
-fn the_switch_falls_all_the_way() {
+fn the_switching_function_falls_all_the_way() {
     // A cubic in ρ between 0 and its value on the line of centres, c (1 + a): positive by a fine net and its slope.
     for mechanism in Mechanism::ALL {
         let centre = 1.0 / (mechanism.centre_distance_ratio_squared() - 1.0);

@@ -86,7 +86,7 @@ struct Found {
     duration: f64,
     peak: f64,
     minimum: f64,
-    switch: Option<f64>,
+    reversal: Option<f64>,
 }
 
 fn integrate(engagement: &Engagement, entry: f64, eight: bool) -> Found {
@@ -94,7 +94,7 @@ fn integrate(engagement: &Engagement, entry: f64, eight: bool) -> Found {
     let half = escapement.mechanism().engagement_half_angle();
     let end = engagement.reset() - half;
     let mut state = Vector2::new(-half, entry);
-    let mut found = Found { end: entry, duration: 0.0, peak: entry, minimum: entry, switch: None };
+    let mut found = Found { end: entry, duration: 0.0, peak: entry, minimum: entry, reversal: None };
     for (leg, sign) in [Sign::Minus, Sign::Plus, Sign::Minus].into_iter().enumerate() {
         let go = |state: Vector2<f64>, time: f64| after(escapement, sign, state, time, eight);
         let over = |state: &Vector2<f64>| -> f64 {
@@ -134,7 +134,7 @@ fn integrate(engagement: &Engagement, entry: f64, eight: bool) -> Found {
             }
         }
         if leg == 1 && state[0] < end - 1e-9 {
-            found.switch = Some(state[0]);
+            found.reversal = Some(state[0]);
         }
     }
     found.end = state[1];
@@ -162,9 +162,9 @@ fn integrators_with_located_switches_agree() {
             agree("peak", found.peak, steady.peak.speed, bound, &mut worst);
             agree("minimum", found.minimum, steady.minimum.speed, bound, &mut worst);
             agree("period", found.duration, steady.period, bound, &mut worst);
-            assert_eq!(found.switch.is_some(), steady.switch_angle.is_some());
-            if let (Some(found), Some(switch)) = (found.switch, steady.switch_angle) {
-                agree("switch", found, switch, bound, &mut worst);
+            assert_eq!(found.reversal.is_some(), steady.reversal_angle.is_some());
+            if let (Some(found), Some(reversal)) = (found.reversal, steady.reversal_angle) {
+                agree("switch", found, reversal, bound, &mut worst);
             }
         }
         println!("worst relative difference: {worst:e}");

@@ -29,7 +29,7 @@ type Value = fn(&Instant) -> f64;
 /// [`FigureError::Dynamics`] if the speed is negative or so great that the motion cannot be followed, or if the equation
 /// of motion has no single solution.
 pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure, FigureError> {
-    let change = Engagement::new(parameters)?.passage(entry_speed)?.switch_angle();
+    let change = Engagement::new(parameters)?.passage(entry_speed)?.reversal_angle();
     let half = parameters.mechanism().engagement_half_angle();
     let instants: Vec<Instant> = speeds(parameters, entry_speed)?
         .into_iter()

@@ -85,7 +85,7 @@ struct Errors {
 fn errors() -> Vec<Errors> {
     let one = |halvings: i32| {
         let step = libm::ldexp(1.0, -halvings);
-        Errors { step, smooth: spring(step), switched: worst_switch(step) }
+        Errors { step, smooth: spring(step), switched: worst_reversal(step) }
     };
     (1..=HALVINGS).map(one).collect()
 }
@@ -104,7 +104,7 @@ fn spring(step: f64) -> f64 {
     (end - exact).amax()
 }
 
-fn worst_switch(step: f64) -> f64 {
+fn worst_reversal(step: f64) -> f64 {
     let error = |place: u32| {
         let switch = BETWEEN[0] + (BETWEEN[1] - BETWEEN[0]) * f64::from(place) / f64::from(PLACES);
         let end = last(|_, at| Vector1::new(if at[0] < switch { 1.0 } else { 2.0 }), Vector1::zeros(), step, 1.0);

@@ -42,7 +42,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         jumping(both(&x, &rows, [3, 4], "accelerations ", 2, " in 1000 rad/s²"), &rows),
         force(&x.clone().titled(angle), &rows),
     ];
-    let change = engagement.passage(engagement.steady_state()?.entry_speed)?.switch_angle();
+    let change = engagement.passage(engagement.steady_state()?.entry_speed)?.reversal_angle();
     let flank = Stroke::thin("switch").dashed("5 4");
     let panels = panels.map(|panel| match change {
         Some(change) => panel.vertical(change.to_degrees(), flank),

@@ -51,7 +51,7 @@ pub fn phase(parameters: &Parameters) -> Result<Figure, FigureError> {
         let passage = engagement.passage(entry)?;
         let points: Vec<_> =
             speeds(parameters, entry)?.iter().map(|[theta, speed]| (theta.to_degrees(), speed / unit)).collect();
-        let switch = passage.switch_angle().map(|angle| {
+        let switch = passage.reversal_angle().map(|angle| {
             let angle = angle.to_degrees();
             let pair = points.windows(2).find(|pair| pair[0].0 <= angle && angle <= pair[1].0);
             let speed = pair.map_or(f64::NAN, |pair| {

@@ -1,8 +1,9 @@
 //! One row: an escapement, and its motion or why it has none.
 
 use super::grid::Cell;
-use crate::escapement::{engagement, rise};
+
 use crate::fields::Row;
+use geneva_ask::escapement::{engagement, rise};
 use geneva_dynamics::steady::SteadyState;
 use geneva_dynamics::{Error, Inertias, Parameters};
 
@@ -57,7 +58,7 @@ pub fn row(cell: &Cell) -> (Row, Status) {
         ("mean_speed", steady.map(|steady| steady.mean_speed).into()),
         ("period", steady.map(|steady| steady.period).into()),
         ("multiplier", steady.map(|steady| steady.multiplier).into()),
-        ("switch_angle_deg", steady.and_then(|steady| steady.switch_angle).map(f64::to_degrees).into()),
+        ("switch_angle_deg", steady.and_then(|steady| steady.reversal_angle).map(f64::to_degrees).into()),
         ("rise_time", rise_time.into()),
         ("status", status.name().into()),
     ]);

@@ -1,48 +1,21 @@
 //! No option is ignored in silence: one that would have no effect is refused, with what would give it one.
 
-use super::WheelArguments;
-use super::kind::Kind;
 use crate::arguments::Format;
 use crate::typed::as_typed;
 use anyhow::bail;
-
-/// The options with a number, as they are typed.
-fn numbers(wanted: &WheelArguments) -> Vec<(&'static str, f64)> {
-    let options = [
-        ("--stations", wanted.stations.map(f64::from)),
-        ("--pins", wanted.pins.map(f64::from)),
-        ("--crank-radius", wanted.crank_radius),
-        ("--centre-distance", wanted.centre_distance),
-        ("--wheel-radius", wanted.wheel_radius),
-        ("--pin-diameter", wanted.pin_diameter),
-        ("--play", wanted.play),
-        ("--horn", wanted.horn),
-        ("--bottom-clearance", wanted.bottom_clearance),
-        ("--wheel-shaft", wanted.wheel_shaft),
-        ("--driver-shaft", wanted.driver_shaft),
-        ("--rpm", wanted.rpm),
-        ("--inertia", wanted.inertia),
-        ("--thickness", wanted.thickness),
-        ("--density", wanted.density),
-        ("--friction-torque", wanted.friction_torque),
-        ("--at", wanted.at.first().copied()),
-        ("--at-wheel", wanted.at_wheel.first().copied()),
-    ];
-    options.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
-}
+use geneva_ask::wheel::{Kind, Question};
 
 /// Refuses the first of these options that was given; `why` ends the sentence "… has no effect".
-fn none_of(wanted: &WheelArguments, names: &[&str], why: &str) -> anyhow::Result<()> {
-    match numbers(wanted).into_iter().find(|(name, _)| names.contains(name)) {
-        Some((name, value)) => bail!("{name} {} has no effect {why}", as_typed(value)),
+fn none_of(wanted: &Question, names: &[&str], why: &str) -> anyhow::Result<()> {
+    match wanted.numbers().into_iter().find(|(name, _)| names.contains(name)) {
+        Some((name, value)) => bail!("--{name} {} has no effect {why}", as_typed(value)),
         None => Ok(()),
     }
 }
 
 /// Refuses options that have no effect beside the wanted times.
-pub fn beside_times(wanted: &WheelArguments) -> anyhow::Result<()> {
-    let given = numbers(wanted);
-    let names: Vec<_> = given.iter().map(|(name, _)| *name).collect();
+pub fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
+    let names: Vec<_> = wanted.numbers().iter().map(|(name, _)| *name).collect();
     none_of(
         wanted,
         &names,
@@ -56,70 +29,70 @@ pub fn beside_times(wanted: &WheelArguments) -> anyhow::Result<()> {
             material.name
         );
     }
-    if !is_told(wanted.format) {
+    if !is_told(format) {
         bail!(
             "--format {}: --index-time and --dwell-time propose several wheels; to draw one of them, give its --stations \
              instead",
-            wanted.format.name()
+            format.name()
         );
     }
     Ok(())
 }
 
 /// Refuses options that have no effect for this one wheel.
-pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
+pub fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == Kind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
         none_of(wanted, &PARTS, why)?;
     }
-    if !is_told(wanted.format) {
-        let format = wanted.format.name();
+    if !is_told(format) {
+        let name = format.name();
         let why = format!(
-            "on --format {format}, a file of shapes without motion or loads; leave it out, or choose --format text, json or csv"
+            "on --format {name}, a file of shapes without motion or loads; leave it out, or choose --format text, json or csv"
         );
         none_of(wanted, &MOTION, &why)?;
         if !is_external {
             let why = format!(
-                "on --format {format}, whose drawing is not to scale; leave it out, or choose --format text, json or csv"
+                "on --format {name}, whose drawing is not to scale; leave it out, or choose --format text, json or csv"
             );
             none_of(wanted, &SIZES, &why)?;
         }
     }
-    let is_sized = numbers(wanted).iter().any(|(name, _)| SIZES.contains(name));
+    let is_sized = wanted.numbers().iter().any(|(name, _)| SIZES.contains(name));
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM";
         none_of(wanted, &PARTS, why)?;
     }
     if wanted.thickness.is_none() {
-        none_of(wanted, &["--density"], "without a thickness; add --thickness MM")?;
+        none_of(wanted, &["density"], "without a thickness; add --thickness MM")?;
     }
-    if is_told(wanted.format) && wanted.density.is_none() && wanted.pin_material.is_none() {
+    if is_told(format) && wanted.density.is_none() && wanted.pin_material.is_none() {
         let why = "without a density or materials; add --density KGM3 for the mass, or --pin-material and --wheel-material \
                    for the pressure";
-        none_of(wanted, &["--thickness"], why)?;
+        none_of(wanted, &["thickness"], why)?;
     }
-    if matches!(wanted.format, Format::Svg | Format::Dxf) {
+    if matches!(format, Format::Svg | Format::Dxf) {
         let why = format!(
             "on --format {}, whose drawing is flat; leave it out, or choose --format scad or stl",
-            wanted.format.name()
+            format.name()
         );
-        none_of(wanted, &["--thickness"], &why)?;
+        none_of(wanted, &["thickness"], &why)?;
     }
     if wanted.rpm.is_none() {
-        none_of(wanted, &["--inertia", "--friction-torque"], "without a speed; add --rpm R")?;
+        none_of(wanted, &["inertia", "friction-torque"], "without a speed; add --rpm R")?;
     }
     if wanted.inertia.is_none() && wanted.density.is_none() {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
-        none_of(wanted, &["--friction-torque"], why)?;
+        none_of(wanted, &["friction-torque"], why)?;
     }
     let Some(material) = wanted.pin_material else { return Ok(()) };
     let has_load = wanted.rpm.is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
     let why = if !is_external {
         "because only external wheels have parts in mm; leave it out, or choose --type external"
-    } else if !is_told(wanted.format) {
+    } else if !is_told(format) {
         "on a file of shapes, which has no loads; leave it out, or choose --format text or json"
-    } else if wanted.format == Format::Csv {
+    } else if format == Format::Csv {
         "on --format csv, which has no pressures; leave it out, or choose --format text or json"
     } else if !has_load || !is_sized {
         "without a load; add --crank-radius MM, --rpm R and --inertia KGM2"
@@ -132,20 +105,12 @@ pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
 }
 
 /// The three options that give a size.
-const SIZES: [&str; 3] = ["--crank-radius", "--centre-distance", "--wheel-radius"];
+const SIZES: [&str; 3] = ["crank-radius", "centre-distance", "wheel-radius"];
 /// The options of the parts in millimetres.
-const PARTS: [&str; 8] = [
-    "--pin-diameter",
-    "--play",
-    "--horn",
-    "--bottom-clearance",
-    "--wheel-shaft",
-    "--driver-shaft",
-    "--thickness",
-    "--density",
-];
+const PARTS: [&str; 8] =
+    ["pin-diameter", "play", "horn", "bottom-clearance", "wheel-shaft", "driver-shaft", "thickness", "density"];
 /// The options of motion and loads.
-const MOTION: [&str; 6] = ["--rpm", "--inertia", "--density", "--friction-torque", "--at", "--at-wheel"];
+const MOTION: [&str; 6] = ["rpm", "inertia", "density", "friction-torque", "at", "at-wheel"];
 
 /// Whether a format gives numbers, and not shapes.
 fn is_told(format: Format) -> bool {

@@ -1,24 +1,14 @@
 //! One wheel: its sizes, its times, its motion and loads, or its drawing; or which wheel has wanted times.
 
-mod cycle;
 mod idle;
-mod kind;
-mod loads;
-mod made;
-mod report;
-mod sizes;
-mod times;
-mod workshop;
 
 use crate::arguments::{Format, Output, formats};
 use crate::fields;
-use crate::typed::{self, as_typed, rounded_down};
-use anyhow::ensure;
-use clap::Args;
+use crate::typed;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
+use geneva_ask::wheel::{Design, Kind, Question, Times, proposals};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
-use kind::Kind;
-use made::Made;
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
@@ -33,7 +23,7 @@ pub struct WheelArguments {
     pub pins: Option<u32>,
     /// Kind of wheel [default: external]
     #[arg(long = "type", value_name = "TYPE", value_enum)]
-    pub kind: Option<Kind>,
+    pub kind: Option<KindName>,
     /// Distance from the driver's axis to a pin's centre, in millimetres; give this or one of the next two for sizes in mm
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true,
         conflicts_with_all = ["centre_distance", "wheel_radius"])]
@@ -120,29 +110,54 @@ pub struct WheelArguments {
     pub to: Output,
 }
 
-/// Most angles at which the motion is reported at once.
-const MOST_INSTANTS: usize = 10_000;
+/// Kinds of wheel: how wheel and driver are arranged.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum KindName {
+    /// Driver beside the wheel: they turn in opposite senses
+    External,
+    /// Driver inside the wheel: they turn in the same sense, the wheel for more than half of each turn
+    Internal,
+    /// Axes that cross at right angles: half of each turn is motion, half is dwell
+    Spherical,
+}
 
-/// The crank angles in degrees at which to report the motion.
-fn instants(wanted: &WheelArguments, made: &Made) -> anyhow::Result<Vec<f64>> {
-    let asked = wanted.at.len() + wanted.at_wheel.len();
-    ensure!(
-        asked <= MOST_INSTANTS,
-        "--at and --at-wheel give {asked} angles, but at most {MOST_INSTANTS} can be reported at once; give fewer, or none \
-         with --format csv, which has a row for each degree"
-    );
-    let wheel = made.wheel.indexing();
-    let most = 180.0 / f64::from(wheel.stations());
-    let of_the_wheel = wanted.at_wheel.iter().map(|degrees| {
-        ensure!(
-            degrees.abs() <= most,
-            "--at-wheel {}: during an index the wheel turns from −{most}° to {most}°; give an angle in this range",
-            as_typed(*degrees),
-            most = rounded_down(most)
-        );
-        Ok(wheel.crank_at(degrees.to_radians())?.to_degrees())
-    });
-    wanted.at.iter().map(|degrees| Ok(*degrees)).chain(of_the_wheel).collect()
+impl From<KindName> for Kind {
+    fn from(name: KindName) -> Self {
+        match name {
+            KindName::External => Self::External,
+            KindName::Internal => Self::Internal,
+            KindName::Spherical => Self::Spherical,
+        }
+    }
+}
+
+impl WheelArguments {
+    fn question(&self) -> Question {
+        Question {
+            kind: self.kind.map(Kind::from),
+            stations: self.stations,
+            pins: self.pins,
+            crank_radius: self.crank_radius,
+            centre_distance: self.centre_distance,
+            wheel_radius: self.wheel_radius,
+            pin_diameter: self.pin_diameter,
+            play: self.play,
+            horn: self.horn,
+            bottom_clearance: self.bottom_clearance,
+            wheel_shaft: self.wheel_shaft,
+            driver_shaft: self.driver_shaft,
+            rpm: self.rpm,
+            inertia: self.inertia,
+            thickness: self.thickness,
+            density: self.density,
+            friction_torque: self.friction_torque,
+            pin_material: self.pin_material,
+            wheel_material: self.wheel_material,
+            at: self.at.clone(),
+            at_wheel: self.at_wheel.clone(),
+            ..Question::default()
+        }
+    }
 }
 
 /// One of the materials whose moduli are known, by its name.
@@ -153,24 +168,31 @@ fn materials() -> impl TypedValueParser<Value = Material> {
 
 /// The wheel that is wanted, in the format that is wanted.
 pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
+    let (format, question) = (wanted.format, wanted.question());
     if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
-        idle::beside_times(wanted)?;
-        return times::page(index, dwell, wanted.kind, wanted.format);
+        idle::beside_times(&question, format)?;
+        let answer = proposals(Times { index, dwell }, question.kind);
+        return match format {
+            Format::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
+            Format::Json => fields::json(&answer),
+            _ => Ok(fields::sheet(&answer)),
+        };
     }
-    let made = Made::new(wanted)?;
-    workshop::makes(made.wheel.kind(), wanted.format)?;
-    idle::refused(wanted)?;
-    match wanted.format {
-        Format::Svg => Ok(made.drawing().standalone()),
-        Format::Csv => cycle::csv(&made, &instants(wanted, &made)?),
-        Format::Dxf | Format::Scad | Format::Stl => workshop::file(&made, wanted.thickness, wanted.format),
-        format => {
-            let report = report::report(&made, &instants(wanted, &made)?, format == Format::Text)?;
-            ensure!(
-                report.is_finite(),
-                "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias"
-            );
-            if format == Format::Json { fields::json(&report) } else { Ok(report.sheet()) }
+    let design = Design::new(question)?;
+    if matches!(format, Format::Dxf | Format::Scad | Format::Stl) {
+        design.is_made_from(format.name())?;
+    }
+    idle::refused(&design.question, format)?;
+    Ok(match format {
+        Format::Svg => design.drawing().standalone(),
+        Format::Dxf => design.dxf()?,
+        Format::Scad => design.scad()?,
+        Format::Stl => design.stl()?,
+        Format::Csv => {
+            let rows = design.cycle()?;
+            fields::csv(rows.first(), rows.iter().cloned())?
         }
-    }
+        Format::Json => fields::json(&design.answer()?)?,
+        _ => fields::sheet(&design.answer()?),
+    })
 }

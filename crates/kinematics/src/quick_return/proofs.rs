@@ -48,15 +48,15 @@ impl Identity<4> for DiagramAgainstSeries {
             Motion::at(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
         let square = rates.position.dot(&rates.position);
         match self.0 {
-            Compared::LeverSpeed => velocities.follower_speed - rates.turning,
-            Compared::LeverAcceleration => accelerations.follower_acceleration - rates.turning_rate,
+            Compared::LeverSpeed => velocities.follower_speed - rates.angular_velocity,
+            Compared::LeverAcceleration => accelerations.follower_acceleration - rates.angular_acceleration,
             Compared::Sliding => velocities.sliding_velocity.dot(&rates.position) - rates.sliding * square,
             Compared::SlidingAcceleration => {
                 accelerations.sliding_tangential.dot(&rates.position) - rates.sliding_rate * square
             }
             Compared::Coriolis => {
                 let across = quarter_turn(&rates.position).x;
-                accelerations.coriolis.x - 2 * rates.turning * rates.sliding * across
+                accelerations.coriolis.x - 2 * rates.angular_velocity * rates.sliding * across
             }
         }
     }

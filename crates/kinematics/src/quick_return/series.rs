@@ -16,9 +16,9 @@ pub struct PolarRates<S> {
     /// From the lever's pivot to the pin, in the unit of the ground distance: r e(ψ).
     pub position: Vector2<S>,
     /// Angular velocity of the lever, ψ̇, in the unit of the crank's speed, counter-clockwise positive.
-    pub turning: S,
+    pub angular_velocity: S,
     /// Angular acceleration of the lever, ψ̈, in the unit of the crank's acceleration, counter-clockwise positive.
-    pub turning_rate: S,
+    pub angular_acceleration: S,
     /// Sliding speed of the pin over its distance, ṙ / r, in the unit of the crank's speed, outwards positive.
     pub sliding: S,
     /// Rate of the sliding speed over the pin's distance, r̈ / r, in the unit of the crank's acceleration.
@@ -39,11 +39,11 @@ pub struct PolarRates<S> {
 /// let rates = polar_rates(&rational(2, 1), &rational(1, 1), &across, &drive).expect("off the pivot");
 /// assert_eq!(rates.sliding, rational(-2, 5)); // ṙ / r
 /// assert_eq!(rates.sliding_rate, rational(-4, 25)); // r̈ / r
-/// assert_eq!(rates.turning, rational(1, 5)); // the pin moves at 1 along the line of centres, 1 beside the pivot
+/// assert_eq!(rates.angular_velocity, rational(1, 5)); // the pin moves at 1 along the line of centres, 1 beside the pivot
 /// ```
 pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<PolarRates<S>> {
     let path = path(radius, ground, &crank.speeding_up(drive.speed.clone(), drive.acceleration.clone()));
-    let turning = angular_velocity(&path)?;
+    let turned = angular_velocity(&path)?;
     // From r² = s: ṙ/r = ṡ / 2s, and r̈/r = (s̈/2 − ṙ²) / s = s̈ / 2s − (ṙ/r)².
     let square = path.x.clone() * path.x.clone() + path.y.clone() * path.y.clone();
     let twice = S::integer(2) * square.value();
@@ -52,8 +52,8 @@ pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Dr
     let sliding_rate = second / twice - sliding.clone() * sliding.clone();
     Some(PolarRates {
         position: path.map(|coordinate| coordinate.value()),
-        turning: turning.value(),
-        turning_rate: turning.rate(),
+        angular_velocity: turned.value(),
+        angular_acceleration: turned.rate(),
         sliding,
         sliding_rate,
     })

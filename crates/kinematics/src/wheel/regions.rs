@@ -90,8 +90,8 @@ impl WheelRegion {
             least = least.min((radius - self.rim).abs());
         }
         // The locking arc's point nearest to p, if the arc reaches so far.
-        let stretch = self.locking_radius / (to_locking + self.locking_radius);
-        let foot = self.locking_centre + from_locking * stretch;
+        let part = self.locking_radius / (to_locking + self.locking_radius);
+        let foot = self.locking_centre + from_locking * part;
         if foot.norm_squared() <= self.rim * self.rim || from_locking.norm_squared() == 0.0 {
             least = least.min(to_locking.abs());
         }

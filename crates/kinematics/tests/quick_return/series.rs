@@ -11,8 +11,8 @@ fn the_series_says_what_the_diagrams_say_exactly() {
     let drive = Drive { speed: rational(5, 1), acceleration: rational(-7, 2) };
     let rates = polar_rates(&ground, &radius, &crank, &drive).expect("off the pivot");
     let motion = Motion::at(&ground, &radius, &crank, &drive).expect("off the pivot");
-    assert_eq!(rates.turning, motion.velocities.follower_speed);
-    assert_eq!(rates.turning_rate, motion.accelerations.follower_acceleration);
+    assert_eq!(rates.angular_velocity, motion.velocities.follower_speed);
+    assert_eq!(rates.angular_acceleration, motion.accelerations.follower_acceleration);
     assert_eq!(rates.position.clone() * rates.sliding, motion.velocities.sliding_velocity);
     assert_eq!(rates.position * rates.sliding_rate, motion.accelerations.sliding_tangential);
 }

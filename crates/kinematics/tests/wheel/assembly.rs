@@ -61,10 +61,17 @@ fn points(edges: &[Edge]) -> Vec<Point> {
 }
 
 pub(super) fn is_inside(polygon: &[Point], p: &Point) -> bool {
-    let next = polygon.iter().cycle().skip(1);
-    let crosses =
-        |(a, b): &(&Point, &Point)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
-    polygon.iter().zip(next).filter(crosses).count() % 2 == 1
+    let (mut is_inside, mut before) = (false, polygon.last());
+    for b in polygon {
+        if let Some(a) = before
+            && (a.y > p.y) != (b.y > p.y)
+            && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        {
+            is_inside = !is_inside;
+        }
+        before = Some(b);
+    }
+    is_inside
 }
 
 /// Least distance of two loops in the places where they lie, negative if points of one lie in the other.

@@ -43,14 +43,14 @@ pub const FASTEST: Vocabulary = Vocabulary::new(fastest, AutomaticDerivative, fa
 fn wheel(
     ratio: Expression,
     theta: &Turn<Expression>,
-    [speed, gain]: [Expression; 2],
+    [speed, acceleration]: [Expression; 2],
 ) -> (Moment<Expression>, Expression) {
-    let advance = Jet::<_, 4>::from_coefficients([Expression::ZERO, speed, gain / 2, Expression::ZERO]);
+    let advance = Jet::<_, 4>::from_coefficients([Expression::ZERO, speed, acceleration / 2, Expression::ZERO]);
     let path = pin_path(&ratio, &theta.moving_by(&advance));
     let velocity = angular_velocity(&path).expect("the pin is off the wheel's axis");
     let jerk = velocity.coefficient(2) * 2;
     let moment = Moment::default()
-        .with([(r"\dot\theta", speed), (r"\ddot\theta", gain)])
+        .with([(r"\dot\theta", speed), (r"\ddot\theta", acceleration)])
         .with([(r"\dot\phi", velocity.value()), (r"\ddot\phi", velocity.rate())])
         .changing(By::Time, [("phi''", jerk)])
         .with_angles([(r"\theta", angle(theta))])
@@ -81,8 +81,8 @@ fn moving() -> (Moment<Expression>, Expression, Turn<Expression>, Turn<Expressio
 
 /// Variables: tangent of θ/2, θ', θ''.
 fn four(_: i64) -> Moment<Expression> {
-    let [half_theta, speed, gain] = from_fn(Expression::variable);
-    of_four(half_theta, [speed, gain])
+    let [half_theta, speed, acceleration] = from_fn(Expression::variable);
+    of_four(half_theta, [speed, acceleration])
 }
 
 /// Variables: tangent of θ/2, θ'.
@@ -247,14 +247,19 @@ fn made(stations: u32) -> [f64; 2] {
 }
 
 /// The letters of one state, of a driver that has the angular acceleration only if it is unsteady.
-fn state(stations: u32, [part, speed, gain, radius]: [f64; 4]) -> Moment {
+fn state(stations: u32, [part, speed, acceleration, radius]: [f64; 4]) -> Moment {
     let [ratio, end] = made(stations);
     let crank = part * end;
-    let [angle, velocity, acceleration, jerk] = rates(ratio, crank, [speed, gain]);
+    let [angle, velocity, acceleration, jerk] = rates(ratio, crank, [speed, acceleration]);
     let (across, along) = (libm::sin(crank), ratio - libm::cos(crank));
     Moment::default()
         .with([(r"\alpha", PI / f64::from(stations)), (r"\theta", crank), (r"\phi", angle)])
-        .with([(r"\dot\theta", speed), (r"\ddot\theta", gain), (r"\dot\phi", velocity), (r"\ddot\phi", acceleration)])
+        .with([
+            (r"\dot\theta", speed),
+            (r"\ddot\theta", acceleration),
+            (r"\dot\phi", velocity),
+            (r"\ddot\phi", acceleration),
+        ])
         .with([("r", radius), ("x", radius * libm::hypot(across, along)), ("l", ratio * radius)])
         .changing(By::Time, [("phi''", jerk)])
 }

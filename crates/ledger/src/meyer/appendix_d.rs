@@ -78,7 +78,11 @@ fn given() -> Vec<Claim> {
                 let angles: Vec<f64> = said_pins(stated).iter().map(|pins| PI / pins).collect();
                 // Each number of pins has an escapement whose pin enters at its own angle along the slot.
                 let holds = angles.iter().all(|angle| {
-                    Mechanism::ALL.iter().filter(|at| vanishes(PinKinematics::new(at, -angle).turning())).count() == 1
+                    Mechanism::ALL
+                        .iter()
+                        .filter(|at| vanishes(PinKinematics::new(at, -angle).angular_velocity()))
+                        .count()
+                        == 1
                 });
                 Finding::new(holds, "the pin moves along its slot, at each angle in one of the three escapements")
             })
@@ -158,7 +162,7 @@ pub fn coming_in(stated: Stated) -> Finding {
 pub fn along_the_slots(stated: Stated) -> Finding {
     let said = said_angles(stated);
     let still = Mechanism::ALL.iter().zip(&said).all(|(at, angle)| {
-        [1.0, -1.0].iter().all(|side| vanishes(PinKinematics::new(at, side * angle.to_radians()).turning()))
+        [1.0, -1.0].iter().all(|side| vanishes(PinKinematics::new(at, side * angle.to_radians()).angular_velocity()))
     });
     Finding::new(
         still && said.len() == 3,
@@ -197,11 +201,11 @@ fn equations() -> Vec<Claim> {
                     // What friction takes of the torque with the acceleration, and with the square of the speed.
                     const FRICTION: f64 = 0.25;
                     let (speed, angular_acceleration) = DRIVER;
-                    let with_the_gain = seen.turning() / speed;
+                    let times_acceleration = seen.angular_velocity() / speed;
                     let with_the_square =
-                        (seen.turning_rate() - with_the_gain * angular_acceleration) / (speed * speed);
+                        (seen.angular_acceleration() - times_acceleration * angular_acceleration) / (speed * speed);
                     let sliding = seen.place.normalize().dot(&seen.velocity) / speed;
-                    let said = FRICTION * stated.pick(with_the_gain, with_the_square) / seen.radius() * sliding;
+                    let said = FRICTION * stated.pick(times_acceleration, with_the_square) / seen.radius() * sliding;
                     let angle = libm::atan2(seen.crank.sin, seen.crank.cos);
                     let cards = [("G", seen.ratio), ("X0", angle), ("U", FRICTION), ("IC", 1.0), ("IW", 1.0)];
                     let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();

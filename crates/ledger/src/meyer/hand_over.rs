@@ -319,11 +319,11 @@ fn has_terminal_speed(pair: &Newton, half: f64, gap: f64) -> bool {
     let mut fixed = next(0.0);
     for _ in 0..40 {
         let (once, twice) = (next(fixed), next(next(fixed)));
-        let (angular_acceleration, next_gain) = (once - fixed, twice - once);
+        let (angular_acceleration, next_acceleration) = (once - fixed, twice - once);
         if angular_acceleration.abs() <= 1e-10 * fixed {
             break;
         }
-        fixed = once + next_gain / (1.0 - next_gain / angular_acceleration);
+        fixed = once + next_acceleration / (1.0 - next_acceleration / angular_acceleration);
     }
     let nearer = |from: f64| (next(from) - fixed).abs() < 0.999 * (from - fixed).abs();
     fixed > 0.0 && (next(fixed) - fixed).abs() < 1e-6 * fixed && [0.0, 0.9 * fixed, 1.1 * fixed].into_iter().all(nearer)

@@ -121,7 +121,7 @@ const RADIUS: f64 = 1.5;
 /// The letters at the angle of the driver at which the follower stands still, with this radius of the pins' circle.
 fn letters(escapement: &Mechanism, radius: f64) -> Moment {
     let ratio = ratio_with_standstill_at(PI / f64::from(escapement.slots()));
-    let turning = |angle: f64| PinKinematics::driven(ratio, angle, (1.0, 0.0)).turning();
+    let turning = |angle: f64| PinKinematics::driven(ratio, angle, (1.0, 0.0)).angular_velocity();
     let driver = halved([0.0, PI / 2.0], |angle| turning(angle) > 0.0)[0];
     let pin = PinKinematics::driven(ratio, driver, (1.0, 0.0));
     let follower = pin.angle();

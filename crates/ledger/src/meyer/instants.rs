@@ -59,12 +59,13 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
     let now = PinKinematics::driven(ratio, angle, driver);
     // At the speed one and without acceleration of the driver: φ' and φ'' are then derivatives by θ.
     let unit = PinKinematics::driven(ratio, angle, (1.0, 0.0));
-    let (turning, change) = (unit.turning(), unit.turning_rate());
+    let (turning, change) = (unit.angular_velocity(), unit.angular_acceleration());
     // How far the pin slides out per radian, in the unit of length.
     let sliding = RADIUS * unit.place.normalize().dot(&unit.velocity);
     let distance = RADIUS * now.radius();
     let normal = |angular_acceleration: f64| {
-        FOLLOWER_INERTIA * PinKinematics::driven(ratio, angle, (speed, angular_acceleration)).turning_rate() / distance
+        FOLLOWER_INERTIA * PinKinematics::driven(ratio, angle, (speed, angular_acceleration)).angular_acceleration()
+            / distance
     };
     let friction = |angular_acceleration: f64| FRICTION * normal(angular_acceleration) * sliding;
     // What the two members ask of the driver's torque beside friction: Newton's laws for each.
@@ -76,7 +77,8 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
     let moving_inertia = DRIVER_INERTIA + FOLLOWER_INERTIA * turning * turning;
     let square_speed = speed * speed;
     // The growth of the kinetic energy, and what is lost by sliding: per radian of the driver.
-    let grown = DRIVER_INERTIA * angular_acceleration + FOLLOWER_INERTIA * now.turning() * now.turning_rate() / speed;
+    let grown = DRIVER_INERTIA * angular_acceleration
+        + FOLLOWER_INERTIA * now.angular_velocity() * now.angular_acceleration() / speed;
     let lost =
         FRICTION * normal(angular_acceleration).abs() * (RADIUS * now.place.normalize().dot(&now.velocity)).abs()
             / speed;
@@ -90,8 +92,8 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         ("theta'", speed),
         ("theta''", angular_acceleration),
         ("phi", now.angle()),
-        ("phi'", now.turning()),
-        ("phi''", now.turning_rate()),
+        ("phi'", now.angular_velocity()),
+        ("phi''", now.angular_acceleration()),
         ("I_D", DRIVER_INERTIA),
         ("I_f", FOLLOWER_INERTIA),
         ("I_b", ODD),
@@ -116,7 +118,8 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         ("delta theta", TURN),
         (
             "delta W",
-            DRIVER_INERTIA * angular_acceleration * TURN + FOLLOWER_INERTIA * now.turning_rate() * turning * TURN,
+            DRIVER_INERTIA * angular_acceleration * TURN
+                + FOLLOWER_INERTIA * now.angular_acceleration() * turning * TURN,
         ),
         ("T", moving_inertia * square_speed / 2.0),
         ("friction", friction(angular_acceleration)),

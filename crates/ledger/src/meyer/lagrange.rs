@@ -66,7 +66,7 @@ fn forces() -> Vec<Claim> {
                     let from_driver = seen.place - Vector2::new(seen.ratio, 0.0);
                     let place = pin_slot::pin_from_pivot(&Jet::constant(seen.ratio), &seen.crank.moving::<2>(1.0));
                     let follower = angular_velocity(&place).map_or(f64::NAN, |turning| turning.value().abs());
-                    let inner = follower * seen.place.perp(&force) * seen.turning().signum();
+                    let inner = follower * seen.place.perp(&force) * seen.angular_velocity().signum();
                     let outer = from_driver.perp(&force) * from_driver.perp(&seen.velocity).signum();
                     (inner, outer)
                 })

@@ -29,13 +29,13 @@ pub const RATES: Vocabulary = Vocabulary::new(moving_triangle, Vectors, instants
 ///
 /// Variables: R, a, sin θ, θ', θ'', I_D, I_f, μ, r; θ grows. That sine and cosine are of one angle is nowhere needed.
 pub fn mechanism(bars: i64) -> Moment<Expression> {
-    let [distance, a, sine, speed, gain, driver, follower, friction, radius] = from_fn(Expression::variable);
+    let [distance, a, sine, speed, acceleration, driver, follower, friction, radius] = from_fn(Expression::variable);
     let square = distance * distance;
     let cosine = (1 + a * a - square) / (2 * a);
     let pose = Pose::from_square(&square, &(a * cosine - 1), &(a * sine));
     let turning = pose.moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
     let ratio = turning.velocity_ratio();
-    let speeds = Jet::<_, 2>::from_coefficients([speed, gain]);
+    let speeds = Jet::<_, 2>::from_coefficients([speed, acceleration]);
     // Derivatives of one kinetic energy: by time, by θ, by θ', and that by time.
     let inertias = driver / follower;
     // The pose grows with θ: by time, its rate is θ' times as much.
@@ -48,10 +48,10 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
         &Jet::constant(Jet::constant(inertias)),
     )
     .rate();
-    let follower_gain = (in_time * speeds).rate();
+    let follower_acceleration = (in_time * speeds).rate();
     // Virtual work of the inertias; and the balance of power, with what friction takes by μ N over R dR/dθ = (R²)'/2.
-    let force = driver * gain + follower * follower_gain * ratio.value();
-    let rubbing = -bars * follower * friction * follower_gain * (turning.square.rate() / 2) / square;
+    let force = driver * acceleration + follower * follower_acceleration * ratio.value();
+    let rubbing = -bars * follower * friction * follower_acceleration * (turning.radius_squared.rate() / 2) / square;
     let torque = follower * energy.rate() / speed - rubbing;
     let factors = Coefficients::of_pose(&pose, &inertias, &friction, &(torque / follower));
     let momentum_letters = ["dT/dtheta'", "dT/dq'_k"];
@@ -60,15 +60,15 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
         ("r", radius),
         ("R", radius * distance),
         ("theta'", speed),
-        ("theta''", gain),
+        ("theta''", acceleration),
         ("phi'", in_time.value() * speed),
-        ("phi''", follower_gain),
+        ("phi''", follower_acceleration),
         ("I_D", driver),
         ("I_f", follower),
         ("I_P", follower + 1),
         ("I_b", driver + 1),
         ("mu", friction),
-        ("N", follower * follower_gain / (radius * distance)),
+        ("N", follower * follower_acceleration / (radius * distance)),
         ("K", torque),
         ("tau_1", torque),
         ("tau_2", rubbing),
@@ -87,7 +87,7 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
     let momenta = momentum_letters.map(|name| (name, follower * momentum.value()));
     let growing = momentum_letters.map(|name| (name, follower * momentum.rate()));
     of(letters.into_iter().chain(momenta))
-        .changing(By::Time, [("theta", speed), ("theta'", gain)].into_iter().chain(growing))
+        .changing(By::Time, [("theta", speed), ("theta'", acceleration)].into_iter().chain(growing))
         .changing(By::Angle, [("theta", Expression::ONE)])
         .giving(r"\cos\theta", cosine)
         .giving(r"\sin\theta", sine)
@@ -151,28 +151,34 @@ fn crossing(halves: [Expression; 2]) -> (Triangle, [Expression; 2]) {
 /// The triangle as it moves: the follower's angular velocity is what the pin's velocity has across the slot, over the pin's
 /// distance. Variables: tangents of θ/2 and φ/2, θ', θ''.
 fn moving_triangle(_: i64) -> Moment<Expression> {
-    let [half_theta, half_phi, speed, gain] = from_fn(Expression::variable);
+    let [half_theta, half_phi, speed, acceleration] = from_fn(Expression::variable);
     let (Triangle { theta, phi, .. }, [ratio, distance]) = crossing([half_theta, half_phi]);
-    let place = pin_slot::pin_path(&ratio, &theta.speeding_up(speed, gain));
+    let place = pin_slot::pin_path(&ratio, &theta.speeding_up(speed, acceleration));
     let follower = angular_velocity(&place).expect("the pin is off the follower's axis");
-    of([("a", ratio), ("theta'", speed), ("theta''", gain), ("phi'", follower.value()), ("phi''", follower.rate())])
-        .changing(By::Time, [("theta", speed), ("phi", follower.value())])
-        .giving(r"\sin\theta", theta.sin)
-        .giving(r"\cos\theta", theta.cos)
-        .giving(r"\tan\phi", phi.sin / phi.cos)
-        .giving(r"\sec\phi", 1 / phi.cos)
-        .giving(r"1 + a^2 - 2a\cos\theta", distance * distance)
+    of([
+        ("a", ratio),
+        ("theta'", speed),
+        ("theta''", acceleration),
+        ("phi'", follower.value()),
+        ("phi''", follower.rate()),
+    ])
+    .changing(By::Time, [("theta", speed), ("phi", follower.value())])
+    .giving(r"\sin\theta", theta.sin)
+    .giving(r"\cos\theta", theta.cos)
+    .giving(r"\tan\phi", phi.sin / phi.cos)
+    .giving(r"\sec\phi", 1 / phi.cos)
+    .giving(r"1 + a^2 - 2a\cos\theta", distance * distance)
 }
 
 /// Eq. (1-19) by its letters, with S for the sign of the expression between the bars, as the crate has the equation.
 ///
 /// Variables: A + S D, B, C, D, θ', θ'', and a θ that is a slip for θ'.
 pub fn factors(bars: i64) -> Moment<Expression> {
-    let [slope, b, c, d, speed, gain, angle] = from_fn(Expression::variable);
-    let (a, e) = (slope - bars * d, driven([slope, b, c, d], [speed, gain], bars));
-    let between = c * speed * speed + d * gain;
+    let [slope, b, c, d, speed, acceleration, angle] = from_fn(Expression::variable);
+    let (a, e) = (slope - bars * d, driven([slope, b, c, d], [speed, acceleration], bars));
+    let between = c * speed * speed + d * acceleration;
     let letters = [("A", a), ("B", b), ("C", c), ("D", d), ("E", e), ("F", between)];
-    let motion = [("S", bars * Expression::ONE), ("theta", angle), ("theta'", speed), ("theta''", gain)];
+    let motion = [("S", bars * Expression::ONE), ("theta", angle), ("theta'", speed), ("theta''", acceleration)];
     of(letters.into_iter().chain(motion)).giving("A + SD", slope).opening_bars(bars * Expression::ONE)
 }
 
@@ -180,10 +186,10 @@ pub fn factors(bars: i64) -> Moment<Expression> {
 ///
 /// Variables: A + S D, B, C, D, θ'', and a θ' that is not zero, for the term that a slip makes of it.
 pub fn start(bars: i64) -> Moment<Expression> {
-    let [slope, b, c, d, gain, speed] = from_fn(Expression::variable);
-    let (a, e) = (slope - bars * d, driven([slope, b, c, d], [Expression::ZERO, gain], bars));
+    let [slope, b, c, d, acceleration, speed] = from_fn(Expression::variable);
+    let (a, e) = (slope - bars * d, driven([slope, b, c, d], [Expression::ZERO, acceleration], bars));
     let letters = [("A", a), ("R", a), ("D", d), ("V", d), ("E", e)];
-    let motion = [("theta'", speed), ("theta''", gain), ("theta''_0", gain)];
+    let motion = [("theta'", speed), ("theta''", acceleration), ("theta''_0", acceleration)];
     of(letters.into_iter().chain(motion)).opening_bars(bars * Expression::ONE)
 }
 
@@ -196,17 +202,17 @@ pub fn start_of_program(bars: i64) -> Moment<Expression> {
 }
 
 /// E by Eq. (1-19) as the crate has it, from A + S D and the other factors, for this speed and acceleration.
-fn driven([slope, b, c, d]: [Expression; 4], [speed, gain]: [Expression; 2], bars: i64) -> Expression {
+fn driven([slope, b, c, d]: [Expression; 4], [speed, acceleration]: [Expression; 2], bars: i64) -> Expression {
     let sign = if bars > 0 { Sign::Plus } else { Sign::Minus };
     let undriven = Coefficients { a: slope - bars * d, b, c, d, e: Expression::ZERO };
-    undriven.residual(&speed, &gain, sign)
+    undriven.residual(&speed, &acceleration, sign)
 }
 
 /// The vibration of Appendix B's example. Variables: m, c, k, x, x'.
 pub fn vibration(_: i64) -> Moment<Expression> {
     let [mass, damping, stiffness, place, speed] = from_fn(Expression::variable);
-    let gain = -(damping * speed + stiffness * place) / mass;
-    of([("m", mass), ("c", damping), ("k", stiffness), ("x", place), ("x'", speed), ("x''", gain)])
+    let acceleration = -(damping * speed + stiffness * place) / mass;
+    of([("m", mass), ("c", damping), ("k", stiffness), ("x", place), ("x'", speed), ("x''", acceleration)])
 }
 
 fn of<'a>(letters: impl IntoIterator<Item = (&'a str, Expression)>) -> Moment<Expression> {

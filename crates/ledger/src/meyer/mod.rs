@@ -144,15 +144,15 @@ impl PinKinematics {
     }
 
     /// The follower's angular velocity, which carries the pin across the slot.
-    fn turning(&self) -> f64 {
+    fn angular_velocity(&self) -> f64 {
         self.place.perp(&self.velocity) / self.place.norm_squared()
     }
 
     /// The follower's angular acceleration, from the acceleration across the slot without Coriolis's part.
-    fn turning_rate(&self) -> f64 {
+    fn angular_acceleration(&self) -> f64 {
         let along = self.place.normalize();
         let sliding = along.dot(&self.velocity);
-        (along.perp(&self.acceleration) - 2.0 * sliding * self.turning()) / self.radius()
+        (along.perp(&self.acceleration) - 2.0 * sliding * self.angular_velocity()) / self.radius()
     }
 }
 

@@ -33,7 +33,7 @@ struct InSlot {
 
 impl InSlot {
     /// The follower's angular velocity, in the driver's sense.
-    fn turning(&self) -> f64 {
+    fn angular_velocity(&self) -> f64 {
         self.across.dot(&self.velocity) / self.out
     }
 
@@ -54,7 +54,7 @@ struct Instant {
     /// Moment of inertia of the follower.
     follower: f64,
     /// Force across the slot that the follower asks for per acceleration of the driver.
-    per_gain: f64,
+    force_per_acceleration: f64,
     /// For the two flanks of the slot, as the force across it is positive or negative.
     flanks: [Flank; 2],
 }
@@ -77,7 +77,7 @@ impl Instant {
         let at_rest = self.follower * (self.asked * (speed * speed) / self.out) / self.out;
         let fits = |Flank { side, arm, inertia }: &Flank| {
             let angular_acceleration = (torque - at_rest * arm) / inertia;
-            let presses = side * (at_rest + self.per_gain * angular_acceleration) >= 0.0;
+            let presses = side * (at_rest + self.force_per_acceleration * angular_acceleration) >= 0.0;
             (*inertia > 0.0 && presses).then_some(angular_acceleration)
         };
         match (fits(&self.flanks[0]), fits(&self.flanks[1])) {
@@ -118,20 +118,20 @@ impl Newton {
 
     fn instant(&self, angle: f64, turned: f64) -> Instant {
         let at = self.in_slot(angle);
-        let (turning, sliding) = (at.turning(), at.sliding());
-        let per_gain = self.follower * turning / at.out;
+        let (turning, sliding) = (at.angular_velocity(), at.sliding());
+        let force_per_acceleration = self.follower * turning / at.out;
         let flank = |side: f64| {
             // Force across the slot with this sign, and friction along it against the sliding.
             let force = at.across + at.along * (self.friction * side * sliding.signum());
             let arm = at.pin.perp(&force);
-            Flank { side, arm, inertia: self.driver + per_gain * arm }
+            Flank { side, arm, inertia: self.driver + force_per_acceleration * arm }
         };
         Instant {
             turned,
             out: at.out,
             asked: at.across.dot(&-at.pin) - 2.0 * sliding * turning,
             follower: self.follower,
-            per_gain,
+            force_per_acceleration,
             flanks: [1.0, -1.0].map(flank),
         }
     }

@@ -93,7 +93,7 @@ fn at_entry() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[-0.99, 0.99]);
                 let still = |at: &Mechanism| {
-                    let turning = |part| PinKinematics::new(at, part * at.engagement_half_angle()).turning();
+                    let turning = |part| PinKinematics::new(at, part * at.engagement_half_angle()).angular_velocity();
                     ends.iter().all(|part| vanishes(turning(part)))
                 };
                 let count = Mechanism::ALL.iter().filter(|at| still(at)).count();
@@ -200,7 +200,7 @@ fn at_the_centres() -> Vec<Claim> {
             )
             .by(Quadrature, |stated| {
                 let found = cycles().iter().filter_map(|Cycle { state, lines }| {
-                    let change = state.switch_angle?;
+                    let change = state.reversal_angle?;
                     let own = lines.iter().filter(|line| line.angle >= stated.pick(change, 0.0));
                     Some(falls(&own.map(|line| line.follower_speed).collect::<Vec<_>>()))
                 });
@@ -416,7 +416,7 @@ impl Cycle {
         let most = self.lines.iter().map(|line| line.follower_speed).fold(0.0, f64::max);
         Some(Middle {
             before: -self.state.minimum.angle,
-            after: self.state.switch_angle?,
+            after: self.state.reversal_angle?,
             missed: [driver - self.state.minimum.speed, most - follower],
         })
     }

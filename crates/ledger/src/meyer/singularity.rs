@@ -56,9 +56,14 @@ fn quantity() -> Vec<Claim> {
             let (mut at_the_axis, mut elsewhere) = (false, false);
             for seen in places {
                 // By Newton's laws: what multiplies θ'' and θ'², and friction on either flank.
-                let [with_gain, with_square] = [seen.turning(), seen.turning_rate()];
+                let [times_acceleration, times_square] = [seen.angular_velocity(), seen.angular_acceleration()];
                 let arm = seen.place.normalize().dot(&seen.velocity) / seen.radius();
-                let factors = [with_gain * with_gain, with_gain * with_square, with_gain * arm, with_square * arm];
+                let factors = [
+                    times_acceleration * times_acceleration,
+                    times_acceleration * times_square,
+                    times_acceleration * arm,
+                    times_square * arm,
+                ];
                 if seen.radius() < 1e-6 {
                     at_the_axis = true;
                 } else {
@@ -297,7 +302,7 @@ fn slots() -> Vec<Claim> {
                 (-99..=99).all(|k| {
                     let angle = mechanism.engagement_half_angle() * f64::from(k) / 100.0;
                     let seen = PinKinematics::driven(mechanism.centre_distance_ratio(), angle, (1.0, 0.0));
-                    let (turning, sliding) = (seen.turning(), seen.place.normalize().dot(&seen.velocity));
+                    let (turning, sliding) = (seen.angular_velocity(), seen.place.normalize().dot(&seen.velocity));
                     let friction = MUCH_FRICTION * turning * sliding / seen.radius();
                     inertia + turning * turning > friction.abs()
                 })

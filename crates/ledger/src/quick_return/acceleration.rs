@@ -111,7 +111,7 @@ fn known() -> Vec<Claim> {
         LEVER_NORMAL
             .value("quick-return.lever-normal", "0.813", "m/s^2", "centripetal acceleration of the lever's point")
             .by(Vectors, || diagram(|motion| motion.accelerations.follower_normal.norm()))
-            .by(Series, || series(|rates| rates.turning * rates.turning * radius(rates)))
+            .by(Series, || series(|rates| rates.angular_velocity * rates.angular_velocity * radius(rates)))
             .rounded(|| {
                 printed("quick-return.lever-speed")
                     * printed("quick-return.lever-speed")
@@ -217,7 +217,7 @@ fn found() -> Vec<Claim> {
         LEVER_TANGENTIAL
             .value("quick-return.lever-tangential", "2.266", "m/s^2", "tangential acceleration of the lever's point")
             .by(Vectors, || diagram(|motion| motion.accelerations.follower_tangential.norm()))
-            .by(Series, || series(|rates| rates.turning_rate.abs() * radius(rates)))
+            .by(Series, || series(|rates| rates.angular_acceleration.abs() * radius(rates)))
             .rounded(|| {
                 printed("quick-return.pin-normal") * sine(printed("quick-return.angle-at-pin"))
                     - printed("quick-return.coriolis")
@@ -239,7 +239,7 @@ fn found() -> Vec<Claim> {
         LEVER
             .value("quick-return.lever-acceleration", "4.12", "rad/s^2", "angular acceleration of the lever")
             .by(Vectors, || diagram(|motion| motion.accelerations.follower_acceleration.abs()))
-            .by(Series, || series(|rates| rates.turning_rate.abs()))
+            .by(Series, || series(|rates| rates.angular_acceleration.abs()))
             .rounded(|| printed("quick-return.lever-tangential") / printed("quick-return.lever-length"))
             .expecting(Verdict::FromRounded)
             .affected_by(STEPS),
@@ -283,9 +283,9 @@ fn normal_in_the_slot(tex: &str) -> Option<bool> {
     let (chain, _) = tex.rsplit_once('=')?;
     // A point on a circle, by its coordinates: the component of its acceleration towards the centre.
     let curved = |radius: f64| {
-        let (place, speed, gain) = (Turn::from_degrees(40.0).direction() * radius, 1.7, -2.3);
+        let (place, speed, angular_acceleration) = (Turn::from_degrees(40.0).direction() * radius, 1.7, -2.3);
         let velocity = quarter_turn(&place) * speed;
-        let acceleration = quarter_turn(&velocity) * speed + quarter_turn(&place) * gain;
+        let acceleration = quarter_turn(&velocity) * speed + quarter_turn(&place) * angular_acceleration;
         holds(chain, &moment(-place.normalize().dot(&acceleration), velocity.norm(), radius))
     };
     let motion = Instant::printed().ok()?.by_diagrams()?;

@@ -30,7 +30,7 @@ pub fn claims() -> Vec<Claim> {
         CORIOLIS
             .value("quick-return.coriolis", "1.960", "m/s^2", "magnitude of the Coriolis acceleration")
             .by(Vectors, || diagram(|motion| motion.accelerations.coriolis.norm()))
-            .by(Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates)))
+            .by(Series, || series(|rates| 2.0 * (rates.angular_velocity * rates.sliding).abs() * radius(rates)))
             .rounded(|| 2.0 * printed("quick-return.lever-speed") * printed("quick-return.sliding-speed"))
             .expecting(Verdict::FromRounded)
             .affected_by(rounding::STEPS),
@@ -66,7 +66,9 @@ pub fn claims() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 in_both_drawings(|instant| Some(points(instant.by_diagrams()?.velocities.follower_speed, stated)))
             })
-            .by(Series, |stated| in_both_drawings(|instant| Some(points(instant.by_series()?.turning, stated))))
+            .by(Series, |stated| {
+                in_both_drawings(|instant| Some(points(instant.by_series()?.angular_velocity, stated)))
+            })
             .but_not("the angular velocity is directed into the page"),
         SENSE
             .statement(

@@ -183,8 +183,8 @@ fn summands(equation: &str, count: u32) -> Finding {
 
 /// The pin's acceleration from its components along the lever and across it, in polar coordinates.
 pub fn components(rates: &PolarRates<f64>) -> Vector2<f64> {
-    let along = rates.sliding_rate - rates.turning * rates.turning;
-    let across = rates.turning_rate + 2.0 * rates.sliding * rates.turning;
+    let along = rates.sliding_rate - rates.angular_velocity * rates.angular_velocity;
+    let across = rates.angular_acceleration + 2.0 * rates.sliding * rates.angular_velocity;
     rates.position * along + quarter_turn(&rates.position) * across
 }
 

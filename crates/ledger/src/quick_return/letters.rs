@@ -38,7 +38,7 @@ fn sizes(_: i64) -> Moment<Expression> {
     let place = pin_path(&crank_radius, &one, &crank.moving::<3>(one));
     let rates = polar_rates(&one, &crank_radius, &crank, &Drive::steady(one)).expect("the pin is off the pivot");
     // The pin as seen from the lever, and the lever's point under the pin.
-    let turned = lever.speeding_up(rates.turning, rates.turning_rate);
+    let turned = lever.speeding_up(rates.angular_velocity, rates.angular_acceleration);
     let outwards = turned.cos * place.x + turned.sin * place.y;
     let point = turned.direction() * Jet::constant(slot_radius);
     let [[pin_velocity, pin_acceleration], [velocity, acceleration]] = [&place, &point].map(rates_of);
@@ -54,8 +54,8 @@ fn sizes(_: i64) -> Moment<Expression> {
         .with_angles([(r"\varphi", angle(&lever)), (r"\psi", angle(&crank)), (r"\beta", angle(&beta))])
         // At the crank's axis, from the pin to the pivot.
         .with_angles([(r"\gamma", [-arm.x, arm.y])])
-        .with([(r"\omega_2", speed), (r"\omega_4", rates.turning * speed)])
-        .with([(r"\alpha_4", -rates.turning_rate * speed * speed), (r"\text{constant}", speed)])
+        .with([(r"\omega_2", speed), (r"\omega_4", rates.angular_velocity * speed)])
+        .with([(r"\alpha_4", -rates.angular_acceleration * speed * speed), (r"\text{constant}", speed)])
         .with([
             ("v_{P2}", pin_velocity.dot(&tangent) * velocities),
             ("v_{P4}", velocity.dot(&across) * velocities),
@@ -89,10 +89,14 @@ fn vectors(_: i64) -> Moment<Expression> {
     let drive = Drive { speed, acceleration };
     let rates = polar_rates(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
     let (along, across) = (rates.position, quarter_turn(&rates.position));
-    let point = across * rates.turning_rate - along * (rates.turning * rates.turning);
-    let relative = along * rates.sliding_rate + across * (2 * rates.turning * rates.sliding);
+    let point = across * rates.angular_acceleration - along * (rates.angular_velocity * rates.angular_velocity);
+    let relative = along * rates.sliding_rate + across * (2 * rates.angular_velocity * rates.sliding);
     let named = |pin, lever, between| {
-        Moment::default().with([(pin, pin_velocity), (lever, across * rates.turning), (between, along * rates.sliding)])
+        Moment::default().with([
+            (pin, pin_velocity),
+            (lever, across * rates.angular_velocity),
+            (between, along * rates.sliding),
+        ])
     };
     named("v_{P_2}", "v_{P_4}", "v_{P_2P_4}")
         .with([("a_{P_2}", pin_acceleration), ("a_{P_4}", point), ("a_{P_2P_4}", relative)])
@@ -104,9 +108,9 @@ fn vectors(_: i64) -> Moment<Expression> {
 /// Variables: the crank's and the pin's coordinate along the line of centres, the rate of ω, the lever's Ω and its rate. The
 /// crank turns at the angular velocity one, which only sets the unit of time.
 fn components(_: i64) -> Moment<Expression> {
-    let [arm, place, gain, turning, growth] = from_fn(Expression::variable);
+    let [arm, place, acceleration, turning, growth] = from_fn(Expression::variable);
     let (ground, crank) = (place - arm, Turn { cos: arm, sin: Expression::ONE });
-    let path = pin_path(&Expression::ONE, &ground, &crank.speeding_up(Expression::ONE, gain));
+    let path = pin_path(&Expression::ONE, &ground, &crank.speeding_up(Expression::ONE, acceleration));
     let back = Turn { cos: Expression::ONE, sin: Expression::ZERO }.speeding_up(-turning, -growth);
     let seen = Vector2::new(back.cos * path.x - back.sin * path.y, back.sin * path.x + back.cos * path.y);
     let ([_, acceleration], [relative, seen]) = (rates_of(&path), rates_of(&seen));
@@ -147,8 +151,12 @@ fn named_components<N: crate::tex::Number>(
 /// Variables: ω and its rate, place, velocity and acceleration in the frame by their coordinates, and those of the origin.
 fn frame(_: i64) -> Moment<Expression> {
     let [speed, growth, x, y, dx, dy, ddx, ddy, at_x, at_y, ..] = from_fn::<_, 14, _>(Expression::variable);
-    let [.., rate_x, rate_y, gain_x, gain_y] = from_fn::<_, 14, _>(Expression::variable);
-    in_a_frame([speed, growth], [[x, dx, ddx], [y, dy, ddy]], [[at_x, rate_x, gain_x], [at_y, rate_y, gain_y]])
+    let [.., rate_x, rate_y, acceleration_x, acceleration_y] = from_fn::<_, 14, _>(Expression::variable);
+    in_a_frame(
+        [speed, growth],
+        [[x, dx, ddx], [y, dy, ddy]],
+        [[at_x, rate_x, acceleration_x], [at_y, rate_y, acceleration_y]],
+    )
 }
 
 fn in_a_frame(
@@ -177,21 +185,26 @@ fn named_frame<N: crate::tex::Number>(
     inside: [Vector2<N>; 3],
     [speed, growth]: [N; 2],
 ) -> Moment<N> {
-    let ([r, dr, ddr], [at, rate, gain], [p, dp, ddp]) = (whole, origin, inside);
+    let ([r, dr, ddr], [at, rate, acceleration], [p, dp, ddp]) = (whole, origin, inside);
     Moment::default()
         .with([("r_{P2}", r.clone()), ("r_{P4}", at.clone()), ("r_{P2/P4}", p.clone())])
         .with([("v_{P2}", dr.clone()), ("v_{P4}", rate.clone()), ("v_{P2/P4}", dp.clone())])
         .with([("r", r), (r"\dot{r}", dr), (r"\ddot{r}", ddr)])
-        .with([("R", at), (r"\dot{R}", rate), (r"\ddot{R}", gain)])
+        .with([("R", at), (r"\dot{R}", rate), (r"\ddot{R}", acceleration)])
         .with([("p", p), (r"\dot{p}", dp), (r"\ddot{p}", ddp)])
         .with([(r"\omega", Value::turning(speed)), (r"\dot{\omega}", Value::turning(growth))])
 }
 
 /// Variables as in [`frame`], without a place in it.
 fn at_the_origin(_: i64) -> Moment<Expression> {
-    let [speed, growth, dx, dy, ddx, ddy, at_x, at_y, rate_x, rate_y, gain_x, gain_y] = from_fn(Expression::variable);
+    let [speed, growth, dx, dy, ddx, ddy, at_x, at_y, rate_x, rate_y, acceleration_x, acceleration_y] =
+        from_fn(Expression::variable);
     let zero = Expression::ZERO;
-    in_a_frame([speed, growth], [[zero, dx, ddx], [zero, dy, ddy]], [[at_x, rate_x, gain_x], [at_y, rate_y, gain_y]])
+    in_a_frame(
+        [speed, growth],
+        [[zero, dx, ddx], [zero, dy, ddy]],
+        [[at_x, rate_x, acceleration_x], [at_y, rate_y, acceleration_y]],
+    )
 }
 
 /// A turn is two half turns, and a minute has sixty seconds. Variables: π, the radian, the second.

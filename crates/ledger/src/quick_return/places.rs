@@ -34,7 +34,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, |stated| {
                 at_the_instant(|instant| {
                     let rates = instant.by_series()?;
-                    let across = quarter_turn(&rates.position) * rates.turning;
+                    let across = quarter_turn(&rates.position) * rates.angular_velocity;
                     let rate = rates.position * rates.sliding + across;
                     Some(alike(&rate, &stated.pick(quarter_turn(&instant.arm()) * instant.drive.speed, across)))
                 })
@@ -169,8 +169,8 @@ fn sum_while_the_lever_swings() -> Finding {
 fn sum_of_rates() -> Finding {
     at_the_instant(|instant| {
         let (rates, arm, speed) = (instant.by_series()?, instant.arm(), instant.drive.speed);
-        let (along, across, turning) = (rates.position, quarter_turn(&rates.position), rates.turning);
-        let origin = [across * turning, across * rates.turning_rate - along * (turning * turning)];
+        let (along, across, turning) = (rates.position, quarter_turn(&rates.position), rates.angular_velocity);
+        let origin = [across * turning, across * rates.angular_acceleration - along * (turning * turning)];
         let inside = [along * rates.sliding, along * rates.sliding_rate + across * (2.0 * turning * rates.sliding)];
         let pin = [quarter_turn(&arm) * speed, -arm * (speed * speed)];
         let place = Vector2::new(instant.linkage.ground(), 0.0) + arm;

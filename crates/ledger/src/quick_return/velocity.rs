@@ -19,7 +19,7 @@ fn pin() -> Vec<Claim> {
             .in_letters(SIZES),
         PIN.value("quick-return.pin-speed", "1.048", "m/s", "speed of the pin")
             .by(Vectors, || diagram(|motion| motion.velocities.pin_velocity.norm()))
-            .by(Series, || series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates)))
+            .by(Series, || series(|rates| libm::hypot(rates.sliding, rates.angular_velocity) * radius(rates)))
             .rounded(|| printed("quick-return.driver-rate") * printed("quick-return.crank"))
             .expecting(Verdict::FromRounded)
             .affected_by(rounding::STEPS),
@@ -40,7 +40,7 @@ fn across() -> Vec<Claim> {
         ACROSS
             .value("quick-return.lever-point-speed", "0.669", "m/s", "speed of the lever's point under the pin")
             .by(Vectors, || diagram(|motion| motion.velocities.slot_point_velocity.norm()))
-            .by(Series, || series(|rates| rates.turning * radius(rates)))
+            .by(Series, || series(|rates| rates.angular_velocity * radius(rates)))
             .rounded(|| printed("quick-return.pin-speed") * cosine(printed("quick-return.angle-at-pin"))),
         LEVER
             .equation("quick-return.lever-speed-equation", r"\omega_4 = v_{P4} / l_4", "angular velocity of the lever")
@@ -48,7 +48,7 @@ fn across() -> Vec<Claim> {
         LEVER
             .value("quick-return.lever-speed", "1.216", "rad/s", "angular velocity of the lever")
             .by(Vectors, || diagram(|motion| motion.velocities.follower_speed))
-            .by(Series, || series(|rates| rates.turning))
+            .by(Series, || series(|rates| rates.angular_velocity))
             .rounded(|| printed("quick-return.lever-point-speed") / printed("quick-return.lever-length"))
             .expecting(Verdict::FromRounded)
             .affected_by(rounding::STEPS),

@@ -1,7 +1,9 @@
 //! Of what proofreading found: how many chains were checked, how many flags a person confirmed, and with what precision.
 
 use super::Number;
-use crate::found::{Answer, Contact, Flag, Judgement, contacts, errata, flags, run, runs, unit_flags, wilson};
+use crate::found::{
+    Answer, Contact, Flag, Judgement, Run, contacts, errata, flags, run, runs, sums, unit_flags, wilson,
+};
 
 /// The numbers of the page.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -33,29 +35,46 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.first.texts", || texts("first")),
     ("found.first.flags", || Ok(round("first")?.len().to_string())),
     ("found.first.real", || Ok(right(&round("first")?).to_string())),
-    ("found.first.precision", || Ok(precision(right(&round("first")?), round("first")?.len()))),
-    ("found.first.faults", || Ok(faults("first")?.to_string())),
-    ("found.first.with-fault", || with_fault("first")),
-    ("found.first.rest", || rest("first")),
+    ("found.first.precision", || share(&round("first")?)),
     ("found.first.commas", || commas()),
-    ("found.after.flags", || Ok(after("first")?.len().to_string())),
-    ("found.after.real", || Ok(right(&after("first")?).to_string())),
-    ("found.after.new", || {
-        let again: Vec<_> = after("first")?.into_iter().filter(|flag| flag.round == "again").collect();
-        Ok(right(&again).to_string())
-    }),
-    ("found.after.precision", || Ok(precision(right(&after("first")?), after("first")?.len()))),
-    ("found.after-second.flags", || Ok(after("second")?.len().to_string())),
-    ("found.after-second.real", || Ok(right(&after("second")?).to_string())),
     ("found.second.texts", || texts("second")),
     ("found.second.flags", || Ok(round("second")?.len().to_string())),
     ("found.second.real", || Ok(right(&round("second")?).to_string())),
-    ("found.second.precision", || Ok(precision(right(&round("second")?), round("second")?.len()))),
+    ("found.second.precision", || share(&round("second")?)),
     ("found.second.agreed", || agreed()),
-    ("found.second.other-real", || other_real()),
-    ("found.second.faults", || Ok(faults("second")?.to_string())),
-    ("found.second.with-fault", || with_fault("second")),
-    ("found.second.rest", || rest("second")),
+    ("found.third.texts", || texts("third")),
+    ("found.third.flags", || Ok(round("third")?.len().to_string())),
+    ("found.third.early", || {
+        let first: Vec<String> = of_run("third")?.into_iter().take(14).map(|run| run.text).collect();
+        Ok(round("third")?.iter().filter(|flag| first.contains(&flag.text)).count().to_string())
+    }),
+    ("found.third.real", || Ok(right(&round("third")?).to_string())),
+    ("found.third.precision", || share(&round("third")?)),
+    ("found.third.faults", || Ok(faults("third")?.to_string())),
+    ("found.third.with-fault", || with_fault("third")),
+    ("found.third.rest", || rest("third")),
+    ("found.stop.texts", || Ok(until_stop()?.0.to_string())),
+    ("found.stop.flags", || Ok(until_stop()?.1.len().to_string())),
+    ("found.stop.real", || Ok(right(&until_stop()?.1).to_string())),
+    ("found.stop.precision", || share(&until_stop()?.1)),
+    ("found.stop.english", || {
+        let mut flags = until_stop()?.1;
+        flags.retain(|flag| flag.text != "Solid state physics");
+        Ok(format!("{} of {}, {}", right(&flags), flags.len(), share(&flags)?))
+    }),
+    ("found.after.first", || after_repairs("first")),
+    ("found.after.second", || after_repairs("second")),
+    ("found.after.third", || after_repairs("third")),
+    ("found.after.new", || {
+        let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
+        Ok(again
+            .iter()
+            .filter(|flag| flag.judgement == Judgement::Real && flag.after == Answer::Yes)
+            .count()
+            .to_string())
+    }),
+    ("found.sums.signs", || Ok(thousands(sums()?.iter().map(|of| of.signs).sum()))),
+    ("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>().to_string())),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {
@@ -136,6 +155,36 @@ fn after(name: &str) -> anyhow::Result<Vec<Contact>> {
     Ok(contacts()?.into_iter().filter(such).collect())
 }
 
+fn of_run(name: &str) -> anyhow::Result<Vec<Run>> {
+    Ok(runs()?.into_iter().filter(|run| run.run == name).collect())
+}
+
+/// How many texts of the third round were needed for forty flags, by the rule that was written down before, and their flags.
+fn until_stop() -> anyhow::Result<(usize, Vec<Contact>)> {
+    const FEWEST_TEXTS: usize = 6;
+    const ENOUGH: usize = 40;
+    let all = round("third")?;
+    let (mut texts, mut found) = (0, Vec::new());
+    for run in of_run("third")? {
+        if texts >= FEWEST_TEXTS && found.len() >= ENOUGH {
+            break;
+        }
+        texts += 1;
+        found.extend(all.iter().filter(|flag| flag.text == run.text).cloned());
+    }
+    Ok((texts, found))
+}
+
+/// The confirmed flags among those that the program raises after the repairs in the texts of a round.
+fn after_repairs(name: &str) -> anyhow::Result<String> {
+    let flags = after(name)?;
+    Ok(format!("{} of {}", right(&flags), flags.len()))
+}
+
+fn share(flags: &[Contact]) -> anyhow::Result<String> {
+    Ok(precision(right(flags), flags.len()))
+}
+
 /// How many faults of the texts the confirmed flags of a round come from.
 fn faults(name: &str) -> anyhow::Result<usize> {
     let is_fault = |flag: &&Contact| flag.judgement == Judgement::Real && flag.repeats == Answer::No;
@@ -161,12 +210,6 @@ fn rest(name: &str) -> anyhow::Result<String> {
 /// On how many flags of the second round the two readers agree.
 fn agreed() -> anyhow::Result<String> {
     Ok(round("second")?.iter().filter(|flag| flag.second_judge == Some(flag.judgement)).count().to_string())
-}
-
-/// How many flags of the second round its second reader confirms.
-fn other_real() -> anyhow::Result<String> {
-    let confirmed = |flag: &&Contact| flag.second_judge == Some(Judgement::Real);
-    Ok(round("second")?.iter().filter(confirmed).count().to_string())
 }
 
 fn right(flags: &[Contact]) -> usize {

@@ -13,7 +13,6 @@ mod mistake;
 mod never_printed;
 mod pin;
 mod program;
-mod quick_return;
 pub mod runs;
 mod solver;
 mod terminal_speed;
@@ -41,7 +40,6 @@ const ALL: &[&[(&str, Number)]] = &[
     never_printed::NUMBERS,
     pin::NUMBERS,
     program::NUMBERS,
-    quick_return::NUMBERS,
     runs::NUMBERS,
     solver::NUMBERS,
     terminal_speed::NUMBERS,
@@ -61,7 +59,7 @@ pub fn by_name(name: &str) -> anyhow::Result<String> {
 }
 
 /// A number to so many significant digits, trailing zeros kept, with its unit.
-fn with_unit(number: f64, digits: i32, unit: &str) -> String {
+pub(crate) fn with_unit(number: f64, digits: i32, unit: &str) -> String {
     let after_first = usize::try_from(digits - 1).unwrap_or(0);
     let scientific = format!("{number:.after_first$e}");
     let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);

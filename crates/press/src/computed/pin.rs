@@ -67,7 +67,7 @@ fn acceleration(at: &Instant) -> anyhow::Result<String> {
     let by_formula = -acceleration_ratio(&at.mechanism.ratio(), &at.crank.supplement()) * squared;
     let rates = series::polar_rates(&distance, &radius, &at.crank, &Drive::steady(at.driver_speed));
     // The wheel turns clockwise.
-    let by_series = -rates.context("the pin is on the pivot")?.turning_rate;
+    let by_series = -rates.context("the pin is on the pivot")?.angular_acceleration;
     anyhow::ensure!(
         (by_formula - by_series).abs() <= 1e-11 * squared,
         "{by_formula} by formula, {by_series} by series"

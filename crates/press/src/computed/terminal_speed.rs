@@ -15,7 +15,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("terminal-speed.multiplier.four-pin", || multiplier(Mechanism::FOUR_PIN)),
     ("terminal-speed.multiplier.six-pin", || multiplier(Mechanism::SIX_PIN)),
     ("terminal-speed.minimum", || angle(|steady| -steady.minimum.angle)),
-    ("terminal-speed.reversal", || angle(|steady| steady.switch_angle.unwrap_or(f64::NAN))),
+    ("terminal-speed.reversal", || angle(|steady| steady.reversal_angle.unwrap_or(f64::NAN))),
     ("terminal-speed.law.groups", || Ok(series().count().to_string())),
     ("terminal-speed.law.minima", || Ok(obeying(Column::Minimum, 0.5).to_string())),
     ("terminal-speed.law.periods", || Ok(obeying(Column::Period, -0.5).to_string())),

@@ -178,6 +178,13 @@ fn designs() -> anyhow::Result<Vec<escapement::Design>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::OnceLock;
+
+    /// All figures with their names, drawn once for all tests.
+    fn drawn() -> &'static [(&'static str, Figure)] {
+        static DRAWN: OnceLock<Vec<(&str, Figure)>> = OnceLock::new();
+        DRAWN.get_or_init(|| FIGURES.iter().map(|(name, draw)| (*name, draw().expect("drawn"))).collect())
+    }
 
     /// The value of an attribute in an opening tag.
     fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
@@ -193,8 +200,7 @@ mod tests {
 
     #[test]
     fn on_a_page_every_halo_is_left_to_the_style_sheet() {
-        for (name, draw) in FIGURES {
-            let figure = draw().expect("drawn");
+        for (name, figure) in drawn() {
             let (drawing, page) = (&figure.svg, figure.on_a_page());
             assert!(!page.contains("paint-order"), "{name}: a label of the page has a halo of its own");
             let of_paper = |text: &&str| text.contains("stroke=\"var(--fig-paper, #ffffff)\"");
@@ -206,8 +212,7 @@ mod tests {
 
     #[test]
     fn the_letters_of_every_figure_can_be_read_on_a_phone_and_are_as_large_as_the_text_on_a_wide_screen() {
-        for (name, draw) in FIGURES {
-            let svg = draw().expect("drawn").svg;
+        for (name, Figure { svg, .. }) in drawn() {
             let opening = svg.lines().next().expect("an opening tag");
             let number = |text: &str| text.parse::<f64>().expect("a number");
             let units = attribute(opening, "viewBox").and_then(|of| of.split(' ').nth(2)).map(number).expect("a width");
@@ -224,17 +229,17 @@ mod tests {
 
     #[test]
     fn no_caption_writes_an_index_with_an_underscore() {
-        for (name, draw) in FIGURES {
-            let caption = draw().expect("drawn").caption;
+        for (name, Figure { caption, .. }) in drawn() {
             assert!(!caption.contains('_'), "{name}: {caption}");
         }
     }
 
     #[test]
     fn the_id_of_a_figure_is_its_name() {
-        for (name, _) in FIGURES {
-            let id = by_name(name).expect("drawn").id;
-            assert_eq!(id, *name, "the figure `{name}` calls itself `{id}`");
+        for (name, Figure { id, .. }) in drawn() {
+            assert_eq!(id, name, "the figure `{name}` calls itself `{id}`");
         }
+        let (name, figure) = &drawn()[0];
+        assert_eq!(by_name(name).expect("drawn").svg, figure.svg);
     }
 }

@@ -98,11 +98,8 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
         .files
         .iter()
         .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)));
-    let others = if live.others.is_empty() {
-        String::new()
-    } else {
-        format!("\n<dl class=\"others\">{}</dl>", told_of(live, live.others, answer)?)
-    };
+    let others = told_of(live, live.others.iter().chain(&answer.further), answer)?;
+    let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
     let no_file = if live.files.is_empty() { "" } else { " and no files" };
     let plays = live.controls.iter().any(|control| matches!(control.kind, Kind::Player(_)));
     let play = if plays {
@@ -119,7 +116,7 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
          class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
          data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}\n</div>",
         answer.figure.svg.trim_end(),
-        told_of(live, live.quantities, answer)?,
+        told_of(live, live.quantities.iter(), answer)?,
         escape(live.hint),
         rows.concat(),
         presets.collect::<String>(),
@@ -129,7 +126,7 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
 }
 
 /// Quantities with their numbers; a label leads to the claim that says the same of one setting, if there is one.
-fn told_of(live: &Live, quantities: &[Quantity], answer: &Answer) -> anyhow::Result<String> {
+fn told_of<'a>(live: &Live, quantities: impl Iterator<Item = &'a Quantity>, answer: &Answer) -> anyhow::Result<String> {
     let claims = told(live.name)?.claims;
     let entry = |quantity: &Quantity| {
         let claim = claims.iter().find(|(of, _)| *of == quantity.name);
@@ -145,7 +142,7 @@ fn told_of(live: &Live, quantities: &[Quantity], answer: &Answer) -> anyhow::Res
         let output = format!("<output name=\"{}\">{}</output>", quantity.name, escape(text));
         Ok(format!("<div><dt>{label}</dt> <dd>{output}</dd></div>"))
     };
-    Ok(quantities.iter().map(entry).collect::<anyhow::Result<Vec<String>>>()?.concat())
+    Ok(quantities.map(entry).collect::<anyhow::Result<Vec<String>>>()?.concat())
 }
 
 fn attributes(live: &Live) -> anyhow::Result<String> {

@@ -1,39 +1,42 @@
 //! What proofreading found: the texts of the first contact, and the misprints that still stand in a textbook.
 
-use crate::found::{Answer, Contact, Judgement, contacts, flags, runs, unit_flags};
+use crate::found::{Answer, Contact, Judgement, Run, contacts, flags, runs, unit_flags};
 use crate::html::{Cells, Table, escape, table};
 use crate::numbers::with_minus_sign;
 
-/// The texts that nobody had looked at, with what became of their flags.
+/// The texts that nobody had looked at, with what became of their flags: the third round by text, the others in one row each.
 pub fn texts() -> anyhow::Result<Table> {
     let contacts = contacts()?;
-    let row = |round: &'static str| {
-        let contacts = &contacts;
-        move |run: crate::found::Run| {
-            let count = |such: &dyn Fn(&&Contact) -> bool| {
-                contacts.iter().filter(|flag| flag.round == round && flag.text == run.text).filter(such).count()
-            };
-            let of = |judgement| count(&move |flag| flag.judgement == judgement);
-            Ok(vec![
-                escape(&run.text),
-                format!("{round}, {}", run.format),
-                format!("{} of {}", run.checked, run.checkable),
-                run.flags.to_string(),
-                of(Judgement::Real).to_string(),
-                (of(Judgement::Rounding) + of(Judgement::Convention)).to_string(),
-                of(Judgement::Ours).to_string(),
-            ])
-        }
+    let runs = runs()?;
+    let row = |name: String, round: &str, format: &str, of: &[&Run]| {
+        let such = |flag: &&Contact| flag.round == round && of.iter().any(|run| run.text == flag.text);
+        let count = |judgement| contacts.iter().filter(such).filter(|flag| flag.judgement == judgement).count();
+        let sum = |what: fn(&Run) -> u32| of.iter().map(|run| what(run)).sum::<u32>();
+        vec![
+            escape(&name),
+            escape(format),
+            format!("{} of {}", sum(|run| run.checked), sum(|run| run.checkable)),
+            sum(|run| run.flags).to_string(),
+            count(Judgement::Real).to_string(),
+            (count(Judgement::Rounding) + count(Judgement::Convention)).to_string(),
+            count(Judgement::Ours).to_string(),
+        ]
     };
+    let of_round = |name: &str| runs.iter().filter(|run| run.run == name).collect::<Vec<&Run>>();
     let mut rows = Vec::new();
-    for round in ["first", "second"] {
-        rows.extend(runs()?.into_iter().filter(|run| run.run == round).map(row(round)));
+    for (name, words) in [("first", "First round"), ("second", "Second round")] {
+        let of = of_round(name);
+        rows.push(row(format!("{words}, {} texts", of.len()), name, "several", &of));
     }
+    let (with, without): (Vec<&Run>, Vec<&Run>) = of_round("third").into_iter().partition(|run| run.flags > 0);
+    rows.extend(with.iter().map(|run| row(run.text.clone(), "third", &run.format, &[run])));
+    rows.push(row(format!("{} more texts", without.len()), "third", "several", &without));
     table(
-        "Texts that we had not looked at before, in the order in which they were run, and the flags on a number",
+        "Texts that we had not looked at before, those of the third round in the order in which they were run, and the flags on a \
+         number",
         Cells::NamedNumbers,
-        &["Text", "Round, format", "Chains checked", "Flags", "Really wrong", "Rounding, convention", "Misread"],
-        rows,
+        &["Text", "Format", "Chains checked", "Flags", "Really wrong", "Rounding, convention", "Misread"],
+        rows.into_iter().map(Ok).collect::<Vec<_>>(),
     )
 }
 

@@ -29,8 +29,10 @@ const MORE_DISPLAYS: [&str; 5] = ["flalign*", "alignat", "alignat*", "math", "dm
 pub(crate) enum Dollars {
     /// Only two do, as in pages that MathJax sets.
     Double,
-    /// One does, too.
+    /// One does, too, if no space is inside it, so that sums of money are none.
     Single,
+    /// One does, whatever stands inside it, as in a notebook.
+    Spaced,
 }
 
 /// A formula and its marks, in bytes of the text.
@@ -99,7 +101,7 @@ pub(crate) fn formulas(text: &str, skip: &[Range<usize>], dollars: Dollars) -> V
             [b'\\', b'b', ..] if text[at..].starts_with("\\begin{") => environment(text, at, &mut searches),
             [b'\\', ..] => None,
             [b'$', b'$', ..] => searches.end(text, at + 2, "$$").map(|end| (2, end, 2)),
-            [b'$', ..] if dollars == Dollars::Single => single(text, at),
+            [b'$', ..] if dollars != Dollars::Double => single(text, at, dollars == Dollars::Spaced),
             _ => {
                 at += 1;
                 continue;
@@ -133,11 +135,11 @@ fn environment(text: &str, at: usize, searches: &mut Searches) -> Option<(usize,
     searches.end(text, at + open, &end).map(|found| (open, found, end.len()))
 }
 
-/// A formula between single dollar signs, as pandoc tells it from sums of money.
-fn single(text: &str, at: usize) -> Option<(usize, usize, usize)> {
+/// A formula between single dollar signs, as pandoc tells it from sums of money; `spaced` says that space may be inside them.
+fn single(text: &str, at: usize, spaced: bool) -> Option<(usize, usize, usize)> {
     let bytes = text.as_bytes();
     let first = *bytes.get(at + 1)?;
-    if first.is_ascii_whitespace() {
+    if first.is_ascii_whitespace() && !spaced {
         return None;
     }
     let (mut end, mut lines, mut depth) = (at + 1, 0, 0usize);
@@ -167,7 +169,7 @@ fn single(text: &str, at: usize) -> Option<(usize, usize, usize)> {
     };
     let before = bytes.get(end - 1)?;
     let digit_behind = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
-    (!before.is_ascii_whitespace() && !digit_behind && text.is_char_boundary(end)).then_some((1, end, 1))
+    ((spaced || !before.is_ascii_whitespace()) && !digit_behind && text.is_char_boundary(end)).then_some((1, end, 1))
 }
 
 #[cfg(test)]

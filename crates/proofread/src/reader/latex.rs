@@ -1,5 +1,6 @@
 //! Documents in LaTeX: their macros, and the formulas of their body.
 
+use super::adjoining::Joiner;
 use super::delimited::{DISPLAYS, FARTHEST};
 use super::tex::{self, Macro, Macros};
 use super::{Formula, Found};
@@ -15,6 +16,12 @@ const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "questi
 
 /// Finds the formulas of a document.
 pub(crate) fn read(text: &str, each: &mut Found<'_>) {
+    let mut joiner = Joiner::new(text);
+    body(text, &mut |formula| joiner.take(formula, each));
+    joiner.finish(each);
+}
+
+fn body(text: &str, each: &mut Found<'_>) {
     let macros = macros(text);
     let bytes = text.as_bytes();
     let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());

@@ -1,5 +1,6 @@
 //! Markdown with TeX, the sources of an mdBook among it.
 
+use super::adjoining::Joiner;
 use super::delimited::{self, Dollars};
 use super::{Formula, Found, markup, plain, tex};
 use crate::token::{Span, signs};
@@ -10,19 +11,21 @@ use std::ops::Range;
 const PIECE: usize = 1 << 18;
 
 /// Finds the formulas between marks, in fences of maths, in MathML, and in the lines between.
-pub(crate) fn read(text: &str, each: &mut Found<'_>) {
+pub(crate) fn read(text: &str, dollars: Dollars, each: &mut Found<'_>) {
+    let mut joiner = Joiner::new(text);
     for piece in pieces(text) {
         let mut found: Vec<Formula> = Vec::new();
-        piece_of(&text[piece.clone()], &mut |formula| found.push(formula));
+        piece_of(&text[piece.clone()], dollars, &mut |formula| found.push(formula));
         found.sort_by_key(|formula| formula.span);
         for mut formula in found {
             let by = piece.start as u32;
             if by > 0 {
                 formula.place(&|span| Span { start: span.start + by, end: span.end + by });
             }
-            each(formula);
+            joiner.take(formula, each);
         }
     }
+    joiner.finish(each);
 }
 
 /// Cuts before a line behind a blank one, outside fences.
@@ -54,14 +57,14 @@ fn pieces(text: &str) -> Vec<Range<usize>> {
     out
 }
 
-fn piece_of(text: &str, each: &mut Found<'_>) {
+fn piece_of(text: &str, dollars: Dollars, each: &mut Found<'_>) {
     let (skip, fences) = code(text);
     for fence in fences {
         let source = &text[fence.clone()];
         let tokens = tex::formula(&signs(source, fence.start), &tex::Macros::new());
         each(Formula::new(tokens, Span::new(fence.start, fence.end)));
     }
-    let marked = delimited::formulas(text, &skip, Dollars::Single);
+    let marked = delimited::formulas(text, &skip, dollars);
     let mut taken = skip;
     for of in marked {
         let tokens = tex::formula(&signs(&text[of.inside.clone()], of.inside.start), &tex::Macros::new());
@@ -102,7 +105,7 @@ fn code(text: &str) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {
-                maths = matches!(&kind, CodeBlockKind::Fenced(info) if matches!(&**info, "math" | "latex" | "tex" | "katex"));
+                maths = matches!(&kind, CodeBlockKind::Fenced(info) if matches!(&**info, "math" | "{math}" | "latex" | "tex" | "katex"));
                 skip.push(range);
             }
             Event::End(TagEnd::CodeBlock) => maths = false,

@@ -1,5 +1,6 @@
 //! Readers: a text in one of the formats to formulas, each a list of tokens with their places.
 
+mod adjoining;
 mod commas;
 mod delimited;
 mod latex;
@@ -161,7 +162,7 @@ pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {
 /// The formulas with their numbers as in English.
 fn formulas(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
     match format {
-        Format::Markdown => markdown::read(text, each),
+        Format::Markdown => markdown::read(text, delimited::Dollars::Single, each),
         Format::Latex => latex::read(text, each),
         Format::Xml | Format::Html => markup::read(text, each),
         Format::Notebook => notebook::read(text, each)?,

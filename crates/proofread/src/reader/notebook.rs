@@ -1,5 +1,6 @@
 //! Jupyter notebooks: the Markdown of their cells.
 
+use super::delimited::Dollars;
 use super::{Found, Unreadable, markdown};
 use crate::token::Span;
 use serde_json::value::RawValue;
@@ -30,7 +31,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) -> Result<(), Unreadable> {
         }
         let end = places.last().map_or(0, |last| last + 1);
         let place = |at: u32| places.get(at as usize).copied().unwrap_or(end);
-        markdown::read(&decoded, &mut |mut formula| {
+        markdown::read(&decoded, Dollars::Spaced, &mut |mut formula| {
             formula.place(&|span| {
                 let last = span.end.checked_sub(1).map_or(0, place);
                 Span { start: place(span.start), end: (last + 1).max(place(span.start)) }

@@ -37,11 +37,23 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut Found<'_>) {
         }
         for piece in pieces {
             let part = &text[piece.clone()];
+            let ends_line = piece.end == whole.end;
             if part.contains('=') && part.len() <= LONGEST && part.contains(|c: char| c.is_ascii_digit()) {
-                line_of(part, piece.start, each);
+                line_of(part, piece.start, &mut |mut formula| {
+                    formula.continues = piece.start > whole.start && touches(formula.tokens.iter());
+                    formula.goes_on = !ends_line && touches(formula.tokens.iter().rev());
+                    each(formula);
+                });
             }
         }
     }
+}
+
+/// Whether a side runs up to the edge of a piece, behind which another formula is, so that it may not be all of a side.
+fn touches<'t>(from_edge: impl Iterator<Item = &'t Token>) -> bool {
+    let side: Vec<&Token> = from_edge.take_while(|token| !token.is_one_of("=≈")).collect();
+    let words = |token: &&&Token| token.is_one_of(";|.,:") || matches!(token.kind, Kind::Name(_));
+    side.iter().any(|token| !token.is_space()) && !side.iter().any(|token| words(&token))
 }
 
 fn is_code(line: &str) -> bool {

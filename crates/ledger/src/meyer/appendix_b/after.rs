@@ -203,11 +203,11 @@ fn angle() -> Vec<Claim> {
                         let [leaving, entering] = [end, -end].map(|angle| {
                             // The torque that this motion of the driver asks for at the hand-over, by both members.
                             let seen = PinKinematics::new(at, angle);
-                            let normal = seen.turning_rate() / seen.radius();
+                            let normal = seen.angular_acceleration() / seen.radius();
                             let sliding = seen.place.normalize().dot(&seen.velocity) / DRIVER.0;
-                            let arm = seen.radius() * seen.turning() / DRIVER.0;
+                            let arm = seen.radius() * seen.angular_velocity() / DRIVER.0;
                             let torque = DRIVER.1 + normal * arm + 0.25 * (normal * sliding).abs();
-                            stated.pick(torque, seen.turning_rate())
+                            stated.pick(torque, seen.angular_acceleration())
                         });
                         agrees(leaving, entering)
                     },

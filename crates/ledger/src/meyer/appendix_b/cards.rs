@@ -198,7 +198,7 @@ fn angle() -> Claim {
             let holds = turns(stated).all(|(mechanism, _, engaged, angle)| {
                 let pose = Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(engaged));
                 let lines = [program::H, program::I, program::J, program::L];
-                let right = [pose.numerator, pose.cross, pose.shape, pose.square];
+                let right = [pose.numerator, pose.k_sin_theta, pose.one_minus_k_squared, pose.radius_squared];
                 lines.iter().zip(right).all(|(line, right)| vanishes(value(line, mechanism, angle) - right))
             });
             Finding::new(holds, "we evaluated the four lines over a turn of the driver, with the angle reset from pin to pin")

@@ -237,9 +237,9 @@ fn described() -> Vec<Claim> {
                     [
                         (lines["G"], at.ratio),
                         (lines["H"], at.pose.numerator),
-                        (lines["I"], at.pose.cross),
-                        (lines["J"], at.pose.shape),
-                        (lines["L"], at.pose.square),
+                        (lines["I"], at.pose.k_sin_theta),
+                        (lines["J"], at.pose.one_minus_k_squared),
+                        (lines["L"], at.pose.radius_squared),
                         (lines["A"], c.a),
                         (lines["B"], c.b),
                         (lines["C"], third),

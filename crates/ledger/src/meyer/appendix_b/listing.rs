@@ -179,13 +179,13 @@ fn factors() -> Vec<Claim> {
             by_coefficients(|lines, at| [(lines["H"], at.pose.numerator)])
         }),
         line("meyer.listing.i", "a sin θ", "I G*SIN(X)", program::I, || {
-            by_coefficients(|lines, at| [(lines["I"], at.pose.cross)])
+            by_coefficients(|lines, at| [(lines["I"], at.pose.k_sin_theta)])
         }),
         line("meyer.listing.j", "1 − a²", "J 1.-(G*G)", program::J, || {
-            by_coefficients(|lines, at| [(lines["J"], at.pose.shape)])
+            by_coefficients(|lines, at| [(lines["J"], at.pose.one_minus_k_squared)])
         }),
         line("meyer.listing.l", "1 + a² − 2 a cos θ", "L 1.+(G*G)-(2.*G*COS(X))", program::L, || {
-            by_coefficients(|lines, at| [(lines["L"], at.pose.square)])
+            by_coefficients(|lines, at| [(lines["L"], at.pose.radius_squared)])
         }),
         line(
             "meyer.listing.a",

@@ -12,7 +12,7 @@ const PROGRAM: Place = at("Appendix B, program, lines of SMT");
 pub fn claims() -> Vec<Claim> {
     vec![
         line("meyer.listing.p", "P is L at the start", "P 1.+(G*G)-(2.*G*COS(X0))", program::P, ClosedForm, || {
-            by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.square)])
+            by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.radius_squared)])
         }),
         line(
             "meyer.listing.q",

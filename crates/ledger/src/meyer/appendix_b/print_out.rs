@@ -85,7 +85,7 @@ fn in_all_runs(words: &str, stated: Stated, runs: &[Option<Vec<Columns>>]) -> Fi
         let [time, turned, speed, acceleration, follower] =
             [0, 1, 2, 3, 4].map(|k| place(k).map_or(f64::NAN, |at| line.0[at]));
         let [speed, acceleration] = stated.pick([speed, acceleration], [acceleration, speed]);
-        let ratio = PinKinematics::new(&row.mechanism, line.1).turning() / DRIVER.0;
+        let ratio = PinKinematics::new(&row.mechanism, line.1).angular_velocity() / DRIVER.0;
         ([time, turned, speed, acceleration], follower - ratio * speed)
     };
     let holds = |(row, run): (&Row, &Option<Vec<Columns>>)| {

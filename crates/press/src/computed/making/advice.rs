@@ -1,15 +1,12 @@
 //! Of the chapter on making a wheel: fits, tolerances of all sizes together, and cams for comparison.
 
-use super::{Number, STATIONS, rounded_down, sizes, told};
+use super::{Number, rounded_down, sizes, told};
 use crate::numbers::fixed;
 use anyhow::Context;
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Choices, Scale, SharedTolerance, Sizes, Wheel};
+use geneva_kinematics::wheel::{SharedTolerance, Wheel};
 use std::f64::consts::PI;
-
-/// The crank radius in mm of which it is said how much wider its play is than the fit.
-const LOOSER: f64 = 80.0;
 
 /// The numbers of this chapter's advice.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -17,9 +14,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.fit-6", || Ok(fit_told(6.0, 10.0))),
     ("making.fit-10", || Ok(fit_told(10.0, 18.0))),
     ("making.fit-18", || Ok(fit_told(18.0, 30.0))),
-    ("making.looser-radius", || Ok(told(LOOSER))),
-    ("making.looser-pin", || Ok(told(looser()?.pin_diameter))),
-    ("making.looser-play", || Ok(told(looser()?.play.slot))),
     ("making.all.locking", || together(|of| of.locking)),
     ("making.all.nearer", || together(|of| of.nearer)),
     ("making.all.farther", || together(|of| of.farther)),
@@ -35,7 +29,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.rms-share.10", || rms_share_told(10)),
     ("making.rms-share.12", || rms_share_told(12)),
     ("making.cam.four", || cam(4)),
-    ("making.cam.six", || cam(STATIONS)),
+    ("making.cam.six", || cam(6)),
     ("making.cam.eight", || cam(8)),
 ];
 
@@ -50,11 +44,6 @@ fn wheel_radius() -> f64 {
 /// What one size may be wrong by if all are, rounded down to a ten-thousandth of a millimetre.
 fn together(of: fn(&SharedTolerance) -> f64) -> anyhow::Result<String> {
     Ok(format!("{}&nbsp;mm", fixed((of(&shared()?) * 1e4).floor() / 1e4, 4)))
-}
-
-/// A wheel of the same kind with a larger crank.
-fn looser() -> anyhow::Result<Sizes> {
-    Ok(Sizes::new(Wheel::new(STATIONS)?, Scale::CrankRadius(LOOSER), &Choices::default())?)
 }
 
 /// Least and greatest play of the fit H8/e8 for diameters over one and up to another number of millimetres, in µm.
@@ -104,9 +93,9 @@ fn cam_ratio(stations: u32) -> anyhow::Result<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::CRANK_RADIUS;
+    use super::super::sizes_of;
     use super::*;
-    use geneva_kinematics::wheel::Play;
+    use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes};
 
     #[test]
     fn the_fits_are_those_of_the_standards_table() {
@@ -115,7 +104,7 @@ mod tests {
         // The chapter says that the program's play is in the fit for its own pin and beyond it for a larger one.
         let sizes = sizes().expect("fits");
         assert!((6.0..10.0).contains(&sizes.pin_diameter) && (25.0..69.0).contains(&(1000.0 * sizes.play.slot)));
-        let large = looser().expect("fits");
+        let large = sizes_of("looser").expect("fits");
         assert!((18.0..30.0).contains(&large.pin_diameter) && 1000.0 * large.play.slot > 1.4 * 106.0);
     }
 
@@ -171,7 +160,7 @@ mod tests {
         assert!(3.0 * limit.locking + sizes.play.bore < gap && 3.0 * gap / 3.0 + sizes.play.bore > gap);
         // All limits grow with the play.
         let choices = Choices { play: Some(Play::of(2.0 * sizes.play.slot)), ..Choices::default() };
-        let twice = Sizes::new(sizes.wheel, Scale::CrankRadius(CRANK_RADIUS), &choices).expect("fits");
+        let twice = Sizes::new(sizes.wheel, Scale::CrankRadius(sizes.crank_radius), &choices).expect("fits");
         let twice = twice.shared_tolerance().expect("one");
         for (one, two) in [(limit.locking, twice.locking), (limit.crank, twice.crank), (limit.width, twice.width)] {
             assert!((two / one - 2.0).abs() < 0.1, "{one} {two}");

@@ -1,6 +1,6 @@
 //! A vector in the plane as data, with a direction if it has one.
 
-use crate::fields::{Row, Value};
+use crate::{Row, Value};
 use geneva_kinematics::Turn;
 
 /// Units in the last place, relative to what a difference was taken of, that cannot be told from zero.

@@ -3,51 +3,60 @@
 //! Ratios of length are to the crank radius; those of velocity, acceleration and jerk to the driver's angular speed, its
 //! square and its cube; fractions are of the driver's turn. What needs something that was not given is missing.
 
-use super::cycle::{self, Instant, degrees_told};
+use super::design::Design;
+use super::instant::item;
 use super::kind::Kind;
-use super::made::Made;
-use super::{loads, sizes};
-use crate::fields::{Field, Report, Value};
-use crate::output::count;
-use crate::typed::as_typed;
+use super::{loads, parts};
+use crate::written::{as_typed, count, degrees, number};
+use crate::{Answer, Error, Field};
 
-/// All of it, with the motion at these crank angles in degrees: as lines of a sheet, or as rows of an object.
-pub fn report(made: &Made, at: &[f64], as_lines: bool) -> anyhow::Result<Report> {
-    let mut sections = vec![("Given", given(made)), ("Geometry", geometry(made))];
-    sections.push(("Parts", sizes::parts(made)));
-    sections.push(("Play and tolerances of the parts", sizes::tolerances(made)?));
-    sections.push(("Warnings", sizes::warnings(made)));
-    sections.push(("Cycle", cycle_fields(made)?));
-    sections.push(("Speed and acceleration of the wheel", motion(made)));
-    sections.push(("Loads", loads::fields(made)?));
-    if as_lines {
-        for degrees in at {
-            sections.push(("At a crank angle", Instant::new(made, *degrees)?.lines(made)));
-        }
-    } else {
-        let rows: Vec<Value> = cycle::rows(made, at)?.into_iter().map(Value::Object).collect();
-        sections.push(("", vec![Field::new("at", rows)]));
+impl Design {
+    /// The answer, with the motion at the angles of the question.
+    ///
+    /// # Errors
+    ///
+    /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
+    pub fn answer(&self) -> Result<Answer, Error> {
+        let sections = vec![
+            ("Given", given(self)),
+            ("Geometry", geometry(self)),
+            ("Parts", parts::parts(self)),
+            ("Play and tolerances of the parts", parts::tolerances(self)?),
+            ("Warnings", parts::warnings(self)),
+            ("Cycle", cycle(self)?),
+            ("Speed and acceleration of the wheel", motion(self)),
+            ("Loads", loads::fields(self)?),
+        ];
+        let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
+        let (title, introduction) = (title(self), self.wheel.kind().introduction());
+        let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
+        if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
     }
-    let introduction = made.wheel.kind().introduction();
-    Ok(Report { title: title(made), introduction, sections, note: missing(made) })
 }
 
-fn given(made: &Made) -> Vec<Field> {
-    let wheel = made.wheel.indexing();
+/// The error of numbers that are not finite.
+pub(super) fn too_large() -> Error {
+    refused!(
+        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
+    )
+}
+
+fn given(design: &Design) -> Vec<Field> {
+    let wheel = design.wheel.indexing();
     vec![
-        Field::new("type", made.wheel.kind().name()),
+        Field::new("type", design.wheel.kind().name()),
         Field::new("stations", wheel.stations()),
         Field::new("pins", wheel.pins()),
-        Field::new("rpm", made.rpm),
-        Field::new("crank_radius_mm", made.crank_radius),
+        Field::new("rpm", design.question.rpm),
+        Field::in_unit("crank_radius_mm", design.crank_radius, "mm"),
     ]
 }
 
-fn geometry(made: &Made) -> Vec<Field> {
-    let wheel = &made.wheel;
+fn geometry(design: &Design) -> Vec<Field> {
+    let wheel = &design.wheel;
     // Of an external wheel the length that was given comes back as it was given.
-    let of_parts = made.sizes.map(|sizes| [sizes.centre_distance, sizes.wheel_radius]);
-    let lengths = |ratio: f64| made.crank_radius.map(|radius| radius * ratio);
+    let of_parts = design.sizes.map(|sizes| [sizes.centre_distance, sizes.wheel_radius]);
+    let lengths = |ratio: f64| design.crank_radius.map(|radius| radius * ratio);
     let centres = of_parts.map(|[centres, _]| centres).or(wheel.centre_distance_ratio().and_then(lengths));
     let radius = of_parts.map(|[_, radius]| radius).or(lengths(wheel.wheel_radius_ratio()));
     let slot = match wheel.kind() {
@@ -70,22 +79,22 @@ fn geometry(made: &Made) -> Vec<Field> {
     ]
 }
 
-fn cycle_fields(made: &Made) -> anyhow::Result<Vec<Field>> {
-    let (wheel, speed) = (made.wheel.indexing(), made.speed());
+fn cycle(design: &Design) -> Result<Vec<Field>, Error> {
+    let (wheel, times) = (design.wheel.indexing(), design.times(design.wheel.indexing())?);
     Ok(vec![
         Field::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
             .line("motion fraction", "while a pin is in a slot"),
         Field::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
             .line("dwell fraction", "while the wheel is locked"),
-        Field::in_unit("indexing_time_s", speed.map(|speed| wheel.indexing_time(speed)).transpose()?, "s")
+        Field::in_unit("indexing_time_s", times.map(|[index, _]| index), "s")
             .line("indexing time", "from when a pin enters to when it leaves"),
-        Field::in_unit("dwell_time_s", speed.map(|speed| wheel.dwell_time(speed)).transpose()?, "s")
+        Field::in_unit("dwell_time_s", times.map(|[_, dwell]| dwell), "s")
             .line("dwell time", "from when it leaves to when the next pin enters"),
     ])
 }
 
-fn motion(made: &Made) -> Vec<Field> {
-    let (wheel, speed, kind) = (made.wheel.indexing(), made.speed(), made.wheel.kind());
+fn motion(design: &Design) -> Vec<Field> {
+    let (wheel, speed, kind) = (design.wheel.indexing(), design.speed(), design.wheel.kind());
     let (velocity, entry) = (wheel.peak_velocity(), wheel.entry_acceleration());
     let (acceleration, jerk) = (wheel.acceleration_peak(), wheel.jerk_peak());
     // With as many pins as fit and no dwell, one pin enters as another leaves.
@@ -96,11 +105,7 @@ fn motion(made: &Made) -> Vec<Field> {
     };
     let at_end = wheel.engagement_half_angle();
     let place = |angle: f64| {
-        if angle == at_end {
-            "as a pin enters".to_owned()
-        } else {
-            kind.place(-angle.to_degrees(), &degrees_told(angle))
-        }
+        if angle == at_end { "as a pin enters".to_owned() } else { kind.place(-angle.to_degrees(), &degrees(angle)) }
     };
     let jerk_at = place(jerk.angle);
     vec![
@@ -113,46 +118,46 @@ fn motion(made: &Made) -> Vec<Field> {
         Field::in_unit("peak_acceleration_rad_s2", speed.map(|speed| speed * speed * acceleration.ratio), "rad/s²")
             .also(),
         // Of the peak of deceleration; that of acceleration is as far before the middle.
-        Field::new("peak_acceleration_angle_deg", acceleration.angle.to_degrees()),
+        Field::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
         Field::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
             .line("peak jerk", format!("{jerk_at}; not counting the jumps at the ends")),
         Field::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³").also(),
     ]
 }
 
-fn title(made: &Made) -> String {
-    let wheel = made.wheel.indexing();
-    let name = match made.wheel.kind() {
+fn title(design: &Design) -> String {
+    let wheel = design.wheel.indexing();
+    let name = match design.wheel.kind() {
         Kind::External => "External",
         Kind::Internal => "Internal",
         Kind::Spherical => "Spherical",
     };
     let (stations, pins) = (count(wheel.stations() as usize, "station"), count(wheel.pins() as usize, "pin"));
-    let radius = made.crank_radius.map_or_else(String::new, |radius| format!(", crank radius {} mm", told(radius)));
-    let rpm = made.rpm.map_or_else(String::new, |rpm| format!(", {} rpm", as_typed(rpm)));
+    let radius = design.crank_radius.map_or_else(String::new, |radius| format!(", crank radius {} mm", told(radius)));
+    let rpm = design.question.rpm.map_or_else(String::new, |rpm| format!(", {} rpm", as_typed(rpm)));
     format!("{name} Geneva wheel: {stations}, driver with {pins}{radius}{rpm}")
 }
 
 /// A length that was typed, or one that follows from another, to as many digits as a reader wants.
 fn told(length: f64) -> String {
     let typed = as_typed(length);
-    if typed.len() <= 8 { typed } else { crate::fields::number(length) }
+    if typed.len() <= 8 { typed } else { number(length) }
 }
 
 /// Which options would add to the report.
-fn missing(made: &Made) -> String {
-    let sizes = if made.wheel.kind() == Kind::Spherical {
+fn missing(design: &Design) -> String {
+    let sizes = if design.wheel.kind() == Kind::Spherical {
         "--crank-radius MM or --wheel-radius MM"
     } else {
         "--crank-radius MM, --centre-distance MM or --wheel-radius MM"
     };
-    let lengths = made.crank_radius.is_none().then(|| format!("For sizes in mm, add {sizes}."));
-    let rates = made.rpm.is_none().then(|| "For s, rad/s and rad/s², add --rpm R.".to_owned());
-    let loads = made.inertia.is_none().then(|| {
-        let also = if made.rpm.is_none() { "also " } else { "" };
+    let lengths = design.crank_radius.is_none().then(|| format!("For sizes in mm, add {sizes}."));
+    let rates = design.question.rpm.is_none().then(|| "For s, rad/s and rad/s², add --rpm R.".to_owned());
+    let loads = design.inertia.is_none().then(|| {
+        let also = if design.question.rpm.is_none() { "also " } else { "" };
         format!("For torques, {also}add --inertia KGM2.")
     });
-    let without = made.rpm.and(made.inertia).map(|_| {
+    let without = design.question.rpm.and(design.inertia).map(|_| {
         let parts = "the pin, the locking disc, the driver's bearings and the gear";
         format!("The loads leave out the friction of {parts}, so the motor needs more.")
     });

@@ -1,6 +1,5 @@
 //! The three kinds of wheel.
 
-use clap::ValueEnum;
 use geneva_figures::{Figure, stations};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
@@ -9,13 +8,13 @@ use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
 
 /// Kinds of wheel: how wheel and driver are arranged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Driver beside the wheel: they turn in opposite senses
+    /// Driver beside the wheel: they turn in opposite senses.
     External,
-    /// Driver inside the wheel: they turn in the same sense, the wheel for more than half of each turn
+    /// Driver inside the wheel: they turn in the same sense, the wheel for more than half of each turn.
     Internal,
-    /// Axes that cross at right angles: half of each turn is motion, half is dwell
+    /// Axes that cross at right angles: half of each turn is motion, half is dwell.
     Spherical,
 }
 
@@ -33,7 +32,7 @@ impl Kind {
     }
 
     /// What is measured from where.
-    pub fn introduction(self) -> &'static str {
+    pub(super) fn introduction(self) -> &'static str {
         match self {
             Self::External => {
                 "Crank angles are measured at the driver's axis from the line of centres, which joins the two axes. The \
@@ -55,7 +54,7 @@ impl Kind {
     }
 
     /// Where crank angles are measured from.
-    pub fn middle(self) -> &'static str {
+    pub(super) fn middle(self) -> &'static str {
         match self {
             Self::External => "the line of centres",
             Self::Internal | Self::Spherical => "mid-index",
@@ -63,7 +62,7 @@ impl Kind {
     }
 
     /// A crank angle in words: how far before or past the middle, with its size as it is written.
-    pub fn place(self, degrees: f64, written: &str) -> String {
+    pub(super) fn place(self, degrees: f64, written: &str) -> String {
         let (with, on) = if self == Self::External { ("with a pin ", "on ") } else { ("", "at ") };
         let middle = self.middle();
         if degrees.abs() < 1e-9 {
@@ -77,12 +76,20 @@ impl Kind {
 /// A wheel of any kind; lengths are in crank radii.
 #[derive(Clone, Copy, Debug)]
 pub enum AnyWheel {
+    /// One with its driver beside it.
     External(Wheel),
+    /// One with its driver inside.
     Internal(InternalWheel),
+    /// One whose axis crosses the driver's.
     Spherical(SphericalWheel),
 }
 
 impl AnyWheel {
+    /// The wheel of this kind with so many stations, and so many pins on its driver.
+    ///
+    /// # Errors
+    ///
+    /// Numbers of stations or pins that the kind can't have.
     pub fn new(kind: Kind, stations: u32, pins: u32) -> Result<Self, KinematicsError> {
         Ok(match kind {
             Kind::External => Self::External(Wheel::with_pins(stations, pins)?),
@@ -91,6 +98,7 @@ impl AnyWheel {
         })
     }
 
+    /// Its kind.
     pub fn kind(&self) -> Kind {
         match self {
             Self::External(_) => Kind::External,

@@ -5,10 +5,17 @@
 //! as long as is wanted.
 
 use super::kind::{AnyWheel, Kind};
-use crate::arguments::Format;
-use crate::fields::{self, Field, Report, Row, Value, number};
-use crate::output::count;
-use crate::typed::as_typed;
+use crate::written::{as_typed, count, number};
+use crate::{Answer, Field, Item, Row};
+
+/// Wanted times, in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Times {
+    /// Of one index.
+    pub index: f64,
+    /// Of one dwell.
+    pub dwell: f64,
+}
 
 /// How many are proposed, by what heads them.
 const PROPOSED: [&str; 5] = ["Nearest", "Second", "Third", "Fourth", "Fifth"];
@@ -65,43 +72,33 @@ fn row(of: &Candidate, cycle: f64) -> Row {
     ])
 }
 
-/// The proposals, in the format that is wanted.
-pub fn page(index: f64, dwell: f64, kind: Option<Kind>, format: Format) -> anyhow::Result<String> {
-    let (cycle, wanted) = (index + dwell, index / (index + dwell));
-    let found = nearest(wanted, kind);
-    let rows: Vec<Row> = found.iter().map(|of| row(of, cycle)).collect();
-    match format {
-        Format::Csv => fields::csv(rows.first(), rows.iter().cloned()),
-        Format::Json => fields::json(&Row(vec![
-            ("index_time_s", index.into()),
-            ("dwell_time_s", dwell.into()),
-            ("dwell_over_index", (dwell / index).into()),
-            ("proposals", Value::List(rows.into_iter().map(Value::Object).collect())),
-        ])),
-        _ => Ok(sheet(index, dwell, &found, kind).sheet()),
-    }
-}
-
 const INTRODUCTION: &str = "\
 The ratio of dwell to index depends only on the kind of wheel and its numbers of stations and pins. The driver's speed \
 only makes the whole cycle faster or slower. These wheels come nearest, each at the speed at which index and dwell together \
 last as long as you want.";
 
-fn sheet(index: f64, dwell: f64, found: &[Candidate], kind: Option<Kind>) -> Report {
-    let wanted = index / (index + dwell);
-    let sections = PROPOSED.into_iter().zip(found).map(|(title, of)| (title, lines(of, index + dwell, wanted)));
-    let exact = found.first().is_some_and(|of| (of.motion - wanted).abs() <= SAME);
-    let note = if exact { String::new() } else { bounds(wanted, kind) };
-    Report {
+/// Which wheels come nearest to wanted times: of one kind, or of all.
+pub fn proposals(times: Times, kind: Option<Kind>) -> Answer {
+    let Times { index, dwell } = times;
+    let (cycle, wanted) = (index + dwell, index / (index + dwell));
+    let found = nearest(wanted, kind);
+    let items = PROPOSED.into_iter().zip(&found);
+    let items = items.map(|(heading, of)| Item { heading, fields: lines(of, cycle, wanted), row: row(of, cycle) });
+    let is_exact = found.first().is_some_and(|of| (of.motion - wanted).abs() <= SAME);
+    Answer {
         title: format!("Wheels nearest to an index of {} s and a dwell of {} s", as_typed(index), as_typed(dwell)),
         introduction: INTRODUCTION,
-        sections: std::iter::once(("Wanted", vec![ratio(dwell / index)])).chain(sections).collect(),
-        note,
+        sections: vec![(
+            "Wanted",
+            vec![
+                Field::in_unit("index_time_s", index, "s"),
+                Field::in_unit("dwell_time_s", dwell, "s"),
+                Field::in_unit("dwell_over_index", dwell / index, "× index").line("dwell", "the wanted ratio"),
+            ],
+        )],
+        list: Some(("proposals", items.collect())),
+        note: if is_exact { String::new() } else { bounds(wanted, kind) },
     }
-}
-
-fn ratio(dwell_over_index: f64) -> Field {
-    Field::in_unit("dwell_over_index", dwell_over_index, "× index").line("dwell", "the wanted ratio")
 }
 
 fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<Field> {

@@ -1,10 +1,9 @@
 //! The run from rest, a line for each time.
 
-use super::SETTLED;
-use crate::fields::{self, Row};
-use crate::typed::{as_typed, rounded};
-use anyhow::{anyhow, ensure};
-use geneva_dynamics::Error;
+use super::{Design, SETTLED};
+use crate::written::{as_typed, rounded};
+use crate::{Error, Row};
+use geneva_dynamics::Error as Motion;
 use geneva_dynamics::steady::{Engagement, MOST_PRINTED, Printed};
 
 /// Periods that follow the rise.
@@ -30,27 +29,34 @@ fn row(printed: &Printed) -> Row {
     ])
 }
 
-/// A header and the lines.
-pub fn csv(engagement: &Engagement, duration: Option<f64>, interval: Option<f64>) -> anyhow::Result<String> {
-    let (duration, interval) = match (duration, interval) {
-        (Some(duration), Some(interval)) => (duration, interval),
-        (duration, interval) => {
-            let usual = usual(engagement)?;
-            let duration = duration.unwrap_or(usual.duration);
-            (
-                duration,
-                interval.unwrap_or_else(|| round((usual.engagement.min(duration) / LINES).max(duration / MOST_LINES))),
-            )
+impl Design {
+    /// The run from rest, a row for each time: so long, with so much time between the rows, in the unit of time of torque and
+    /// inertias. What is missing follows from the rise.
+    ///
+    /// # Errors
+    ///
+    /// An interval that is longer than the run, and a run of too many rows or engagements.
+    pub fn run(&self, duration: Option<f64>, interval: Option<f64>) -> Result<Vec<Row>, Error> {
+        let engagement = &self.engagement;
+        let (duration, interval) = match (duration, interval) {
+            (Some(duration), Some(interval)) => (duration, interval),
+            (duration, interval) => {
+                let usual = usual(engagement)?;
+                let duration = duration.unwrap_or(usual.duration);
+                let round = || round((usual.engagement.min(duration) / LINES).max(duration / MOST_LINES));
+                (duration, interval.unwrap_or_else(round))
+            }
+        };
+        if interval > duration {
+            return Err(refused!(
+                "--interval {} is longer than the run, which lasts {}; give a shorter interval, or a longer --duration",
+                as_typed(interval),
+                as_typed(duration)
+            ));
         }
-    };
-    ensure!(
-        interval <= duration,
-        "--interval {} is longer than the run, which lasts {}; give a shorter interval, or a longer --duration",
-        as_typed(interval),
-        as_typed(duration)
-    );
-    let lines = engagement.run(interval, duration).map_err(|error| refused(duration, interval, error))?;
-    fields::csv(lines.first().map(row).as_ref(), lines.iter().map(row))
+        let lines = engagement.run(interval, duration).map_err(|error| refused(duration, interval, error))?;
+        Ok(lines.iter().map(row).collect())
+    }
 }
 
 /// What is taken where nothing was asked for.
@@ -61,10 +67,10 @@ struct Usual {
     engagement: f64,
 }
 
-fn usual(engagement: &Engagement) -> anyhow::Result<Usual> {
+fn usual(engagement: &Engagement) -> Result<Usual, Error> {
     let steady = match engagement.steady_state() {
         Ok(steady) => Some(steady),
-        Err(Error::NoTerminalSpeed { .. }) => None,
+        Err(Motion::NoTerminalSpeed { .. }) => None,
         Err(error) => return Err(error.into()),
     };
     let (most, enough) = match steady {
@@ -94,9 +100,9 @@ fn round(time: f64) -> f64 {
 }
 
 /// The library's refusal of a run, in terms of the options.
-fn refused(duration: f64, interval: f64, error: Error) -> anyhow::Error {
+fn refused(duration: f64, interval: f64, error: Motion) -> Error {
     match error {
-        Error::TooMany { name, .. } => anyhow!(
+        Motion::TooMany { name, .. } => refused!(
             "--duration {} with --interval {} gives more than {MOST_PRINTED} {name}; give a shorter duration or a longer interval",
             as_typed(duration),
             as_typed(interval)

@@ -1,35 +1,29 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
-use super::cycle::degrees_told;
-use super::made::Made;
-use crate::fields::{Field, Value};
-use geneva_kinematics::KinematicsError;
+use super::design::Design;
+use crate::written::degrees as degrees_told;
+use crate::{Error, Field, Rounding, Value};
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
-fn nearest_told(made: &Made, nearest: &Nearest) -> String {
+fn nearest_told(design: &Design, nearest: &Nearest) -> String {
     let parts = match nearest.contact {
         Contact::PinInSlot => "pin and slot",
         Contact::PinOutside => "pin and wheel, while it is in no slot",
         Contact::LockingDisc => "locking disc and locking arc",
         Contact::Crescent => "locking disc and wheel, while it turns",
     };
-    let place = made.wheel.kind().place(nearest.crank_angle.to_degrees(), &degrees_told(nearest.crank_angle));
+    let place = design.wheel.kind().place(nearest.crank_angle.to_degrees(), &degrees_told(nearest.crank_angle));
     format!("over a whole turn: {parts}, {place}")
 }
-
-/// Crank angles at which the least clearance is looked for at most, and clearances for the tolerance of the axes, each: where
-/// the play is so small against the parts that more are needed, the number is missing.
-const ANGLES: u32 = 4_000_000;
-const ANGLES_EACH: u32 = 400_000;
 
 fn mm(key: &'static str, length: Option<f64>) -> Field {
     Field::in_unit(key, length, "mm")
 }
 
 /// The fields of the parts; without numbers where no size was given, or of another kind of wheel.
-pub fn parts(made: &Made) -> Vec<Field> {
-    let sizes = made.sizes.as_ref();
+pub fn parts(design: &Design) -> Vec<Field> {
+    let sizes = design.sizes.as_ref();
     let of = |length: fn(&Sizes) -> f64| sizes.map(length);
     // A shaft that there is not has no diameter.
     let shaft = |length: fn(&Sizes) -> f64| of(length).filter(|diameter| *diameter > 0.0);
@@ -76,20 +70,13 @@ pub fn parts(made: &Made) -> Vec<Field> {
 }
 
 /// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
-pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
-    let sizes = made.sizes.as_ref();
+pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
+    let sizes = design.sizes.as_ref();
     let is_tight = sizes.is_some_and(|sizes| sizes.play.slot == 0.0 || sizes.locking_gap() == Some(0.0));
-    let least = match sizes.map(|sizes| sizes.clearance_within(sizes.centre_distance, ANGLES)) {
-        Some(Err(KinematicsError::TooManyAngles { .. })) | None => None,
-        // What is less than the tolerance is not known to be more than none; without play it is none.
-        Some(found) => {
-            Some(found?).filter(|all| all.least().distance > all.tolerance || is_tight).map(|all| all.least())
-        }
-    };
-    let tolerance = match sizes.map(|sizes| sizes.centre_tolerance_within(ANGLES_EACH)) {
-        Some(Err(KinematicsError::TooManyAngles { .. })) | None => None,
-        found => found.transpose()?,
-    };
+    // What is less than the tolerance is not known to be more than none; without play it is none.
+    let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight);
+    let least = found.map(|(least, _)| least);
+    let tolerance = design.centre_tolerance()?;
     let not_found = |field: Field, name, is_found: bool| {
         if sizes.is_some() && !is_found {
             field.words(
@@ -101,11 +88,13 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
         }
     };
     let nearest = mm("least_clearance_mm", least.map(|least| least.distance))
-        .line("least clearance", least.map_or_else(String::new, |least| nearest_told(made, &least)));
+        .line("least clearance", least.map_or_else(String::new, |least| nearest_told(design, &least)));
     let nearer = mm("centres_nearer_mm", tolerance.map(|tolerance| tolerance.nearer))
-        .line("axes nearer", "at most, or parts touch; loose shafts bring the axes nearer by the bore play");
+        .line("axes nearer", "at most, or parts touch; loose shafts bring the axes nearer by the bore play")
+        .rounded(Rounding::Significant(4));
     let farther = mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
-        .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch");
+        .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch")
+        .rounded(Rounding::Significant(4));
     let play = sizes.and_then(Sizes::dwell_play);
     let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
     let at_greatest = play.map_or_else(String::new, |play| {
@@ -114,13 +103,14 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
             "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
         )
     });
-    let pin_speed = made.speed().zip(made.crank_radius).map(|(speed, radius)| speed * radius);
-    let knock = sizes.and_then(Sizes::knock).zip(pin_speed);
-    let speed =
-        |key, of: fn(&Knock) -> f64| Field::in_unit(key, knock.as_ref().map(|(knock, pin)| of(knock) * pin), "mm/s");
+    let knock = sizes.and_then(Sizes::knock).zip(design.pin_speed());
+    let speed = |key, of: fn(&Knock) -> f64| {
+        let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
+        Field::in_unit(key, speed, "mm/s").rounded(Rounding::Significant(3))
+    };
     Ok(vec![
         not_found(nearest, "least clearance", least.is_some()),
-        Field::new("least_clearance_at_deg", least.map(|least| least.crank_angle.to_degrees())),
+        degrees("least_clearance_at_deg", least.map(|least| least.crank_angle)),
         not_found(nearer, "axes nearer", tolerance.is_some()),
         not_found(farther, "axes farther", tolerance.is_some()),
         mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap)).line(
@@ -138,9 +128,11 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
         degrees("dwell_backlash_deg", play.map(|play| play.middle))
             .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
         Field::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
-            .line("", "part of the dwell, about its middle, in which it is no greater"),
+            .line("", "part of the dwell, about its middle, in which it is no greater")
+            .rounded(Rounding::Percent(0)),
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
-        degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry)),
+        degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
+            .rounded(Rounding::Decimals(1)),
         speed("knock_mm_s", |knock| knock.centred)
             .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
         speed("knock_within_backlash_mm_s", |knock| knock.within)
@@ -151,8 +143,8 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
 }
 
 /// What a maker should know about sizes that do fit.
-pub fn warnings(made: &Made) -> Vec<Field> {
-    let found = made.sizes.map(|sizes| sizes.warnings()).unwrap_or_default();
+pub fn warnings(design: &Design) -> Vec<Field> {
+    let found = design.sizes.map(|sizes| sizes.warnings()).unwrap_or_default();
     let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();
     let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
     let field = Field::new("warnings", texts);

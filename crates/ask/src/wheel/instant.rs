@@ -1,8 +1,8 @@
 //! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
-use super::made::Made;
-use crate::fields::{self, Field, Row, Value, number};
-use anyhow::ensure;
+use super::design::Design;
+use super::report::too_large;
+use crate::{Error, Field, Item, Row, Value};
 use geneva_dynamics::wheel_loads::Load;
 use geneva_kinematics::indexing::PinInSlot;
 use geneva_kinematics::wheel::{Motion, Phase};
@@ -11,7 +11,7 @@ use geneva_kinematics::wheel::{Motion, Phase};
 const HALF_TURN: i32 = 180;
 
 /// The wheel at one crank angle.
-pub struct Instant {
+struct Instant {
     /// Crank angle in degrees.
     degrees: f64,
     motion: Motion,
@@ -22,14 +22,14 @@ pub struct Instant {
 
 impl Instant {
     /// The wheel at this crank angle in degrees, counted from the middle of the first index, in any turn.
-    pub fn new(made: &Made, degrees: f64) -> anyhow::Result<Self> {
-        let wheel = made.wheel.indexing();
+    fn new(design: &Design, degrees: f64) -> Result<Self, Error> {
+        let wheel = design.wheel.indexing();
         let turns = libm::round(degrees / 360.0);
         let crank = (degrees - 360.0 * turns).to_radians();
         let motion = wheel.at(turns as i64, crank)?;
         let from_pin = wheel.nearest_pin(crank).1;
         let is_engaged = motion.phase == Phase::Advance;
-        let loads = made.loads()?.filter(|_| is_engaged);
+        let loads = design.loads(wheel)?.filter(|_| is_engaged);
         Ok(Self {
             degrees,
             motion,
@@ -39,21 +39,21 @@ impl Instant {
     }
 
     /// Wheel angle in degrees from the middle of the first index.
-    fn wheel_angle(&self, made: &Made) -> f64 {
-        let step = 360.0 / f64::from(made.wheel.indexing().stations());
+    fn wheel_angle(&self, design: &Design) -> f64 {
+        let step = 360.0 / f64::from(design.wheel.indexing().stations());
         self.motion.stations as f64 * step + self.motion.angle.to_degrees()
     }
 
     /// Everything reported about it.
-    pub fn row(&self, made: &Made) -> Row {
+    fn row(&self, design: &Design) -> Row {
         let (motion, pin, load) = (&self.motion, self.pin, self.load);
-        let speed = made.speed();
+        let speed = design.speed();
         let phase = if motion.phase == Phase::Advance { "index" } else { "dwell" };
         let rated = |ratio: f64, power: i32| speed.map(|speed| (0..power).fold(ratio, |rate, _| rate * speed));
         Row(vec![
             ("crank_angle_deg", self.degrees.into()),
             ("phase", phase.into()),
-            ("wheel_angle_deg", self.wheel_angle(made).into()),
+            ("wheel_angle_deg", self.wheel_angle(design).into()),
             ("pin_radius_ratio", pin.map(|pin| pin.radius).into()),
             ("velocity_ratio", motion.velocity.into()),
             ("acceleration_ratio", motion.acceleration.into()),
@@ -65,14 +65,14 @@ impl Instant {
             ("wheel_acceleration_rad_s2", rated(motion.acceleration, 2).into()),
             ("wheel_jerk_rad_s3", rated(motion.jerk, 3).into()),
             ("wheel_torque_nm", load.map(|load| load.wheel_torque).into()),
-            ("pin_force_n", load.and_then(|load| made.force(load.pin_moment)).into()),
+            ("pin_force_n", load.and_then(|load| design.force(load.pin_moment)).into()),
             ("crank_torque_nm", load.map(|load| load.crank_torque).into()),
             ("power_w", load.map(|load| load.power).into()),
         ])
     }
 
     /// Its lines on a sheet.
-    pub fn lines(&self, made: &Made) -> Vec<Field> {
+    fn lines(&self, design: &Design) -> Vec<Field> {
         let phase = if self.pin.is_some() { "a pin is in a slot" } else { "dwell: the wheel is locked" };
         let told = [
             ("crank_angle_deg", "crank angle", "°", phase),
@@ -96,7 +96,7 @@ impl Instant {
             ("crank_torque_nm", "crank torque", "N m", ""),
             ("power_w", "power", "W", ""),
         ];
-        let Row(row) = self.row(made);
+        let Row(row) = self.row(design);
         let value =
             |key: &str| row.iter().find(|(known, _)| *known == key).map_or(Value::Missing, |(_, value)| value.clone());
         // Of a wheel at rest there is only its angle to tell.
@@ -110,26 +110,24 @@ fn within(most: f64, angle: f64) -> f64 {
     angle.clamp(-most, most)
 }
 
-/// A row for each degree of a turn of the driver, both ends included, or for each angle that was asked for.
-pub fn csv(made: &Made, asked: &[f64]) -> anyhow::Result<String> {
-    let every: Vec<f64> = (-HALF_TURN..=HALF_TURN).map(f64::from).collect();
-    let degrees = if asked.is_empty() { &every[..] } else { asked };
-    let rows = rows(made, degrees)?;
-    fields::csv(rows.first(), rows.iter().cloned())
+/// The wheel at one crank angle, as one of a list.
+pub(super) fn item(design: &Design, degrees: f64) -> Result<Item, Error> {
+    let instant = Instant::new(design, degrees)?;
+    Ok(Item { heading: "At a crank angle", fields: instant.lines(design), row: instant.row(design) })
 }
 
-/// A row for each of these crank angles in degrees.
-pub fn rows(made: &Made, degrees: &[f64]) -> anyhow::Result<Vec<Row>> {
-    let rows = degrees.iter().map(|at| Ok(Instant::new(made, *at)?.row(made))).collect::<anyhow::Result<Vec<_>>>()?;
-    let finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
-    ensure!(
-        finite,
-        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias"
-    );
-    Ok(rows)
-}
-
-/// A number of degrees as it appears in a sentence.
-pub fn degrees_told(radians: f64) -> String {
-    number(radians.abs().to_degrees())
+impl Design {
+    /// The cycle: a row for each degree of a turn of the driver, both ends included, or for each angle of the question.
+    ///
+    /// # Errors
+    ///
+    /// Angles that the wheel doesn't have, and numbers that are too large or too small to compute with.
+    pub fn cycle(&self) -> Result<Vec<Row>, Error> {
+        let angles = self.angles()?;
+        let angles = if angles.is_empty() { (-HALF_TURN..=HALF_TURN).map(f64::from).collect() } else { angles };
+        let rows = angles.into_iter().map(|degrees| Ok(Instant::new(self, degrees)?.row(self)));
+        let rows = rows.collect::<Result<Vec<_>, Error>>()?;
+        let is_finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
+        if is_finite { Ok(rows) } else { Err(too_large()) }
+    }
 }

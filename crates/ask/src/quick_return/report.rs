@@ -1,11 +1,11 @@
 //! The report on a mechanism at an instant, and which way everything points and turns.
 
+use super::Design;
 use super::instant::{Instant, NOT_TOLD, Stroke};
 use super::vector::Vector;
-use crate::fields::{Field, Report};
-use crate::typed::as_typed;
-use anyhow::{Context, ensure};
-use geneva_kinematics::quick_return::{Branch, Drive, Motion, Position, QuickReturn, Strokes};
+use crate::written::as_typed;
+use crate::{Answer, Error, Field};
+use geneva_kinematics::quick_return::{Branch, Motion, Position, Strokes};
 
 /// What the numbers are measured from, and what adds up.
 const INTRODUCTION: &str = "\
@@ -41,46 +41,54 @@ struct Seen {
     lever_acceleration: f64,
 }
 
-/// The report on a mechanism at an instant.
-///
-/// Angles and directions are counter-clockwise from the direction lever's pivot → crank's axis, which is that of x;
-/// angular velocities and accelerations are counter-clockwise positive. A vector that is zero has no direction.
-pub fn report(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, rpm: f64) -> anyhow::Result<Report> {
-    let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).context(BEYOND)?;
-    let seen = Seen {
-        instant: Instant::of(linkage, position),
-        rpm,
-        lever_deg: unsigned_zero(position.lever.degrees()),
-        lever_speed: unsigned_zero(motion.velocities.follower_speed),
-        lever_acceleration: unsigned_zero(motion.accelerations.follower_acceleration),
-    };
-    let given = vec![
-        Field::new("ground_m", linkage.ground()),
-        Field::new("crank_m", linkage.crank()),
-        Field::new("rpm", rpm),
-        Field::new("crank_speed_rad_s", drive.speed),
-    ];
-    let (velocities, accelerations) = seen.motion(&motion);
-    let report = Report {
-        title: format!(
-            "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} rpm {}",
-            as_typed(linkage.ground()),
-            as_typed(linkage.crank()),
-            as_typed(rpm.abs()),
-            sense(rpm)
-        ),
-        introduction: INTRODUCTION,
-        sections: vec![
-            ("Given", given),
-            ("Position", seen.position(position)),
-            ("Velocities", velocities),
-            ("Accelerations", accelerations),
-            ("Strokes", strokes(&linkage.strokes(), &seen.instant)),
-        ],
-        note: String::new(),
-    };
-    ensure!(report.is_finite(), BEYOND);
-    Ok(report)
+impl Design {
+    /// The answer.
+    ///
+    /// Angles and directions are counter-clockwise from the direction lever's pivot → crank's axis, which is that of x;
+    /// angular velocities and accelerations are counter-clockwise positive. A vector that is zero has no direction.
+    ///
+    /// # Errors
+    ///
+    /// Lengths, angles or speeds that are too large or too small to compute with.
+    pub fn answer(&self) -> Result<Answer, Error> {
+        let Self { linkage, position, drive, rpm } = self;
+        let beyond = || refused!("{BEYOND}");
+        let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
+        let seen = Seen {
+            instant: Instant::of(linkage, position),
+            rpm: *rpm,
+            lever_deg: unsigned_zero(position.lever.degrees()),
+            lever_speed: unsigned_zero(motion.velocities.follower_speed),
+            lever_acceleration: unsigned_zero(motion.accelerations.follower_acceleration),
+        };
+        let given = vec![
+            Field::in_unit("ground_m", linkage.ground(), "m"),
+            Field::in_unit("crank_m", linkage.crank(), "m"),
+            Field::new("rpm", *rpm),
+            Field::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
+        ];
+        let (velocities, accelerations) = seen.motion(&motion);
+        let answer = Answer {
+            title: format!(
+                "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} rpm {}",
+                as_typed(linkage.ground()),
+                as_typed(linkage.crank()),
+                as_typed(rpm.abs()),
+                sense(*rpm)
+            ),
+            introduction: INTRODUCTION,
+            sections: vec![
+                ("Given", given),
+                ("Position", seen.position(position)),
+                ("Velocities", velocities),
+                ("Accelerations", accelerations),
+                ("Strokes", strokes(&linkage.strokes(), &seen.instant)),
+            ],
+            list: None,
+            note: String::new(),
+        };
+        if answer.is_finite() { Ok(answer) } else { Err(beyond()) }
+    }
 }
 
 impl Seen {

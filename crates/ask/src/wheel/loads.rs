@@ -1,60 +1,66 @@
 //! The loads of a wheel, as they are reported.
 
-use super::cycle::degrees_told;
-use super::made::Made;
-use crate::fields::Field;
+use super::design::Design;
+use crate::written::degrees;
+use crate::{Error, Field, Rounding};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
+use geneva_kinematics::indexing::Indexing;
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
-pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
-    let loads = made.loads()?;
-    let kind = made.wheel.kind();
+pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
+    let wheel = design.wheel.indexing();
+    let loads = design.loads(wheel)?;
+    let kind = design.wheel.kind();
     let [torque, moment, crank] = match &loads {
         Some(loads) => [loads.wheel_torque(), loads.pin_moment(), loads.crank_torque()].map(Some),
         None => [None; 3],
     };
-    let force = |peak: Peak| made.force(peak.value);
+    let force = |peak: Peak| design.force(peak.value);
     let driving = |peaks: Option<Peaks>| peaks.map(|peaks| peaks.driving);
     let braking = |peaks: Option<Peaks>| peaks.and_then(|peaks| peaks.braking);
     let place = |peak: Option<Peak>| {
-        peak.map_or_else(String::new, |peak| kind.place(peak.angle.to_degrees(), &degrees_told(peak.angle)))
+        peak.map_or_else(String::new, |peak| kind.place(peak.angle.to_degrees(), &degrees(peak.angle)))
     };
     let at = |peak: Option<Peak>| peak.map(|peak| peak.angle.to_degrees());
     let reversal = loads.as_ref().and_then(|loads| loads.reversal());
     let holds = match reversal {
         Some((from, until)) => {
-            let [from, until] = [from, until].map(degrees_told);
+            let [from, until] = [from, until].map(degrees);
             format!("the pin holds the wheel back from {from}° to {until}° past {}", kind.middle())
         }
         None => "nowhere: friction alone slows the wheel down enough".to_owned(),
     };
-    let pressure = driving(moment).and_then(force).map(|force| made.pressure(force)).transpose()?.flatten();
-    let from = Field::new("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()));
+    let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
+    let from = Field::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
     let fields = vec![
-        Field::in_unit("inertia_kgm2", made.inertia, "kg m²")
+        Field::in_unit("inertia_kgm2", design.inertia, "kg m²")
             .line("moment of inertia", "of the wheel and everything that turns with it"),
-        Field::in_unit("wheel_inertia_kgm2", made.wheel_inertia, "kg m²")
+        Field::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
             .line("", "part of the wheel itself, from its outline, thickness and density"),
-        Field::in_unit("friction_torque_nm", made.friction_torque, "N m")
+        Field::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included"),
+        entry_wheel_torque(design, wheel)?,
         Field::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
-        Field::new("peak_wheel_torque_at_deg", at(driving(torque))),
+        Field::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),
         Field::in_unit("peak_pin_force_n", driving(moment).and_then(force), "N")
             .line("peak pin force", place(driving(moment))),
-        Field::new("peak_pin_force_at_deg", at(driving(moment).filter(|_| made.crank_radius.is_some()))),
+        Field::in_unit("peak_pin_force_at_deg", at(driving(moment).filter(|_| design.crank_radius.is_some())), "°"),
         Field::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
-            .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)"),
+            .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
+            .rounded(Rounding::Significant(3)),
         Field::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
-        Field::new("peak_crank_torque_at_deg", at(driving(crank))),
+        Field::in_unit("peak_crank_torque_at_deg", at(driving(crank)), "°"),
         Field::in_unit("peak_power_w", loads.as_ref().map(|loads| loads.peak_power()), "W")
-            .line("peak power", "at the same angle"),
+            .line("peak power", "at the same angle")
+            .rounded(Rounding::Significant(3)),
         Field::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
             .line("RMS crank torque", "over a turn of the driver; this heats a motor"),
         Field::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
-            .line("mean crank torque", "over a turn of the driver; this is what the friction torque takes"),
+            .line("mean crank torque", "over a turn of the driver; this is what the friction torque takes")
+            .rounded(Rounding::Significant(3)),
         Field::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
             .line("braking wheel torque", place(braking(torque))),
         Field::in_unit("braking_pin_force_n", braking(moment).and_then(force), "N")
@@ -62,7 +68,24 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
         Field::in_unit("braking_crank_torque_nm", braking(crank).map(|peak| peak.value), "N m")
             .line("braking crank torque", place(braking(crank))),
         from,
-        Field::new("braking_until_deg", reversal.map(|(_, until)| until.to_degrees())),
+        Field::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
     Ok(fields)
+}
+
+impl Design {
+    /// Fields that a figure shows which a reader moves, besides the numbers that it has a place for.
+    ///
+    /// # Errors
+    ///
+    /// A speed, an inertia or a friction that no wheel has.
+    pub fn on_pages(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+        Ok(vec![entry_wheel_torque(self, wheel)?])
+    }
+}
+
+fn entry_wheel_torque(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Field, Error> {
+    let load = design.loads(wheel)?.map(|loads| loads.at(-wheel.engagement_half_angle())).transpose()?;
+    Ok(Field::in_unit("entry_wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")
+        .line("entry wheel torque", "as a pin enters: it comes all at once"))
 }

@@ -1,0 +1,221 @@
+//! One escapement: whether it runs, its steady state, its rise from rest, the run itself, and its drawings.
+
+mod report;
+mod run;
+
+use crate::Error;
+use crate::written::{as_typed, rounded_up};
+use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState, TOLERANCE};
+use geneva_dynamics::{Error as Motion, Inertias, Parameters};
+use geneva_figures::Figure;
+use geneva_figures::escapement::{mechanism, normal_force};
+use geneva_figures::runs::speeds;
+use geneva_kinematics::Mechanism;
+
+/// What is asked of an escapement; torque and inertias in units that fit each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Question {
+    /// Number of slots of the follower: 3, 4 or 6.
+    pub slots: u32,
+    /// Coefficient of friction between pin and slot.
+    pub friction: f64,
+    /// Torque of the spring on the driver.
+    pub torque: f64,
+    /// Moment of inertia of the driver about its axis.
+    pub driver_inertia: f64,
+    /// Moment of inertia of the follower about its axis.
+    pub follower_inertia: f64,
+    /// Units of torque and inertias, to report them in SI units too.
+    pub units: Option<Units>,
+    /// Turn of the driver, in degrees, after which its angle is reset, unless that is the turn from pin to pin.
+    pub reset_deg: Option<f64>,
+}
+
+/// Coherent systems of units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// Inch, pound-force and second: torque in in lb, inertias in in lb s².
+    InLbS,
+    /// Metre, kilogram and second: torque in N m, inertias in kg m².
+    Si,
+}
+
+impl Units {
+    /// The unit of torque in N m, which is that of inertia in kg m², for the unit of time is the second.
+    ///
+    /// A pound is the weight of 0.45359237 kg where gravity is standard, 9.80665 m/s², and an inch is 0.0254 m, all by
+    /// definition.
+    fn torque_n_m(self) -> f64 {
+        match self {
+            Self::InLbS => 0.0254 * 0.453_592_37 * 9.806_65,
+            Self::Si => 1.0,
+        }
+    }
+}
+
+/// The drawings of an escapement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawing {
+    /// The mechanism, to scale.
+    Mechanism,
+    /// Normal force and friction torque over one engagement of the steady state.
+    NormalForce,
+    /// Speeds of driver and follower over the first engagements from rest.
+    Run,
+}
+
+/// How near to the steady speed the rise from rest must come.
+const SETTLED: f64 = 0.01;
+
+/// An escapement that a question describes.
+#[derive(Debug)]
+pub struct Design {
+    question: Question,
+    parameters: Parameters,
+    engagement: Engagement,
+}
+
+impl Design {
+    /// The escapement that a question describes.
+    ///
+    /// # Errors
+    ///
+    /// What is impossible, with the arguments to change.
+    pub fn new(question: Question) -> Result<Self, Error> {
+        let parameters = parameters(&question)?;
+        let reset_deg = question.reset_deg.unwrap_or(own_reset(parameters.mechanism()));
+        let engagement = engagement(&parameters, reset_deg).map_err(|error| unsteady(&question, error))?;
+        Ok(Self { question, parameters, engagement })
+    }
+
+    fn reset_deg(&self) -> f64 {
+        self.question.reset_deg.unwrap_or(own_reset(self.parameters.mechanism()))
+    }
+
+    fn steady_state(&self) -> Result<SteadyState, Error> {
+        self.engagement.steady_state().map_err(|error| unsteady(&self.question, error))
+    }
+
+    /// One of its drawings.
+    ///
+    /// # Errors
+    ///
+    /// A drawing of a steady state that there is not.
+    pub fn drawing(&self, drawing: Drawing) -> Result<Figure, Error> {
+        Ok(match drawing {
+            Drawing::Mechanism => {
+                let escapement = self.parameters.mechanism();
+                mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?
+            }
+            Drawing::NormalForce => {
+                let reset_angle = self.reset_deg();
+                if reset_angle != own_reset(self.parameters.mechanism()) {
+                    return Err(refused!(
+                        "--reset-deg {}: --figure normal-force shows an engagement of a real mechanism; leave --reset-deg out",
+                        as_typed(reset_angle)
+                    ));
+                }
+                normal_force(&self.parameters, self.steady_state()?.entry_speed)?
+            }
+            Drawing::Run => {
+                self.steady_state()?;
+                speeds(&self.engagement, "")?
+            }
+        })
+    }
+}
+
+/// The parameters that were typed, if there is such an escapement; too much friction is refused in terms of the option and
+/// in degrees.
+fn parameters(question: &Question) -> Result<Parameters, Error> {
+    let mechanism = Mechanism::new(question.slots)?;
+    let inertias = Inertias::new(question.driver_inertia, question.follower_inertia)?;
+    match Parameters::new(mechanism, inertias, question.torque, question.friction) {
+        Err(Motion::TooMuchFriction { asked, limit, angle }) => Err(refused!(
+            "--friction {} is too high for this mechanism: from {} on it may jam, because the motion is not determined \
+             {:.2}° to either side of the line of centres; give less friction, or a driver with more inertia",
+            as_typed(asked),
+            rounded_up(limit),
+            angle.to_degrees()
+        )),
+        other => Ok(other?),
+    }
+}
+
+/// The reset angle of a mechanism in degrees: 360 over the number of pins, an integer.
+pub fn own_reset(mechanism: Mechanism) -> f64 {
+    360.0 / f64::from(mechanism.pins())
+}
+
+/// The engagement that ends after so many degrees.
+pub fn engagement(parameters: &Parameters, reset_deg: f64) -> Result<Engagement, Motion> {
+    if reset_deg == own_reset(parameters.mechanism()) {
+        Engagement::new(parameters)
+    } else {
+        Engagement::reset_after(parameters, reset_deg.to_radians(), TOLERANCE)
+    }
+}
+
+/// The library's refusal of a steady motion, in terms of the options.
+fn unsteady(question: &Question, error: Motion) -> Error {
+    let friction = as_typed(question.friction);
+    match error {
+        Motion::Reset { asked, limit } => no_reset(question.reset_deg.unwrap_or(asked.to_degrees()), limit),
+        Motion::NoTerminalSpeed { .. } => refused!(
+            "--friction {friction}: there is no terminal speed, because nothing brakes the driver and it gains speed \
+             without end; give a friction above zero, or --format csv for the run from rest"
+        ),
+        Motion::TooSharp { angle, margin } => refused!(
+            "--friction {friction}, --driver-inertia {}, --follower-inertia {}: the motion changes too quickly to be \
+             computed at {:.2}° from the line of centres, where A − |D| is {margin:.1e}; give less friction, or \
+             inertias that differ less",
+            as_typed(question.driver_inertia),
+            as_typed(question.follower_inertia),
+            angle.to_degrees()
+        ),
+        other => other.into(),
+    }
+}
+
+/// A reset angle that is out of range, and the range. The limit is in radians.
+pub fn no_reset(asked_deg: f64, limit: f64) -> Error {
+    refused!(
+        "--reset-deg {}: the driver's angle must be reset after more than 0° and less than {}°, where the pin is \
+         farthest from the follower; give an angle in this range, or leave it out for a real mechanism",
+        as_typed(asked_deg),
+        limit.to_degrees().round()
+    )
+}
+
+/// Engagements and time of the rise from rest; none if it takes more engagements than the library counts.
+///
+/// The more the speed, the nearer to the line of centres is the switch, and the more an engagement contracts: below the
+/// steady speed it contracts by no more than there. So the multiplier of the steady state tells how many engagements
+/// are needed at least, and a rise that is too long for certain is not tried.
+pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Motion> {
+    let enough = (1.0 - SETTLED) * (1.0 - SETTLED);
+    let least = libm::log(1.0 - enough) / libm::log(steady.multiplier);
+    // A little is left to rounding.
+    if least > 1.001 * MOST_CYCLES as f64 {
+        return Ok(None);
+    }
+    match engagement.engagements_to_settle(SETTLED) {
+        Err(Motion::TooMany { .. }) => Ok(None),
+        result => result.map(Some),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Units;
+
+    #[test]
+    fn a_pound_is_a_mass_of_a_pound_under_standard_gravity() {
+        // 1 in = 254/1e4 m, 1 lb = 45359237/1e8 kg and 980665/1e5 m/s²: their product is a fraction of integers.
+        let fraction = (254_u64 * 45_359_237 * 980_665) as f64 / 1e17;
+        approx::assert_relative_eq!(Units::InLbS.torque_n_m(), fraction, max_relative = 1e-15);
+        // The inverse, as tables give it: a newton metre is 8.850746 inch pounds.
+        approx::assert_relative_eq!(1.0 / Units::InLbS.torque_n_m(), 8.850_746, max_relative = 1e-7);
+        assert_eq!(Units::Si.torque_n_m(), 1.0);
+    }
+}

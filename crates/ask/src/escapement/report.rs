@@ -1,0 +1,158 @@
+//! The answer about an escapement, if it has a steady state.
+//!
+//! Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
+
+use super::{Design, Units, own_reset, rise, unsteady};
+use crate::written::{angle, as_typed, count, number};
+use crate::{Answer, Error, Field};
+use geneva_dynamics::Parameters;
+use geneva_dynamics::existence::{critical_friction, least_margin};
+use geneva_dynamics::steady::{MOST_CYCLES, SteadyState};
+
+const INTRODUCTION: &str = "Times are in the unit of time of the torque and the inertias, and speeds in radians per \
+                            unit of time. With lb, in and s, or with N, m and kg, these are s and rad/s. Crank angles \
+                            are measured at the driver's axis from the line of centres, negative before it.";
+
+/// What the rise time is.
+const RISE_TIME: &str = "time from rest, with a pin at its entry, until an engagement begins with at least 99 % of the \
+                         entry speed of the steady state";
+
+impl Design {
+    /// The answer.
+    ///
+    /// # Errors
+    ///
+    /// Why there is no steady state.
+    pub fn answer(&self) -> Result<Answer, Error> {
+        let (parameters, engagement, reset_deg) = (&self.parameters, &self.engagement, self.reset_deg());
+        let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
+        let state = self.steady_state()?;
+        let rise = rise(engagement, &state).map_err(|error| unsteady(&self.question, error))?;
+        let answer = Answer {
+            title: format!(
+                "Geneva escapement: {}, {}, friction {}, torque {}, inertias: driver {}, follower {}",
+                count(mechanism.slots() as usize, "slot"),
+                count(mechanism.pins() as usize, "pin"),
+                as_typed(parameters.friction()),
+                as_typed(parameters.torque()),
+                as_typed(inertias.driver()),
+                as_typed(inertias.follower())
+            ),
+            introduction: INTRODUCTION,
+            sections: vec![
+                ("Mechanism", mechanism_fields(parameters, reset_deg, self.question.units)),
+                ("Existence", existence_fields(parameters)),
+                ("Steady state", steady_fields(&state, engagement.reset() > mechanism.engagement_half_angle())),
+                ("Rise from rest", rise_fields(rise)),
+            ],
+            list: None,
+            note: String::new(),
+        };
+        if answer.is_finite() {
+            Ok(answer)
+        } else {
+            Err(refused!(
+                "--reset-deg {} is too small to compute with; give a larger angle, or leave it out",
+                as_typed(reset_deg)
+            ))
+        }
+    }
+}
+
+fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units>) -> Vec<Field> {
+    let (mechanism, inertias, torque) = (parameters.mechanism(), parameters.inertias(), parameters.torque());
+    let own = own_reset(mechanism);
+    let reset_angle = if reset_deg == own {
+        "turn of the driver from one pin's entry to the next".to_owned()
+    } else {
+        format!(
+            "turn of the driver after which its angle is reset; what follows is only a calculation, because in a \
+             mechanism the next pin enters after {own}°"
+        )
+    };
+    let mut fields = vec![
+        Field::new("slots", mechanism.slots()),
+        Field::new("pins", mechanism.pins()),
+        Field::new("friction", parameters.friction()),
+        Field::new("torque", torque),
+        Field::new("driver_inertia", inertias.driver()),
+        Field::new("follower_inertia", inertias.follower()),
+        Field::new("inertia_ratio", inertias.ratio()).line("inertia ratio", "the driver's inertia over the follower's"),
+        Field::in_unit("engagement_half_angle_deg", mechanism.engagement_half_angle().to_degrees(), "°")
+            .line("half-angle", "crank angle where a pin leaves its slot; it enters as far before the line of centres"),
+        Field::in_unit("reset_deg", reset_deg, "°").line("reset angle", reset_angle),
+    ];
+    if let Some(unit) = units.map(Units::torque_n_m) {
+        fields.extend([
+            Field::in_unit("torque_n_m", torque * unit, "N m").line("torque", "of the spring, in SI units"),
+            Field::in_unit("driver_inertia_kg_m2", inertias.driver() * unit, "kg m²").line("driver inertia", ""),
+            Field::in_unit("follower_inertia_kg_m2", inertias.follower() * unit, "kg m²").line("follower inertia", ""),
+        ]);
+    }
+    fields
+}
+
+fn existence_fields(parameters: &Parameters) -> Vec<Field> {
+    let (mechanism, ratio) = (parameters.mechanism(), parameters.inertias().ratio());
+    let friction = parameters.friction();
+    // Both have been asked for when the parameters were checked: they have an answer.
+    let (critical, critical_angle) = critical_friction(mechanism, ratio)
+        .map_or((f64::INFINITY, f64::NAN), |critical| (critical.friction, critical.angle.to_degrees()));
+    let (margin, margin_angle) = least_margin(mechanism, ratio, friction)
+        .map_or((f64::NAN, f64::NAN), |least| (least.margin, least.angle.to_degrees()));
+    let jams = format!(
+        "from here on it may jam, {}° to either side of the line of centres; the friction given is {} % of this",
+        number(critical_angle),
+        number(100.0 * friction / critical)
+    );
+    let least = format!(
+        "least A − |D|, which is above zero where the motion is determined; {}° to either side of the line of centres",
+        number(margin_angle)
+    );
+    vec![
+        Field::new("critical_friction", critical).line("critical friction", jams),
+        Field::new("critical_angle_deg", critical_angle),
+        Field::new("least_margin", margin).line("margin", least),
+        Field::new("least_margin_angle_deg", margin_angle),
+    ]
+}
+
+fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
+    let (peak, minimum) = (state.peak.angle.to_degrees(), state.minimum.angle.to_degrees());
+    // On the line of centres, if the engagement gets there, and past it, if the engagement gets there too.
+    let switches: Vec<_> =
+        passes_centres.then_some(0.0).into_iter().chain(state.reversal_angle.map(f64::to_degrees)).collect();
+    let told: Vec<_> = switches.iter().map(|degrees| format!("{}°", angle(*degrees))).collect();
+    let told = if told.is_empty() {
+        "none within the reset angle".to_owned()
+    } else {
+        format!("at {}", told.join(" and at "))
+    };
+    vec![
+        Field::new("entry_speed", state.entry_speed)
+            .line("entry speed", "of the driver, as a pin enters: the terminal speed"),
+        Field::new("peak_speed", state.peak.speed).line("peak speed", format!("at {}°", angle(peak))),
+        Field::new("peak_angle_deg", peak),
+        Field::new("minimum_speed", state.minimum.speed).line("minimum speed", format!("at {}°", angle(minimum))),
+        Field::new("minimum_angle_deg", minimum),
+        Field::new("mean_speed", state.mean_speed).line("mean speed", "reset angle over period"),
+        Field::new("mean_of_extremes", state.mean_of_extremes()).line("mean of extremes", "of peak and minimum speed"),
+        Field::new("period", state.period).line("period", "from one engagement to the next"),
+        Field::new("multiplier", state.multiplier)
+            .line("multiplier", "part of a small difference of speeds that one engagement leaves"),
+        Field::new("switch_angles_deg", switches).words("sign changes", format!("of the friction term: {told}")),
+    ]
+}
+
+fn rise_fields(rise: Option<(usize, f64)>) -> Vec<Field> {
+    let (engagements, time) = rise.unzip();
+    let mut duration = Field::new("rise_time", time).line("rise time", RISE_TIME);
+    if time.is_none() {
+        duration = duration.words("rise time", format!("longer than {MOST_CYCLES} engagements; it is the {RISE_TIME}"));
+    }
+    vec![
+        duration,
+        Field::new("rise_time_definition", RISE_TIME),
+        Field::new("engagements_to_settle", engagements).line("engagements", "until then"),
+    ]
+}

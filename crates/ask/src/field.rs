@@ -1,0 +1,184 @@
+//! The fields of an answer.
+
+use crate::data::{Row, Value};
+use crate::written::{angle, number};
+use serde::ser::{Serialize, Serializer};
+use std::borrow::Cow;
+
+/// A value under its key, in its unit, with its name and its meaning where it has a line of a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Its name among the fields, which also says the unit.
+    pub key: &'static str,
+    /// What it is, with all its digits.
+    pub value: Value,
+    /// Its unit; nothing for a pure number.
+    pub unit: &'static str,
+    /// How it is rounded where it is read, unless the reader's text says otherwise.
+    pub rounding: Rounding,
+    /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
+    pub line: Option<Line>,
+}
+
+/// The line of a field: its name, and what its number means.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Its name; nothing where the line above has it.
+    pub name: &'static str,
+    /// What the number means.
+    pub meaning: Cow<'static, str>,
+    /// Which number it shows.
+    pub shows: Shows,
+}
+
+/// The number of a line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shows {
+    /// The value, in its unit.
+    Value,
+    /// The size of a value that is signed or has a direction, in the value's unit, and the direction.
+    Size(f64, String),
+    /// None: words say it all.
+    Words,
+}
+
+/// How a number is rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// To so many digits that count.
+    Significant(usize),
+    /// To so many digits after the point.
+    Decimals(usize),
+    /// To so many digits after the point, in per cent.
+    Percent(usize),
+}
+
+impl Field {
+    /// A value without a unit. It has no line unless it gets one.
+    pub fn new(key: &'static str, value: impl Into<Value>) -> Self {
+        Self::in_unit(key, value, "")
+    }
+
+    /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
+    pub fn in_unit(key: &'static str, value: impl Into<Value>, unit: &'static str) -> Self {
+        let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
+        Self { key, value: value.into(), unit, rounding, line: None }
+    }
+
+    /// The field with its line: a name, and what the number means. What is missing has none.
+    pub fn line(self, name: &'static str, meaning: impl Into<Cow<'static, str>>) -> Self {
+        if self.value == Value::Missing { self } else { self.with(name, meaning.into(), Shows::Value) }
+    }
+
+    /// The field with its line under another that says the same in another unit.
+    pub fn also(self) -> Self {
+        self.line("", "")
+    }
+
+    /// The field with a line without a number: words say it all, also of what is missing.
+    pub fn words(self, name: &'static str, words: impl Into<Cow<'static, str>>) -> Self {
+        self.with(name, words.into(), Shows::Words)
+    }
+
+    fn with(self, name: &'static str, meaning: Cow<'static, str>, shows: Shows) -> Self {
+        Self { line: Some(Line { name, meaning, shows }), ..self }
+    }
+
+    /// The field with another number on its line: the size of what is signed or has a direction, which stands beside it.
+    pub fn of_size(mut self, size: f64, direction: String) -> Self {
+        if let Some(line) = &mut self.line {
+            line.shows = Shows::Size(size, direction);
+        }
+        self
+    }
+
+    /// The number of its line, to the digits of a sheet; nothing where words say it all.
+    pub fn on_a_sheet(&self) -> String {
+        match (self.line.as_ref().map(|line| &line.shows), &self.value) {
+            (Some(Shows::Size(size, _)), _) => number(*size),
+            (Some(Shows::Value), Value::Number(degrees)) if self.unit == "°" => angle(*degrees),
+            (Some(Shows::Value), Value::Number(value)) => number(*value),
+            (Some(Shows::Value), Value::Count(count)) => count.to_string(),
+            _ => String::new(),
+        }
+    }
+
+    /// The field with its own rounding.
+    pub fn rounded(self, rounding: Rounding) -> Self {
+        Self { rounding, ..self }
+    }
+
+    /// Its number, or the size of its vector; none if it is something else or missing.
+    pub fn number(&self) -> Option<f64> {
+        match &self.value {
+            Value::Number(number) => Some(*number),
+            Value::Count(count) => Some(*count as f64),
+            Value::Object(Row(vector)) => match vector.first() {
+                Some(("magnitude", Value::Number(size))) => Some(*size),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+/// What a question gets: a title, what all numbers have in common, sections of fields, a list, and a closing note. A section
+/// without lines has no heading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// What the answer is about.
+    pub title: String,
+    /// What all numbers have in common.
+    pub introduction: &'static str,
+    /// Headings with their fields.
+    pub sections: Vec<(&'static str, Vec<Field>)>,
+    /// A list behind the fields, such as instants, and its key.
+    pub list: Option<(&'static str, Vec<Item>)>,
+    /// What to add to the question for more.
+    pub note: String,
+}
+
+/// One of a list: a row of data, and a section of a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// The heading of the section.
+    pub heading: &'static str,
+    /// The fields that have a line, in the order of the sheet.
+    pub fields: Vec<Field>,
+    /// All of it as data.
+    pub row: Row,
+}
+
+impl Answer {
+    /// All fields but those of the list.
+    pub fn fields(&self) -> impl Iterator<Item = &Field> {
+        self.sections.iter().flat_map(|(_, fields)| fields)
+    }
+
+    /// The rows of the list.
+    pub fn rows(&self) -> impl Iterator<Item = &Row> {
+        self.list.iter().flat_map(|(_, items)| items).map(|item| &item.row)
+    }
+
+    /// The field with this key: of the sections, or of the first of the list.
+    pub fn field(&self, key: &str) -> Option<&Field> {
+        let first = self.list.iter().filter_map(|(_, items)| items.first()).flat_map(|item| &item.fields);
+        self.fields().chain(first).find(|field| field.key == key)
+    }
+
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        let in_rows = self.rows().flat_map(|row| &row.0).map(|(_, value)| value);
+        self.fields().map(|field| &field.value).chain(in_rows).all(Value::is_finite)
+    }
+}
+
+impl Serialize for Answer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let list = self.list.as_ref().map(|(key, items)| {
+            (*key, Value::List(items.iter().map(|item| Value::Object(item.row.clone())).collect()))
+        });
+        let fields = self.fields().map(|field| (field.key, field.value.clone()));
+        serializer.collect_map(fields.chain(list))
+    }
+}

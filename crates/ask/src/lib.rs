@@ -1,0 +1,100 @@
+//! Questions to a mechanism, and their answers.
+//!
+//! A question has arguments, and its answer has fields: each with a key, a value, a unit, a name, what it means, and how it is
+//! rounded. The command line, the figures that a reader moves and the chapters of the book say the same things of a mechanism
+//! because they all ask here. Nothing is read, written or printed here, and no other crate turns a moment into a force, or
+//! turns per minute into radians per second.
+//!
+//! ```
+//! use geneva_ask::wheel::{Design, Question};
+//!
+//! let question = Question::parse("--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002")?;
+//! let answer = Design::new(question)?.answer()?;
+//! let force = answer.field("peak_pin_force_n").expect("a key of the answer");
+//! assert!(force.unit == "N" && force.number().is_some_and(|newtons| newtons > 0.0));
+//! # Ok::<(), geneva_ask::Error>(())
+//! ```
+
+/// An argument that is impossible here, in words as of `format!`.
+macro_rules! refused {
+    ($($words:tt)*) => { $crate::Error::Argument(format!($($words)*)) };
+}
+
+mod data;
+pub mod escapement;
+mod field;
+pub mod quick_return;
+pub mod wheel;
+pub mod written;
+
+pub use data::{Row, Value};
+pub use field::{Answer, Field, Item, Line, Rounding, Shows};
+
+use geneva_figures::FigureError;
+use geneva_kinematics::wheel::SizesError;
+use geneva_kinematics::{EscapementError, KinematicsError};
+use std::str::FromStr;
+
+/// Why a question has no answer: what is wrong with it, and what to give instead. Arguments are named as at the command line.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// A mechanism that cannot be built, or has no position.
+    #[error(transparent)]
+    Kinematics(#[from] KinematicsError),
+    /// An escapement that cannot be built.
+    #[error(transparent)]
+    Escapement(#[from] EscapementError),
+    /// A motion or a load that there is not.
+    #[error(transparent)]
+    Dynamics(#[from] geneva_dynamics::Error),
+    /// Parts of a wheel that don't fit, with the arguments that change them.
+    #[error("{error}{}", typed(arguments))]
+    Sizes {
+        /// Why they don't fit.
+        error: SizesError,
+        /// The arguments with their values in millimetres, if they have any.
+        arguments: Vec<(&'static str, Option<f64>)>,
+    },
+    /// A drawing that there is not.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+    /// An argument that is impossible here.
+    #[error("{0}")]
+    Argument(String),
+}
+
+/// The answer to a question as it is typed at the command line: `wheel --stations 6`.
+///
+/// # Errors
+///
+/// A mechanism that is not asked so, and what is wrong with the arguments.
+pub fn answer(question: &str) -> Result<Answer, Error> {
+    let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
+    match mechanism {
+        "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.answer(),
+        "quick-return" => quick_return::Design::new(&quick_return::Question::parse(arguments)?)?.answer(),
+        other => Err(refused!("no mechanism {other}; there are wheel and quick-return")),
+    }
+}
+
+/// Arguments and their values, which stand behind them: `--stations 6 --rpm 60`.
+fn pairs(text: &str) -> impl Iterator<Item = Result<(&str, &str), Error>> {
+    let mut words = text.split_whitespace();
+    std::iter::from_fn(move || {
+        let argument = words.next()?;
+        let value = words.next().ok_or_else(|| refused!("{argument} has no value; give one"));
+        Some(value.map(|value| (argument.trim_start_matches("--"), value)))
+    })
+}
+
+/// The number that an argument is given.
+fn number<T: FromStr>(name: &str, text: &str) -> Result<T, Error> {
+    text.replace('−', "-").parse().map_err(|_| refused!("--{name} {text}: not a number; give one"))
+}
+
+/// Arguments as they are typed, in brackets behind an error; nothing if there are none.
+fn typed(arguments: &[(&str, Option<f64>)]) -> String {
+    let value = |value: &Option<f64>| value.map_or_else(|| "MM".to_owned(), written::as_typed);
+    let all: Vec<_> = arguments.iter().map(|(name, of)| format!("--{name} {}", value(of))).collect();
+    if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
+}

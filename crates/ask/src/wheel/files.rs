@@ -1,0 +1,106 @@
+//! Files from which a wheel is made.
+
+use super::design::Design;
+use super::kind::Kind;
+use crate::Error;
+use crate::written::as_typed;
+use geneva_kinematics::wheel::{Edge, Face, Sizes};
+use geneva_workshop::{Layout, Solid, dxf, scad, stl};
+
+/// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
+const OF_PLAY: f64 = 0.1;
+const OF_CENTRE_DISTANCE: f64 = 1e-4;
+
+/// Most corners of all outlines of a mesh, which has four triangles for each: more take more memory and time than a printer
+/// has use for.
+const MOST_CORNERS: f64 = 200_000.0;
+
+impl Design {
+    /// Outlines of all parts side by side, in millimetres, with true arcs.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, or has no size.
+    pub fn dxf(&self) -> Result<String, Error> {
+        Ok(dxf(self.parts("dxf")?, Layout::Apart))
+    }
+
+    /// A moving model for OpenSCAD, in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, or has no size or no thickness.
+    pub fn scad(&self) -> Result<String, Error> {
+        let sizes = self.parts("scad")?;
+        Ok(scad(sizes, self.solid("scad", sizes)?)?)
+    }
+
+    /// Meshes of the parts, in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, has no size or no thickness, or takes more corners than a printer has use for.
+    pub fn stl(&self) -> Result<String, Error> {
+        let sizes = self.parts("stl")?;
+        let solid = self.solid("stl", sizes)?;
+        let corners = corners(sizes, solid.tolerance);
+        if corners > MOST_CORNERS {
+            return Err(refused!(
+                "--format stl, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, but \
+                 at most {MOST_CORNERS} are written; give a larger --play or fewer --stations, or choose --format scad",
+                as_typed(sizes.play.slot)
+            ));
+        }
+        Ok(stl(sizes, solid)?)
+    }
+
+    /// Refuses a file with this ending of a wheel that isn't external.
+    ///
+    /// # Errors
+    ///
+    /// What to choose instead.
+    pub fn is_made_from(&self, ending: &str) -> Result<(), Error> {
+        if self.wheel.kind() == Kind::External {
+            return Ok(());
+        }
+        Err(refused!(
+            "--format {ending} is not available for {} wheels, whose parts are not worked out; choose --type external, or \
+             --format svg for a drawing",
+            self.wheel.kind().name()
+        ))
+    }
+
+    fn parts(&self, ending: &str) -> Result<&Sizes, Error> {
+        self.is_made_from(ending)?;
+        self.sizes.as_ref().ok_or_else(|| {
+            refused!(
+                "--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM"
+            )
+        })
+    }
+
+    fn solid(&self, ending: &str, sizes: &Sizes) -> Result<Solid, Error> {
+        let thickness = self.question.thickness;
+        let thickness = thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))?;
+        Ok(Solid { thickness, tolerance: tolerance(sizes) })
+    }
+}
+
+/// How many corners the outlines of both parts have as polygons: counted before any is made.
+fn corners(sizes: &Sizes, tolerance: f64) -> f64 {
+    let outline = sizes.outline();
+    let faces = [Some(&outline.wheel), Some(&outline.plate), outline.disc.as_ref()];
+    let loops = faces.into_iter().flatten().flat_map(Face::loops).chain(&outline.pins);
+    let of = |edge: &Edge| match edge {
+        Edge::Line { .. } => 1.0,
+        // A chord of the angle x leaves its arc by r (1 − cos(x/2)).
+        Edge::Arc { radius, sweep, .. } => (sweep.abs() / (8.0 * tolerance / radius).sqrt()).max(1.0),
+    };
+    loops.flat_map(|of| &of.edges).map(of).sum()
+}
+
+/// How far a chord may leave its arc, in millimetres.
+fn tolerance(sizes: &Sizes) -> f64 {
+    let play = sizes.play.slot;
+    if play > 0.0 { OF_PLAY * play } else { OF_CENTRE_DISTANCE * sizes.centre_distance }
+}

@@ -1,0 +1,88 @@
+//! Numbers as a sheet, a title or a message writes them.
+
+/// A number that was typed, with all its digits, in a form that can be typed again.
+pub fn as_typed(value: f64) -> String {
+    let written = format!("{value:?}");
+    written.strip_suffix(".0").map_or(written.clone(), str::to_owned)
+}
+
+/// A computed limit in a message, to six significant digits: never below it, so that what is said of it holds.
+pub fn rounded_up(limit: f64) -> String {
+    six_digits(limit, 1.0)
+}
+
+/// A computed limit in a message, to six significant digits: never above it, so that a number up to it is accepted.
+pub fn rounded_down(limit: f64) -> String {
+    six_digits(limit, -1.0)
+}
+
+/// `limit` to six significant digits, never on the other side of it than `side`, which is 1 or −1.
+fn six_digits(limit: f64, side: f64) -> String {
+    let nearest: f64 = format!("{limit:.5e}").parse().unwrap_or(limit);
+    let exponent = format!("{limit:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let half: f64 = format!("5e{}", exponent.unwrap_or(0) - 6).parse().unwrap_or(0.0);
+    let is_safe = (nearest - limit) * side >= 0.0;
+    as_typed(if is_safe { nearest } else { format!("{:.5e}", limit + side * half).parse().unwrap_or(limit) })
+}
+
+/// The number that a reader would have typed: rounded to fifteen digits, which any number between typed ones may need.
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
+}
+
+/// Significant digits of a number on a sheet.
+const DIGITS: usize = 4;
+
+/// Degrees that are zero but for rounding.
+const NO_ANGLE: f64 = 1e-9;
+
+/// `value` with [`DIGITS`] significant digits and a true minus sign: trailing zeros kept, and no more zeros than a reader
+/// counts.
+pub fn number(value: f64) -> String {
+    let scientific = format!("{value:.*e}", DIGITS - 1);
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
+    let number = match usize::try_from(DIGITS as i32 - 1 - exponent) {
+        _ if value == 0.0 => "0".to_owned(),
+        Ok(decimals) if decimals < 2 * DIGITS => format!("{value:.decimals$}"),
+        Err(_) if exponent < 2 * DIGITS as i32 => format!("{value:.0}"),
+        _ => scientific,
+    };
+    number.replace('-', "−")
+}
+
+/// An angle in degrees with as many digits. Zero and the half turn have no sign.
+pub fn angle(degrees: f64) -> String {
+    let written = number(if degrees.abs() <= NO_ANGLE { 0.0 } else { degrees });
+    if written == number(-180.0) { number(180.0) } else { written }
+}
+
+/// The size of an angle in radians, in degrees, as it appears in a sentence.
+pub(crate) fn degrees(radians: f64) -> String {
+    number(radians.abs().to_degrees())
+}
+
+/// "1 claim", "2 claims".
+pub fn count(number: usize, thing: &str) -> String {
+    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_a_few_digits_and_no_long_rows_of_zeros() {
+        let written = [0.0, 2.0, -1.0 / 3.0, 99.999, 12_345.6, 1e9, 1e-9].map(number);
+        assert_eq!(written, ["0", "2.000", "−0.3333", "100.0", "12346", "1.000e9", "1.000e−9"]);
+        assert_eq!([-1e-15, 1e-3, -179.999_99, 180.0, -30.0].map(angle), ["0", "0.001000", "180.0", "180.0", "−30.00"]);
+    }
+
+    #[test]
+    fn a_limit_is_rounded_to_the_side_on_which_it_holds() {
+        assert_eq!([0.1 + 0.2, 3e-4 * 3.0, 0.0].map(rounded), [0.3, 9e-4, 0.0]);
+        let limits = [0.424_956_373_400_169_8, 0.424_956_9, 2.0, 1.6e-16, 0.999_999_9].map(rounded_up);
+        assert_eq!(limits, ["0.424957", "0.424957", "2", "1.6e-16", "1"]);
+        let limits = [19.471_220_634_490_69, 25.714_285_714_285_715, 90.0, 13.846_153_846_153_847].map(rounded_down);
+        assert_eq!(limits, ["19.4712", "25.7142", "90", "13.8461"]);
+    }
+}

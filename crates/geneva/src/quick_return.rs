@@ -1,0 +1,113 @@
+//! One quick-return mechanism at an instant: where its parts are, every velocity and acceleration, or a drawing.
+
+use crate::arguments::{Format, Output, formats, name_of};
+use crate::fields;
+use crate::typed;
+use clap::{Args, ValueEnum};
+use geneva_ask::quick_return::{Design, Drawing, Place, Question};
+use geneva_kinematics::quick_return::Branch;
+
+/// Options of `geneva quick-return`.
+#[derive(Args, Debug)]
+pub struct QuickReturnArguments {
+    /// Distance from the lever's pivot to the crank's axis, in metres, above zero
+    #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
+    pub ground: f64,
+    /// Distance from the crank's axis to the pin, in metres, above zero. If it is less than the ground distance, the lever
+    /// swings to and fro; if it is more, the lever turns round and round
+    #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
+    pub crank: f64,
+    /// Where the mechanism is: one of the two.
+    #[command(flatten)]
+    pub angle: Angle,
+    /// At which of the two points where the lever's ray meets the crank's circle the pin is; only with --lever-angle
+    /// [default: far]
+    #[arg(long, value_enum, requires = "lever_angle", conflicts_with = "crank_angle")]
+    pub branch: Option<BranchName>,
+    /// Constant speed of the crank in turns per minute: above zero counter-clockwise, below zero clockwise
+    #[arg(long, value_name = "R", value_parser = typed::turns_a_minute, allow_hyphen_values = true)]
+    pub rpm: f64,
+    /// Output format
+    #[arg(long, default_value = "text", value_parser = formats(&[
+        (Format::Text, "A readable sheet, which says where everything is measured from and in which sense"),
+        (Format::Json, "An object with all digits; a zero vector has null for its direction"),
+        (Format::Svg, "A drawing to scale as a standalone file; --figure chooses which"),
+    ]))]
+    pub format: Format,
+    /// Which drawing to make; only with --format svg [default: mechanism]
+    #[arg(long, value_enum)]
+    pub figure: Option<FigureName>,
+    /// Where the output goes.
+    #[command(flatten)]
+    pub to: Output,
+}
+
+/// Where the mechanism is, by one of its two angles.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub struct Angle {
+    /// Direction from the crank's axis to the pin, in degrees counter-clockwise from the direction that points from
+    /// the lever's pivot to the crank's axis; give this or --lever-angle
+    #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
+    pub crank_angle: Option<f64>,
+    /// Direction from the lever's pivot to the pin, in degrees counter-clockwise from the same direction; give this
+    /// or --crank-angle
+    #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
+    pub lever_angle: Option<f64>,
+}
+
+/// Where the pin is on the lever's ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum BranchName {
+    /// The point nearer to the lever's pivot: the lever is on its fast stroke
+    Near,
+    /// The point farther from the lever's pivot: the lever is on its slow stroke
+    #[default]
+    Far,
+}
+
+/// The drawings of a quick-return mechanism.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum FigureName {
+    /// The mechanism
+    #[default]
+    Mechanism,
+    /// The velocity diagram
+    Velocity,
+    /// The acceleration diagram
+    Acceleration,
+}
+
+impl QuickReturnArguments {
+    /// One of the two angles was given; the parser sees to that.
+    fn question(&self) -> Question {
+        let branch = match self.branch.unwrap_or_default() {
+            BranchName::Near => Branch::Near,
+            BranchName::Far => Branch::Far,
+        };
+        let place = match (self.angle.crank_angle, self.angle.lever_angle) {
+            (_, Some(lever)) => Place::Lever(lever, branch),
+            (crank, None) => Place::Crank(crank.unwrap_or_default()),
+        };
+        Question { ground: self.ground, crank: self.crank, place, rpm: self.rpm }
+    }
+}
+
+/// The mechanism that is wanted, in the format that is wanted.
+pub fn page(wanted: &QuickReturnArguments) -> anyhow::Result<String> {
+    Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
+    let design = Design::new(&wanted.question())?;
+    let answer = design.answer()?;
+    match wanted.format {
+        Format::Json => fields::json(&answer),
+        Format::Svg => {
+            let drawing = match wanted.figure.unwrap_or_default() {
+                FigureName::Mechanism => Drawing::Mechanism,
+                FigureName::Velocity => Drawing::Velocity,
+                FigureName::Acceleration => Drawing::Acceleration,
+            };
+            Ok(design.drawing(drawing).standalone())
+        }
+        _ => Ok(fields::sheet(&answer)),
+    }
+}

@@ -1,0 +1,194 @@
+//! Questions that the chapters ask of mechanisms, each stated once, and numbers of the answers as a sentence says them.
+
+use crate::computed::with_unit;
+use crate::lookup::{claim, unknown};
+use crate::numbers::fixed;
+use anyhow::{Context, anyhow};
+use geneva_ask::wheel::{Design, Question};
+use geneva_ask::{Answer, Field, Rounding};
+use std::sync::OnceLock;
+
+/// The worked design of *Make a wheel*, without what other questions ask otherwise.
+macro_rules! worked {
+    ($radius:literal, $rpm:literal, $more:literal) => {
+        concat!(
+            "wheel --stations 6 --crank-radius ",
+            $radius,
+            " --rpm ",
+            $rpm,
+            " --inertia 0.002 --friction-torque 0.1 --thickness 10 ",
+            $more
+        )
+    };
+}
+
+/// The quick-return mechanism of the examination problem at a lever angle in degrees.
+macro_rules! lever {
+    ($angle:literal) => {
+        concat!(
+            "quick-return --ground {quick-return.ground} --crank {quick-return.crank} --rpm {quick-return.driver-speed} ",
+            "--lever-angle ",
+            $angle
+        )
+    };
+}
+
+/// Names and questions, as they are typed at the command line. In braces is the claim whose printed characters are typed.
+const QUESTIONS: [(&str, &str); 20] = [
+    ("example", "wheel --stations {jazar.ex.stations} --centre-distance 100 --rpm {jazar.ex.rpm} --inertia 0.002"),
+    ("worked", worked!("25", "60", "--pin-material steel --wheel-material phosphor-bronze")),
+    ("worked-twice-as-fast", worked!("25", "120", "")),
+    // A wheel of steel adds its own inertia.
+    ("worked-in-steel", worked!("25", "60", "--density 7800")),
+    ("worked-best", worked!("37", "60", "--density 7800")),
+    ("worked-large", worked!("100", "60", "--density 7800")),
+    ("worked-three", "wheel --stations 3 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1"),
+    ("worked-two-pins", "wheel --stations 6 --pins 2 --crank-radius 25"),
+    ("twelve", "wheel --stations 12 --crank-radius 25"),
+    ("twelve-two-pins", "wheel --stations 12 --pins 2 --crank-radius 25"),
+    ("looser", "wheel --stations 6 --crank-radius 80"),
+    ("internal", "wheel --stations 6 --type internal"),
+    ("instant", "wheel --stations 6 --rpm 200 --at -20"),
+    ("sized", "wheel --stations 8 --centre-distance 120 --rpm 30"),
+    ("loaded", "wheel --stations 4 --centre-distance 150 --rpm 120 --inertia 0.01"),
+    ("second", "wheel --stations 4 --centre-distance 80 --rpm 30 --inertia 0.02"),
+    ("eight", "wheel --stations 8 --rpm 25"),
+    ("lever", lever!("{quick-return.lever-angle}")),
+    ("lever-at-ten", lever!("10")),
+    ("lever-near", lever!("{quick-return.lever-angle} --branch near")),
+];
+
+/// The names of all questions; each is asked in some chapter.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    QUESTIONS.iter().map(|(name, _)| *name)
+}
+
+/// The question of this name, as it is typed behind `geneva`.
+pub fn question(name: &str) -> anyhow::Result<String> {
+    let found = QUESTIONS.iter().find(|(known, _)| *known == name);
+    let (_, question) = found.ok_or_else(|| unknown("question", name, names()))?;
+    let words = question.split(' ').map(|word| match word.strip_prefix('{').and_then(|id| id.strip_suffix('}')) {
+        Some(id) => Ok(claim(id)?.printed),
+        None => Ok(word),
+    });
+    Ok(words.collect::<anyhow::Result<Vec<_>>>()?.join(" "))
+}
+
+/// The wheel of the question of this name.
+pub fn design(name: &str) -> anyhow::Result<Design> {
+    let question = question(name)?;
+    let arguments = question.strip_prefix("wheel ").with_context(|| format!("`{question}` asks no wheel"))?;
+    Ok(Design::new(Question::parse(arguments)?)?)
+}
+
+/// The answer to the question of this name.
+pub fn answer(name: &str) -> anyhow::Result<&'static Answer> {
+    static ANSWERS: [OnceLock<Result<Answer, String>>; QUESTIONS.len()] = [const { OnceLock::new() }; QUESTIONS.len()];
+    let at = names().position(|known| known == name).ok_or_else(|| unknown("question", name, names()))?;
+    let asked =
+        || question(name).and_then(|asked| Ok(geneva_ask::answer(&asked)?)).map_err(|error| format!("{error:#}"));
+    ANSWERS[at].get_or_init(asked).as_ref().map_err(|error| anyhow!("question `{name}`: {error}"))
+}
+
+/// A number of an answer, `QUESTION.KEY` or `QUESTION.KEY:DIGITS`.
+///
+/// The digits are those that count, or with a point before them those after it; `size` before them drops the sign, and `limit`
+/// rounds down to three decimals. Without digits a number is rounded as its answer says, and a length has no zeros at its end.
+pub fn number(asked: &str) -> anyhow::Result<String> {
+    let (path, digits) = asked.split_once(':').unwrap_or((asked, ""));
+    let (name, key) = path.split_once('.').with_context(|| format!("`{asked}`: give QUESTION.KEY"))?;
+    let answer = answer(name)?;
+    let field = answer.field(key).ok_or_else(|| unknown("key", key, answer.fields().map(|field| field.key)))?;
+    let value = field.number().with_context(|| format!("`{path}` has no number: its question gives too little"))?;
+    let unsized_digits = digits.strip_prefix("size");
+    let (value, digits) =
+        (if unsized_digits.is_some() { value.abs() } else { value }, unsized_digits.unwrap_or(digits));
+    if digits == "limit" {
+        return Ok(as_drawn((value * 1000.0).floor() / 1000.0, field));
+    }
+    let wrong = || format!("`{asked}`: give digits such as 3 or .3, `size` before them, or `limit`");
+    let count = |text: &str| text.parse::<usize>().with_context(wrong);
+    let rounding = match (digits.strip_prefix('.'), digits) {
+        (None, "") => field.rounding,
+        (Some(decimals), _) => Rounding::Decimals(count(decimals)?),
+        (None, significant) => Rounding::Significant(count(significant)?),
+    };
+    Ok(match rounding {
+        Rounding::Percent(decimals) => fixed(100.0 * value, decimals) + "&nbsp;%",
+        Rounding::Decimals(_) if digits.is_empty() => as_drawn(value, field),
+        Rounding::Decimals(decimals) => fixed(value, decimals) + &unit(field),
+        Rounding::Significant(digits) => with_unit(value, digits as i32, "").replace("&nbsp;", "") + &unit(field),
+    })
+}
+
+/// A number with up to three decimals, as a drawing has it.
+fn as_drawn(value: f64, field: &Field) -> String {
+    fixed(value, 3).trim_end_matches('0').trim_end_matches('.').to_owned() + &unit(field)
+}
+
+/// A unit behind its number. The sentence says of what a ratio is.
+fn unit(field: &Field) -> String {
+    match field.unit {
+        "" | "°" => field.unit.to_owned(),
+        ratio if ratio.starts_with('×') => String::new(),
+        unit => format!("&nbsp;{}", unit.replace(' ', "&nbsp;")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_kinematics::quick_return::{Branch, Motion};
+    use geneva_ledger::quick_return::Instant;
+
+    #[test]
+    fn a_number_is_said_with_its_unit_and_the_digits_that_are_asked_for() {
+        for (asked, said) in [
+            ("worked.crank_radius_mm", "25&nbsp;mm"),
+            ("worked.crank_radius_mm:.2", "25.00&nbsp;mm"),
+            ("worked.friction_torque_nm:2", "0.10&nbsp;N&nbsp;m"),
+            ("worked.engagement_half_angle_deg:.1", "60.0°"),
+            ("worked.centre_distance_ratio:.2", "2.00"),
+            ("instant.crank_angle_deg:.0", "−20°"),
+            ("instant.crank_angle_deg:size.0", "20°"),
+            ("loaded.crank_radius_mm:limit", "106.066&nbsp;mm"),
+            ("sized.rpm:3", "30.0"),
+        ] {
+            assert_eq!(number(asked).expect(asked), said, "{asked}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_is_answered_with_the_nearest_or_with_what_to_give() {
+        for (asked, words) in [
+            ("wroked.pin_diameter_mm", "`wroked`; the nearest is `worked`"),
+            ("worked.pin_diametre_mm", "`pin_diametre_mm`; the nearest is `pin_diameter_mm`"),
+            ("worked", "give QUESTION.KEY"),
+            ("worked.pin_diameter_mm:x", "give digits such as 3 or .3"),
+            ("internal.pin_diameter_mm", "its question gives too little"),
+            ("worked.type", "has no number"),
+        ] {
+            let error = format!("{:#}", number(asked).expect_err(asked));
+            assert!(error.contains(words), "{asked}: {error}");
+        }
+    }
+
+    #[test]
+    fn the_senses_that_the_solutions_tell_are_those_of_the_motion() {
+        let motion = |instant: Instant| instant.by_diagrams().expect("off the pivot");
+        let mut ten = Instant::printed().expect("a mechanism");
+        ten.position = ten.linkage.at_lever_degrees(10.0, Branch::Far).expect("reached");
+        let (ten, near) = (motion(ten), motion(Instant::on(Branch::Near).expect("a mechanism")));
+        // Of the lever's angular velocity and acceleration, of the sliding velocity: counter-clockwise, outwards.
+        let senses = |of: &Motion<f64>| {
+            let outwards = of.velocities.sliding_velocity.dot(&of.velocities.position);
+            [of.velocities.follower_speed, of.accelerations.follower_acceleration, outwards].map(f64::signum)
+        };
+        assert_eq!(senses(&ten), [1.0, -1.0, -1.0]);
+        assert_eq!(senses(&near), [-1.0, -1.0, -1.0]);
+        let along = |of: &Motion<f64>| of.accelerations.sliding_tangential.dot(&of.velocities.position).signum();
+        let across = |of: &Motion<f64>| of.velocities.position.perp(&of.accelerations.coriolis).signum();
+        assert_eq!([along(&ten), across(&ten)], [-1.0, -1.0]);
+        assert_eq!([along(&near), across(&near)], [1.0, 1.0]);
+    }
+}

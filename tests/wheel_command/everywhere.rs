@@ -1,0 +1,91 @@
+//! Does each quantity of a wheel, which one file states, appear wherever a wheel is reported?
+
+use crate::{number, object, stdout};
+use geneva_ask::wheel::{Design, Question};
+use geneva_ask::{Answer, Shows, Value};
+use geneva_live::Arguments;
+
+const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --at -20";
+const MATERIALS: &str = " --thickness 10 --pin-material steel --wheel-material phosphor-bronze";
+
+fn answer() -> Answer {
+    let question = Question::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
+    Design::new(question).and_then(|design| design.answer()).expect("an answer")
+}
+
+/// What the program is told, with more behind the question.
+fn typed(more: &'static str) -> Vec<&'static str> {
+    ["wheel"].into_iter().chain(ASKED.split_whitespace()).chain(more.split_whitespace()).collect()
+}
+
+#[test]
+fn every_field_is_in_the_object_and_on_the_sheet() {
+    let (answer, found) = (answer(), object(&typed(MATERIALS)));
+    let sheet = stdout(&typed(MATERIALS), 0);
+    let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>().join(" ");
+    let sheet = words(&sheet);
+    for field in answer.fields() {
+        assert_eq!(field.value == Value::Missing, found[field.key].is_null(), "{}", field.key);
+        if let Some(value) = field.number() {
+            assert_eq!(value, number(&found, field.key), "{}", field.key);
+        }
+        if let Some(line) = &field.line {
+            let unit = if line.shows == Shows::Words { "" } else { field.unit };
+            let line = words(&format!("{} {} {} {}", line.name, field.on_a_sheet(), unit, line.meaning));
+            assert!(sheet.contains(&line), "{}: no line {line:?}", field.key);
+        }
+    }
+    assert_eq!(found.len(), answer.fields().count() + 1, "an object with other keys than fields and `at`");
+}
+
+#[test]
+fn every_number_of_an_instant_is_in_the_series_and_in_the_object() {
+    let series = stdout(&typed("--format csv"), 0);
+    let header: Vec<&str> = series.lines().next().expect("a header").split(',').collect();
+    let answer = answer();
+    let row = answer.rows().next().expect("an instant");
+    let keys: Vec<&str> = row.0.iter().map(|(key, _)| *key).collect();
+    assert_eq!(header, keys);
+    let found = object(&typed(""));
+    assert!(found["at"][0].as_object().expect("an instant").keys().all(|key| keys.contains(&&**key)));
+}
+
+/// Names of the figure that a reader moves, which asks this question at first, and the keys of the answer.
+const MOVED: [(&str, &str); 17] = [
+    ("centres", "centre_distance_mm"),
+    ("wheel", "wheel_radius_mm"),
+    ("disc", "locking_radius_mm"),
+    ("clearance", "least_clearance_mm"),
+    ("nearer", "centres_nearer_mm"),
+    ("farther", "centres_farther_mm"),
+    ("index", "indexing_time_s"),
+    ("dwell", "dwell_time_s"),
+    ("torque", "peak_wheel_torque_nm"),
+    ("force", "peak_pin_force_n"),
+    ("pressure", "peak_contact_pressure_mpa"),
+    ("crank", "peak_crank_torque_nm"),
+    ("power", "peak_power_w"),
+    ("rms", "rms_crank_torque_nm"),
+    ("mean", "mean_crank_torque_nm"),
+    ("blow", "knock_mm_s"),
+    ("hardest", "greatest_knock_mm_s"),
+];
+
+#[test]
+fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
+    let live = geneva_live::by_name("design").expect("a figure");
+    let (moved, file) = (live.answer(&Arguments::default()), live.file("csv", &Arguments::default()));
+    let (moved, file, answer) = (moved.expect("an answer"), file.expect("a file"), answer());
+    // A quantity of a list in one file is there under its own name.
+    assert!(!moved.further.is_empty(), "no quantity is listed for pages");
+    let further = moved.further.iter().map(|of| (of.name, of.name));
+    for (name, key) in MOVED.into_iter().chain(further) {
+        let value = moved.numbers.iter().find(|number| number.name == name).expect(name).value;
+        let field = answer.field(key).expect(key);
+        assert_eq!(Some(value), field.number(), "{name}, {key}");
+        assert!(file.contains(&format!(",{value:?},")), "{name}: {file}");
+        if let Some(of) = moved.further.iter().find(|of| of.name == key) {
+            assert_eq!(Some(of.label), field.line.as_ref().map(|line| line.name), "{key}");
+        }
+    }
+}
