@@ -67,11 +67,11 @@ pub fn shuffles_of_definitions(rows: &[Row], tried: &[Tried], shuffled: Shuffled
 
 /// Peaks, minima and periods: which computed numbers are near which printed ones.
 fn columns(score: &Score) -> Option<Vec<Near>> {
-    let of = |column: Column| {
-        let computed = score.runs.iter().map(|run| Some(run.as_ref()?.number(column)));
+    let of = |(at, column)| {
+        let computed = score.results.iter().map(|results| Some(results.as_ref()?[at]));
         Some(near(column, score.rows, &computed.collect::<Option<Vec<_>>>()?))
     };
-    EXPLAINED.into_iter().map(of).collect()
+    EXPLAINED.into_iter().enumerate().map(of).collect()
 }
 
 /// Rise times: which computed ones are near which printed ones.

@@ -131,20 +131,35 @@ impl Hypothesis {
     /// What the run of a row gives: solved over the angle, or by the program if it is to have its faults. None if there
     /// is no such motion.
     pub fn run(&self, row: &Row) -> Option<Run> {
-        if self.lag != Lag::None || self.constants == Constants::AsListed {
+        if self.has_faults() {
             return self.by_program(row, &row.given.listing.integrator());
+        }
+        let [peak, minimum, period] = self.results(row)?;
+        let first_minimum = self.engagement(row)?.first_minimum().ok()?.map_or(f64::NAN, |minimum| minimum.time);
+        Some(Run { peak, minimum, period, first_minimum })
+    }
+
+    /// Peak, minimum and period of a run, each in its own unit: what a hypothesis is to explain. None if there is no such
+    /// motion.
+    pub fn results(&self, row: &Row) -> Option<[f64; 3]> {
+        let listing = &row.given.listing;
+        if self.has_faults() {
+            return Some(self.by_program(row, &listing.integrator())?.results());
         }
         let engagement = self.engagement(row)?;
         let steady = engagement.steady_state().ok()?;
-        let listing = &row.given.listing;
         let peak = match self.reading {
             Reading::True => steady.peak.speed,
             Reading::OnTheGrid => {
                 engagement.largest_printed(listing.interval, listing.first_line, listing.duration).ok()?
             }
         };
-        let first_minimum = engagement.first_minimum().ok().flatten().map_or(f64::NAN, |minimum| minimum.time);
-        Some(Run { peak, minimum: steady.minimum.speed, period: steady.period, first_minimum })
+        Some([peak, steady.minimum.speed, steady.period])
+    }
+
+    /// Whether only the program has such runs.
+    fn has_faults(&self) -> bool {
+        self.lag != Lag::None || self.constants == Constants::AsListed
     }
 
     /// The run, read off the lines that the program prints; the true peak is not among them.

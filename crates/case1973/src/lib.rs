@@ -5,6 +5,25 @@
 //! the tables. The tables themselves are arguments: no number that a source prints is written here, and nothing here
 //! knows of claims or books.
 //!
+//! ```
+//! use geneva_case1973::{Given, Hypothesis, Listing, Row, Score};
+//! use geneva_kinematics::Mechanism;
+//! use std::f64::consts::{FRAC_PI_2, PI};
+//!
+//! // A program that resets after a quarter of a turn, prints every millisecond and stops after 0.3 s.
+//! let listing =
+//!     Listing { reset: FRAC_PI_2, pi: PI, first_line: 0.0, interval: 1e-3, duration: 0.3, delay: 1e-4 };
+//! let inertias = [4e-6, 46e-6]; // driver and follower, in lb s²
+//! let given = Given { headed: inertias, drawn: inertias, listing };
+//! // Friction, torque, and what was printed: peak, minimum, rise time and period.
+//! let rows = [Row::read(Mechanism::FOUR_PIN, ".22 .04 99 14 .036 .053", given)?];
+//!
+//! // All three results are explained by what was run, and with four pins by the mechanism as well.
+//! assert_eq!(Score::of(Hypothesis::AS_RUN, &rows).within_one(), 3);
+//! assert_eq!(Score::of(Hypothesis::IDEAL, &rows).within_one(), 3);
+//! # Ok::<(), geneva_case1973::Unreadable>(())
+//! ```
+//!
 //! - [`Row`]: a printed run, and what is given for it besides; `choice`: which rows stand for others.
 //! - [`Hypothesis`]: what the runs might have been. This is the one place where a row is run.
 //! - [`program`]: the program of 1973 on an integrator like its own; [`deck`]: the runs by a deck in its language.

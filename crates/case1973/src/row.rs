@@ -134,6 +134,12 @@ impl Row {
         (computed - self.number(column)) / column.unit()
     }
 
+    /// How many of these numbers of the columns of [`EXPLAINED`] are within a unit of the last printed place.
+    pub fn explained_by(&self, results: &[f64; 3]) -> usize {
+        let cells = EXPLAINED.iter().zip(results);
+        cells.filter(|(column, computed)| column.is_within_one(self.number(**column), **computed)).count()
+    }
+
     /// The friction, dimensionless.
     pub fn friction(&self) -> f64 {
         self.number(Column::Friction)

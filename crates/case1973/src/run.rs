@@ -1,7 +1,7 @@
 //! What a run gives, and how a reader with a ruler takes it from the printed lines.
 
 use crate::program::{Line, Printout};
-use crate::{Column, EXPLAINED, Row};
+use crate::{Column, EXPLAINED};
 
 /// What a run gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,10 +28,9 @@ impl Run {
         }
     }
 
-    /// How many of the results of a printed row it explains, to one unit of the last place.
-    pub fn explains(&self, row: &Row) -> usize {
-        let is_near = |column: &Column| column.is_within_one(row.number(*column), self.number(*column));
-        EXPLAINED.iter().filter(|column| is_near(column)).count()
+    /// Its peak, minimum and period, each in its own unit: the numbers of [`EXPLAINED`].
+    pub fn results(&self) -> [f64; 3] {
+        EXPLAINED.map(|column| self.number(column))
     }
 
     /// Reads a run off its lines: the greatest speed of all lines, least speed (between the lines by a parabola) and

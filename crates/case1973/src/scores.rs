@@ -21,16 +21,14 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// The fit to a column, for the runs of some rows; a run that came to nothing explains nothing.
+    /// How well computed numbers explain the printed ones of a column, row by row; a run that came to nothing explains
+    /// nothing.
     ///
     /// In the statistical model, a printed number is the computed number plus an error of unknown spread, rounded to
     /// the unit. All hypotheses have this one parameter, so their likelihoods may be compared as they are.
-    pub fn new(column: Column, rows: &[Row], runs: &[Option<Run>]) -> Self {
-        let cells: Vec<_> = rows
-            .iter()
-            .zip(runs)
-            .filter_map(|(row, run)| Some((row.number(column), run.as_ref()?.number(column))))
-            .collect();
+    fn new(column: Column, rows: &[Row], computed: &[Option<f64>]) -> Self {
+        let cells: Vec<_> =
+            rows.iter().zip(computed).filter_map(|(row, found)| Some((row.number(column), (*found)?))).collect();
         let units: Vec<_> = cells.iter().map(|(printed, found)| (found - printed).abs() / column.unit()).collect();
         let relative = |(printed, computed): &(f64, f64)| printed / computed - 1.0;
         let further = |worst: f64, next: f64| if next.abs() > worst.abs() { next } else { worst };
@@ -54,8 +52,9 @@ pub struct Score<'a> {
     pub hypothesis: Hypothesis,
     /// The printed rows.
     pub rows: &'a [Row],
-    /// The runs of the hypothesis, row by row; none where the program came to no end.
-    pub runs: Vec<Option<Run>>,
+    /// Peak, minimum and period of the runs of the hypothesis, row by row, each in its own unit; none where a run came to no
+    /// end.
+    pub results: Vec<Option<[f64; 3]>>,
     /// The hypothesis's fit to peak, minimum and period.
     pub fits: [Fit; 3],
 }
@@ -63,12 +62,16 @@ pub struct Score<'a> {
 impl<'a> Score<'a> {
     /// The score of a hypothesis.
     pub fn of(hypothesis: Hypothesis, rows: &'a [Row]) -> Self {
-        Self::of_runs(hypothesis, rows, rows.iter().map(|row| hypothesis.run(row)).collect())
+        Self::of_results(hypothesis, rows, rows.iter().map(|row| hypothesis.results(row)).collect())
     }
 
     /// The score of a hypothesis whose runs have been made, row by row.
-    pub fn of_runs(hypothesis: Hypothesis, rows: &'a [Row], runs: Vec<Option<Run>>) -> Self {
-        Self { hypothesis, rows, fits: EXPLAINED.map(|column| Fit::new(column, rows, &runs)), runs }
+    pub fn of_results(hypothesis: Hypothesis, rows: &'a [Row], results: Vec<Option<[f64; 3]>>) -> Self {
+        let fits = [0, 1, 2].map(|at| {
+            let computed: Vec<_> = results.iter().map(|of| of.map(|numbers| numbers[at])).collect();
+            Fit::new(EXPLAINED[at], rows, &computed)
+        });
+        Self { hypothesis, rows, results, fits }
     }
 
     /// The fit to a column; none for a column that is not to be explained.
@@ -88,17 +91,18 @@ impl<'a> Score<'a> {
 
     /// Cells of these mechanisms within one unit of the last place.
     pub fn within_one_of(&self, mechanisms: &[Mechanism]) -> usize {
-        let own = self.rows.iter().zip(&self.runs).filter(|(row, _)| mechanisms.contains(&row.mechanism));
-        own.map(|(row, run)| run.map_or(0, |run| run.explains(row))).sum()
+        let own = self.rows.iter().zip(&self.results).filter(|(row, _)| mechanisms.contains(&row.mechanism));
+        own.filter_map(|(row, results)| Some(row.explained_by(results.as_ref()?))).sum()
     }
 
     /// The printed cells and the computed numbers, row by row; not a number where a run came to no end.
     pub fn cells(&self) -> impl Iterator<Item = Cell> + '_ {
-        self.rows.iter().zip(&self.runs).flat_map(|(row, run)| {
-            EXPLAINED.map(|column| Cell {
+        self.rows.iter().zip(&self.results).flat_map(|(row, results)| {
+            let computed = results.unwrap_or([f64::NAN; 3]);
+            [0, 1, 2].map(|at| Cell {
                 mechanism: row.mechanism,
-                printed: row.number(column) / column.unit(),
-                computed: run.map_or(f64::NAN, |run| run.number(column)) / column.unit(),
+                printed: row.number(EXPLAINED[at]) / EXPLAINED[at].unit(),
+                computed: computed[at] / EXPLAINED[at].unit(),
             })
         })
     }

@@ -2,7 +2,7 @@
 
 use crate::likelihood::{LEAST_SPREAD, Law};
 use crate::scores::Score;
-use crate::{Column, EXPLAINED, Hypothesis, Reading, Row, Run, series};
+use crate::{EXPLAINED, Hypothesis, Reading, Row, series};
 use geneva_kinematics::Mechanism;
 
 /// How the errors of the printed numbers are taken, and which rows count.
@@ -102,19 +102,20 @@ impl Weighing {
 
     /// The errors that have one spread, in units of the last printed place; none if a run came to no end.
     fn errors(&self, score: &Score) -> impl Iterator<Item = Option<Vec<f64>>> {
-        let (only, mut runs) = (self.only, score.runs.iter());
+        let (only, mut results) = (self.only, score.results.iter());
         let mut counting = Vec::new();
         for own in series(score.rows) {
             let chosen = only.map(|only| only.min(own.len() - 1));
-            let of_rows = own.iter().zip(runs.by_ref()).enumerate();
+            let of_rows = own.iter().zip(results.by_ref()).enumerate();
             counting.extend(of_rows.filter(|(at, _)| chosen.is_none_or(|only| only == *at)).map(|(_, of)| of));
         }
         let tables: Vec<&[Mechanism]> =
             if self.by_table { Mechanism::ALL.chunks(1).collect() } else { vec![&Mechanism::ALL] };
-        let together = tables.into_iter().flat_map(|table| EXPLAINED.map(|column| (table, column)));
-        let of = move |(table, column): (&[Mechanism], Column)| {
-            let off = |(row, run): &(&Row, &Option<Run>)| {
-                Some((row.number(column) - run.as_ref()?.number(column)).abs() / column.unit())
+        let together = tables.into_iter().flat_map(|table| [0, 1, 2].map(|at| (table, at)));
+        let of = move |(table, at): (&[Mechanism], usize)| {
+            let off = |(row, results): &(&Row, &Option<[f64; 3]>)| {
+                let column = EXPLAINED[at];
+                Some((row.number(column) - results.as_ref()?[at]).abs() / column.unit())
             };
             counting.iter().filter(|(row, _)| table.contains(&row.mechanism)).map(off).collect()
         };

@@ -74,11 +74,11 @@ fn the_likelihoods_are_those_of_the_densities_summed_directly() {
 #[test]
 fn a_run_without_end_makes_the_tables_impossible_unless_its_row_does_not_count() {
     let whole = Score::of(Hypothesis::WITHOUT_LAG, tables());
-    let mut runs = whole.runs.clone();
-    runs[1] = None;
-    let score = Score::of_runs(whole.hypothesis, tables(), runs);
+    let mut results = whole.results.clone();
+    results[1] = None;
+    let score = Score::of_results(whole.hypothesis, tables(), results);
     assert_eq!(score.likelihoods(), [f64::NEG_INFINITY; 2]);
-    assert_eq!(score.within_one() + whole.runs[1].expect("a run").explains(&tables()[1]), whole.within_one());
+    assert_eq!(score.within_one() + tables()[1].explained_by(&whole.results[1].expect("a run")), whole.within_one());
     assert!(score.fits.iter().all(|fit| fit.mean.is_finite()) && score.cells().any(|cell| cell.computed.is_nan()));
     let only = |only| Weighing { only: Some(only), ..Weighing::COARSE };
     assert_eq!(only(1).log_likelihood(&score, Law::Normal), f64::NEG_INFINITY);

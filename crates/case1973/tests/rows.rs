@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 /// A listing of no source.
 pub const LISTING: Listing =
-    Listing { reset: 1.57, pi: 3.14, first_line: 0.0, interval: 0.0007, duration: 0.3, delay: 0.00007 };
+    Listing { reset: 1.57, pi: 3.145, first_line: 0.0, interval: 0.0007, duration: 0.3, delay: 0.00007 };
 
 /// What is given for the runs of a mechanism; the heading of the six pins has the two inertias swapped.
 pub fn given(mechanism: Mechanism) -> Given {

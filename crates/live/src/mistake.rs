@@ -3,7 +3,7 @@
 use crate::answer::{Answer, Number, Progress};
 use crate::arguments::number;
 use crate::control::{Control, Live, Preset, Quantity, Settings};
-use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, Reading, Reset, Row, Run, Score, SixPin};
+use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_figures::runs::{Compared, one_agreement};
 use geneva_kinematics::Mechanism;
@@ -50,8 +50,8 @@ pub const LIVE: Live = Live {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let rows = rows(settings)?;
     let hypothesis = hypothesis(settings)?;
-    let (runs, done) = match hypothesis.lag {
-        Lag::None => (rows.iter().map(|row| hypothesis.run(row)).collect(), rows.len()),
+    let (results, done) = match hypothesis.lag {
+        Lag::None => (rows.iter().map(|row| hypothesis.results(row)).collect(), rows.len()),
         _ => by_program(&settings.arguments().to_query(), &rows, &hypothesis),
     };
     let angle = match hypothesis.reset {
@@ -59,7 +59,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         _ => "own reset angles".to_owned(),
     };
     let name = if hypothesis.lag == Lag::None { angle } else { format!("{angle}, sign late") };
-    let score = Score::of_runs(hypothesis, &rows, runs);
+    let score = Score::of_results(hypothesis, &rows, results);
     let figure = one_agreement(&Compared::new(name, &score), "1 rad/s or 1 ms");
     let counted = |name, mechanisms: &[Mechanism]| {
         let count = score.within_one_of(mechanisms);
@@ -159,23 +159,23 @@ fn hypothesis(settings: &Settings) -> Result<Hypothesis, String> {
 }
 
 /// The runs that have been made, of the last setting that was asked for.
-type Made = (String, Vec<Option<Run>>);
+type Made = (String, Vec<Option<[f64; 3]>>);
 
 thread_local! {
     static MADE: RefCell<Made> = const { RefCell::new((String::new(), Vec::new())) };
 }
 
 /// What is read off the print-outs of the program, as far as they have been made: at each asking some more.
-fn by_program(key: &str, rows: &[Row], hypothesis: &Hypothesis) -> (Vec<Option<Run>>, usize) {
+fn by_program(key: &str, rows: &[Row], hypothesis: &Hypothesis) -> (Vec<Option<[f64; 3]>>, usize) {
     MADE.with_borrow_mut(|(of, made)| {
         if of != key {
             (*of, *made) = (key.to_owned(), Vec::new());
         }
         for row in rows.iter().skip(made.len()).take(AT_ONCE) {
-            made.push(hypothesis.run(row));
+            made.push(hypothesis.results(row));
         }
-        let mut runs = made.clone();
-        runs.resize(rows.len(), None);
-        (runs, made.len())
+        let mut results = made.clone();
+        results.resize(rows.len(), None);
+        (results, made.len())
     })
 }

@@ -9,12 +9,15 @@ use crate::{Column, Hypothesis, Score};
 use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 
+/// The errors that have one spread: those of a column, in one table or in all.
+type Errors = ((Column, Option<Mechanism>), Vec<f64>);
+
 /// The logarithm of the likelihood of the tables under a hypothesis, each spread as it suits the hypothesis best;
 /// dimensionless. None if a run came to no end.
 pub fn log_likelihood(weighing: &Weighing, score: &Score, law: Law) -> Option<f64> {
-    let mut errors: Vec<((Column, Option<Mechanism>), Vec<f64>)> = Vec::new();
+    let mut errors: Vec<Errors> = Vec::new();
     let (mut at, mut before) = (0, None);
-    for (place, (row, run)) in score.rows.iter().zip(&score.runs).enumerate() {
+    for (place, (row, results)) in score.rows.iter().zip(&score.results).enumerate() {
         let group = (row.mechanism, row.printed(Column::Friction));
         at = if before == Some(group) { at + 1 } else { 0 };
         before = Some(group);
@@ -24,8 +27,8 @@ pub fn log_likelihood(weighing: &Weighing, score: &Score, law: Law) -> Option<f6
         if !weighing.only.is_none_or(counts) {
             continue;
         }
-        for column in [Column::Peak, Column::Minimum, Column::Period] {
-            let off = row.misfit(column, run.as_ref()?.number(column)).abs();
+        for (column, computed) in [Column::Peak, Column::Minimum, Column::Period].into_iter().zip((*results)?) {
+            let off = row.misfit(column, computed).abs();
             let own = (column, weighing.by_table.then_some(row.mechanism));
             match errors.iter_mut().find(|(of, _)| *of == own) {
                 Some((_, errors)) => errors.push(off),

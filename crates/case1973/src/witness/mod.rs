@@ -5,6 +5,10 @@
 //! them. No witness calls the solution over the angle, the program's run or a statistic of this crate, and nothing in
 //! this crate calls a witness. A test of the repository's rules makes sure of both.
 //!
+//! They are here and not in the ledger, because they need no printed number either. `steps` and what builds on it take the
+//! factors of the equation of motion from `geneva-dynamics`, where the equation is proven exactly; `lagged` has forces of
+//! its own. The likelihoods and the chances start from the results of a [`Score`](crate::Score), as the first routes do.
+//!
 //! - `lagged`: the runs with the lagged sign, from Newton's laws, with steps and events of its own;
 //! - `steps`: the steady motion in equal steps of the driver's angle;
 //! - `gauss_newton`: the data of the runs, by the method of Gauss and Newton over the motion in steps;

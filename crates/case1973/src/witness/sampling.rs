@@ -32,11 +32,11 @@ pub fn cells(score: &Score, mechanisms: &[Mechanism], deals: usize) -> Option<Ve
     let mut random = Random(1);
     let mut counts = vec![0; deals];
     for mechanism in mechanisms {
-        for column in [Column::Peak, Column::Minimum, Column::Period] {
+        for (at, column) in [Column::Peak, Column::Minimum, Column::Period].into_iter().enumerate() {
             let (mut printed, mut computed) = (Vec::new(), Vec::new());
-            for (row, run) in score.rows.iter().zip(&score.runs).filter(|(row, _)| row.mechanism == *mechanism) {
+            for (row, results) in score.rows.iter().zip(&score.results).filter(|(row, _)| row.mechanism == *mechanism) {
                 printed.push(row.number(column));
-                computed.push(run.as_ref()?.number(column));
+                computed.push((*results)?[at]);
             }
             for count in &mut counts {
                 *count += near(column, &printed, &random.shuffled(&computed));

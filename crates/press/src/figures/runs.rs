@@ -45,7 +45,7 @@ pub fn reset_angle() -> anyhow::Result<Figure> {
             let angle = f64::from(half_degrees) / 2.0;
             let reset = Reset::After(angle.to_radians());
             let of = Hypothesis { reset, reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
-            (angle, rows.iter().map(|row| of.run(row).map_or(0, |run| run.explains(row))).sum())
+            (angle, rows.iter().map(|row| of.results(row).map_or(0, |results| row.explained_by(&results))).sum())
         };
         Scan { mechanism, cells: EXPLAINED.len() * rows.len(), counts: HALF_DEGREES.map(count).collect() }
     };

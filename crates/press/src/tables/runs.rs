@@ -152,13 +152,13 @@ pub fn statistics() -> anyhow::Result<Table> {
     let rows = STATISTICS.iter().map(|of| {
         let number = (of.first)().with_context(|| format!("{}: a run comes to no end", of.name))?;
         let (number, within) = match of.within {
-            0.0 => (fixed(number, 0), "the digit".to_owned()),
+            0.0 => (fixed(number, 0), "0".to_owned()),
             within => (fixed(number, 2), within.to_string()),
         };
         Ok(vec![of.meaning.to_owned(), number, of.by.to_owned(), within])
     });
-    let head = ["Number", "First way", "Second way", "Agree <br>to"];
-    let says = "Numbers of this chapter that were computed in two ways, by calculations that share no code";
+    let head = ["Number", "First way", "Second way", "Agree to <br>within"];
+    let says = "Statistics of the runs that we computed in two ways, and how closely the two must agree";
     table(says, Cells::Words, &head, rows)
 }
 

@@ -113,9 +113,9 @@ mod tests {
     #[test]
     fn a_run_that_comes_to_nothing_makes_the_tables_impossible() {
         let all = Score::of(Hypothesis::WITHOUT_LAG, rows());
-        let mut runs = all.runs.clone();
-        runs[7] = None;
-        let one_less = Score::of_runs(all.hypothesis, rows(), runs);
+        let mut results = all.results.clone();
+        results[7] = None;
+        let one_less = Score::of_results(all.hypothesis, rows(), results);
         let [all, one_less] = [all, one_less].map(|score| *score.on(Column::Minimum).expect("a fit"));
         assert_eq!(one_less.within_one, all.within_one - 1);
         assert!(all.likelihoods[0].log.is_finite() && one_less.likelihoods[0].log == f64::NEG_INFINITY);

@@ -1,20 +1,24 @@
-//! The numbers of our own on which the study of the runs rests, each by two routes that share no code.
+//! The numbers of our own on which the study of the runs rests, each by two routes.
 //!
 //! They are no claims, because no source prints them: nothing says what they should be, and they have no verdict. But what
 //! the book concludes from them must not hang on one program. The first route is what `geneva-case1973` computes. The second
-//! is a witness of it, or the witness's runs counted.
+//! is a witness of it, or the witness's runs counted. Likelihoods and chances start from the same peaks, minima and periods
+//! in both routes; these have routes of their own, in the claims of the cells. Routes that integrate share the equation of
+//! motion and nothing else.
 
-use super::headings::unit_of_speed;
-use super::{
-    Column, EXPLAINED, Hypothesis, Reset, Row, Run, Score, Weighing, delays, interval, rise_times, rows, scores,
-};
+mod routes;
+
+pub use routes::{LITTLE, lagged, shuffled};
+
+use super::{Column, EXPLAINED, Hypothesis, Reset, Row, Weighing, delays, interval, rise_times, rows, scores};
 use geneva_case1973::chance::{self, Shuffled};
 use geneva_case1973::choice::rows_of;
 use geneva_case1973::fitted::Freed;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
-use geneva_case1973::witness::{self, densities, gauss_newton, sampling, steps};
+use geneva_case1973::witness::{densities, sampling};
 use geneva_kinematics::Mechanism;
+use routes::*;
 use std::sync::OnceLock;
 
 /// A number of our own.
@@ -300,147 +304,6 @@ pub static STATISTICS: [Statistic; 29] = [
 /// The statistic with this name.
 pub fn statistic(name: &str) -> Option<&'static Statistic> {
     STATISTICS.iter().find(|statistic| statistic.name == name)
-}
-
-/// The score of a hypothesis among those compared.
-fn score(hypothesis: Hypothesis) -> Option<&'static Score<'static>> {
-    scores().iter().find(|score| score.hypothesis == hypothesis)
-}
-
-/// The score of the program as listed with its sign late by this part of a print interval.
-pub fn lagged(part: f64) -> Option<&'static Score<'static>> {
-    let found = delays().iter().find(|(delay, _)| (delay / interval() - part).abs() < 1e-9);
-    found.map(|(_, score)| score)
-}
-
-/// How many results of these columns are no more than so many units off, by runs of these mechanisms of the second routes.
-fn count(mechanisms: &[Mechanism], columns: &[Column], units: f64, run: impl Fn(&Row) -> Option<Run>) -> Option<f64> {
-    let mut count = 0;
-    for row in rows().iter().filter(|row| mechanisms.contains(&row.mechanism)) {
-        let run = run(row)?;
-        let is_near = |column: &&Column| row.misfit(**column, run.number(**column)).abs() <= units + 1e-9;
-        count += columns.iter().filter(is_near).count();
-    }
-    Some(count as f64)
-}
-
-/// A run with the exact sign on the integrator of the program, where the first route solves the motion over the angle.
-fn without_lag(row: &Row) -> Option<Run> {
-    Hypothesis::WITHOUT_LAG.by_program(row, &row.given.listing.integrator())
-}
-
-fn count_lagged(mechanisms: &[Mechanism], columns: &[Column], units: f64) -> Option<f64> {
-    count(mechanisms, columns, units, witness::lagged)
-}
-
-/// How many results are near by the steady cycle in steps.
-fn count_cycles(hypothesis: Hypothesis, mechanisms: &[Mechanism], columns: &[Column], units: f64) -> Option<f64> {
-    count(mechanisms, columns, units, |row| {
-        let [minimum, period, peak] = steps::cycle_of_row(&hypothesis, row)?;
-        let unit = unit_of_speed(&hypothesis, row);
-        Some(Run { peak: peak * unit, minimum: minimum * unit, period: period / unit, first_minimum: f64::NAN })
-    })
-}
-
-fn mean(counts: &[usize]) -> f64 {
-    counts.iter().sum::<usize>() as f64 / counts.len() as f64
-}
-
-/// The count in the middle of all; none if there are none.
-fn middle(mut counts: Vec<usize>) -> Option<f64> {
-    counts.sort_unstable();
-    counts.get(counts.len() / 2).map(|count| *count as f64)
-}
-
-fn least(all: impl IntoIterator<Item = f64>) -> Option<f64> {
-    all.into_iter().min_by(f64::total_cmp)
-}
-
-fn greatest(all: impl IntoIterator<Item = f64>) -> Option<f64> {
-    all.into_iter().max_by(f64::total_cmp)
-}
-
-/// How many per cent of these counts are as great as the count of the mechanisms themselves.
-fn as_many(counts: Vec<usize>) -> Option<f64> {
-    let found = score(Hypothesis::IDEAL)?.within_one_of(&OTHERS);
-    Some(100.0 * counts.iter().filter(|count| **count >= found).count() as f64 / counts.len() as f64)
-}
-
-/// The least margin over all weighings of all rows, by densities.
-fn of_all_rows(others: Others) -> Option<f64> {
-    let weighings = [Weighing::BY_COLUMN, Weighing::BY_TABLE, Weighing::COARSE];
-    let margins = weighings.map(|weighing| densities::least_margin(&weighing, scores(), others));
-    least(margins.into_iter().collect::<Option<Vec<_>>>()?)
-}
-
-/// The least margin if one row of each group counts, by densities.
-fn of_one_row_of_each(others: Others) -> Option<f64> {
-    let margins =
-        Weighing::one_row_of_each(rows()).map(|weighing| densities::least_margin(&weighing, scores(), others));
-    least(margins.collect::<Option<Vec<_>>>()?)
-}
-
-/// The logarithms of the likelihood by each law, by densities.
-fn by_densities(score: &Score) -> Option<[f64; 2]> {
-    let [normal, exponential] = Law::ALL.map(|law| densities::log_likelihood(&Weighing::BY_COLUMN, score, law));
-    Some([normal?, exponential?])
-}
-
-/// The least margin, by either law, of the listed lag over a fifth of the print interval or more.
-fn over_a_fifth(logarithms: fn(&Score) -> Option<[f64; 2]>) -> Option<f64> {
-    let listed = logarithms(lagged(0.1)?)?;
-    let mut margins = Vec::new();
-    for (_, later) in delays().iter().filter(|(delay, _)| *delay > 0.19 * interval()) {
-        let later = logarithms(later)?;
-        margins.extend([0, 1].map(|law| listed[law] - later[law]));
-    }
-    least(margins)
-}
-
-fn freed(mechanism: Mechanism, reset: Reset) -> Option<f64> {
-    Some(Freed::inertias(rows_of(rows(), mechanism), reset)?.within_one() as f64)
-}
-
-fn freed_in_steps(mechanism: Mechanism, reset: Reset) -> Option<f64> {
-    within_one_in_steps(rows_of(rows(), mechanism), reset)
-}
-
-fn within_one_in_steps(table: &[Row], reset: Reset) -> Option<f64> {
-    let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(table.first()?);
-    let (_, misfits) = gauss_newton::inertias(table, angle)?;
-    Some(misfits.iter().filter(|misfit| misfit.abs() <= 1.0 + 1e-9).count() as f64)
-}
-
-/// A friction that is as good as none: a hundredth of the printed one.
-pub const LITTLE: f64 = 0.01;
-
-fn little_friction(mechanism: Mechanism) -> Option<f64> {
-    let freed = Freed::with_friction(rows_of(rows(), mechanism), Reset::OfTheMechanism, LITTLE)?;
-    Some(freed.within_one() as f64)
-}
-
-/// The table with a hundredth of its frictions printed, by the second route.
-fn little_friction_in_steps(mechanism: Mechanism) -> Option<f64> {
-    let changed = |row: &Row| {
-        let friction = (LITTLE * row.friction()).to_string();
-        let cell = |column| if column == Column::Friction { &friction } else { row.printed(column) };
-        Row::read(mechanism, &Column::ALL.map(cell).join(" "), row.given).ok()
-    };
-    let table: Vec<Row> = rows_of(rows(), mechanism).iter().filter_map(changed).collect();
-    within_one_in_steps(&table, Reset::OfTheMechanism)
-}
-
-/// How many rise times the best definition explains in each shuffle; dealt once.
-pub fn shuffled(shuffled: Shuffled) -> &'static [usize] {
-    static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
-    let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
-    let deal = || chance::shuffles_of_definitions(rows(), rise_times::explained(), shuffled, SHUFFLES);
-    COUNTS[own].get_or_init(deal)
-}
-
-/// The times of all definitions, of the runs and of the mechanisms.
-fn definitions() -> Vec<&'static [f64]> {
-    rise_times::explained().iter().flat_map(|tried| [&tried.as_run.times[..], &tried.ideal.times]).collect()
 }
 
 #[cfg(test)]
