@@ -25,6 +25,27 @@ pub fn escape(text: &str) -> String {
     out
 }
 
+/// Text as [`escape`] has it, with the index of a letter lowered: what stands behind a single letter and an underscore.
+pub fn prose(text: &str) -> String {
+    let escaped = escape(text);
+    let mut pieces = escaped.split("&#95;");
+    let mut out = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let mut before = out.chars().rev();
+        let is_letter =
+            before.next().is_some_and(char::is_alphabetic) && !before.next().is_some_and(char::is_alphanumeric);
+        let (index, rest) = match piece.strip_prefix("&#123;").and_then(|of| of.split_once("&#125;")) {
+            Some(braced) => braced,
+            None => piece.split_at(piece.find(|c: char| !c.is_alphanumeric() && c != '∞').unwrap_or(piece.len())),
+        };
+        match is_letter && !index.is_empty() {
+            true => out += &format!("<sub>{index}</sub>{rest}"),
+            false => out += &format!("&#95;{piece}"),
+        }
+    }
+    out
+}
+
 /// Several lines of text for a program, as a block.
 pub fn code(text: &str) -> String {
     format!("<pre><code class=\"language-text\">{}</code></pre>", escape(text))
@@ -198,6 +219,8 @@ mod tests {
     fn no_character_is_left_that_markdown_or_html_would_take() {
         assert_eq!(escape("a<b & c_d*e"), "a&lt;b &amp; c&#95;d&#42;e");
         assert_eq!(escape("--set a-b ... c."), "&#45;&#45;set a-b &#46;&#46;&#46; c.");
+        assert_eq!(prose("I_f/I_D and y_{n+1}"), "I<sub>f</sub>/I<sub>D</sub> and y<sub>n+1</sub>");
+        assert_eq!(prose("a name_of_it, _ and x_"), escape("a name_of_it, _ and x_"));
         assert_eq!(tex_or_text("10 mm").expect("text"), "10 mm");
         assert!(tex_or_text(r"\sqrt{2}").expect("TeX").contains("math"));
     }

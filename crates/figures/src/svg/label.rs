@@ -210,8 +210,11 @@ impl Label {
             let look = match style {
                 Style::Upright => String::new(),
                 Style::Italic => " font-style=\"italic\"".to_owned(),
-                Style::Subscript | Style::Superscript => {
-                    format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2))
+                Style::Subscript => format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2)),
+                // Its halo would hide a part of the letter before it.
+                Style::Superscript => {
+                    let halo = if self.haloed { " stroke=\"none\"" } else { "" };
+                    format!(" font-size=\"{}\"{halo}", trimmed(SUBSCRIPT * TEXT_SIZE, 2))
                 }
             };
             spans += &format!("<tspan{shift}{look}>{}</tspan>", escape(text));

@@ -34,7 +34,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.others.by-chance.mechanisms", || rounded("runs.others.by-chance.mechanisms")),
     ("runs.others.as-many", || Ok(format!("{}&nbsp;%", rounded("runs.others.as-many")?))),
     ("runs.groups", || Ok(series().count().to_string())),
-    ("runs.reset", || Ok(fixed(number("runs.reset")?.floor(), 0))),
+    ("runs.reset", || rounded("runs.reset")),
     ("runs.reset.one-row", || Ok(fixed(number("runs.reset.one-row")?.floor(), 0))),
     ("runs.margin", || Ok(fixed(number("runs.margin")?.floor(), 0))),
     ("runs.margin.one-row", || Ok(fixed(number("runs.margin.one-row")?.floor(), 0))),

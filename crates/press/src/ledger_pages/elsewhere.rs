@@ -3,7 +3,7 @@
 use super::errata::{entries, right};
 use super::inline::{badge, linked_page, with_unit};
 use crate::formula::broken;
-use crate::html::{Cells, Table, escape, table, tex_or_text};
+use crate::html::{Cells, Table, escape, prose, table, tex_or_text};
 use crate::lookup;
 use anyhow::{Context, anyhow};
 use geneva_ledger::{Judged, Kind, Slip, Truth, Work, in_full, slip, wild};
@@ -27,10 +27,10 @@ fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
             format!(
                 "<a href=\"#slip-{}\">{}</a><div class=\"form\">{}</div>",
                 slip.id,
-                escape(claim.meaning),
+                prose(claim.meaning),
                 broken(&printed)
             ),
-            format!("{} <div>{}</div>", right(judged)?, escape(slip.changes)),
+            format!("{} <div>{}</div>", right(judged)?, prose(slip.changes)),
         ])
     });
     table(caption, Cells::Wide, &["As printed", "Right, and what the mistake does"], rows)
@@ -83,7 +83,7 @@ fn fold(judged: &Judged) -> anyhow::Result<String> {
         "<details class=\"erratum\"{anchor}>\n<summary>{}: {} {}</summary>\n<p><a href=\"{}\">Address</a>, as read on \
          {day}</p>\n{inner}\n</details>\n\n",
         escape(whose(address)),
-        escape(claim.meaning),
+        prose(claim.meaning),
         badge(judged.verdict),
         escape(address)
     ))

@@ -3,7 +3,7 @@
 use super::findings::{how, in_a_word};
 use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::formula::{broken, changed};
-use crate::html::{Cells, Table, escape, table, tex_or_text};
+use crate::html::{Cells, Table, escape, prose, table, tex_or_text};
 use crate::lookup;
 use crate::pages::page_of_slip;
 use anyhow::anyhow;
@@ -54,7 +54,7 @@ pub fn grave() -> anyhow::Result<Table> {
             format!("<a href=\"#slip-{}\">{work}, {locator}</a>: {meaning}", slip.id),
             with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
             right(places.main())?,
-            escape(slip.changes) + &numbers(places),
+            prose(slip.changes) + &numbers(places),
         ])
     });
     let head = ["Place, and what it says", "Printed", "Right", "What it does"];
@@ -111,10 +111,10 @@ pub fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow
     entry("Printed", printed);
     entry("Right", corrected);
     if !slip.changes.is_empty() {
-        entry("What it does", escape(slip.changes) + &numbers(places));
+        entry("What it does", prose(slip.changes) + &numbers(places));
     }
-    entry("Why", escape(slip.reason));
-    entry("Second witness", escape(slip.witness));
+    entry("Why", prose(slip.reason));
+    entry("Second witness", prose(slip.witness));
     if in_full_detail {
         found(judged, places, &mut entry)?;
     }

@@ -1,6 +1,6 @@
 //! What was found of an equation, a figure or a statement, in sentences.
 
-use crate::html::escape;
+use crate::html::prose;
 use geneva_ledger::{Check, Evidence, Finding, Judged};
 
 /// How a form was found to hold or to fail, with the reading; for a missing value, what is missing.
@@ -25,7 +25,7 @@ fn ended(sentence: &str) -> String {
 
 /// What was found, as a page has it: with a minus sign before negative numbers.
 pub fn in_words(found: &str) -> String {
-    escape(&found.replace(" -", " −").replace("(-", "(−"))
+    prose(&found.replace(" -", " −").replace("(-", "(−"))
 }
 
 /// The sentences on a form as printed and on its correction, by both routes.

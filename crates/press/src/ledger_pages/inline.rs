@@ -1,7 +1,7 @@
 //! Pieces of the ledger inside a sentence.
 
 use crate::formula::broken;
-use crate::html::{escape, tex_or_text};
+use crate::html::{escape, prose, tex_or_text};
 use crate::pages::address_of_claim;
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
@@ -119,7 +119,7 @@ pub fn note(id: &str) -> anyhow::Result<String> {
         "<div popover class=\"note\" id=\"note-{id}\">\n<p>{}, {}: {}. {}</p>\n<dl>\n",
         escape(&claim.work.to_string()),
         place(claim),
-        escape(claim.meaning),
+        prose(claim.meaning),
         badge(judged.verdict)
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
@@ -135,7 +135,7 @@ pub fn note(id: &str) -> anyhow::Result<String> {
         entry("Where", "Only in the copy that we had, which has lost or changed a character.".to_owned());
     }
     if let Check::Missing { reason } = claim.check {
-        entry("Why", escape(reason));
+        entry("Why", prose(reason));
     }
     let mut evidence = claim.check.evidence();
     evidence.dedup();

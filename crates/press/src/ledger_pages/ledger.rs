@@ -9,7 +9,7 @@ use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
 use crate::formula::broken;
-use crate::html::{escape, tex_or_text};
+use crate::html::{escape, prose, tex_or_text};
 use crate::lookup;
 use crate::pages::{SECTIONS, Section, page_of_slip};
 use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, verdicts};
@@ -172,8 +172,8 @@ fn details(judged: &Judged) -> anyhow::Result<String> {
             entry("Printed", printed);
             entry("Right", corrected);
         }
-        entry("Why", escape(erratum.slip.reason));
-        entry("Second witness", escape(erratum.slip.witness));
+        entry("Why", prose(erratum.slip.reason));
+        entry("Second witness", prose(erratum.slip.witness));
         entry("Mistake", mistake(judged).unwrap_or_default());
     }
     out.push_str("</dl>");
