@@ -36,7 +36,7 @@ const DIGITS: usize = 4;
 /// Degrees that are zero but for rounding.
 const NO_ANGLE: f64 = 1e-9;
 
-/// `value` with [`DIGITS`] significant digits and a true minus sign: trailing zeros kept, and no more zeros than a reader
+/// `value` with four significant digits and a true minus sign: trailing zeros kept, and no more zeros than a reader
 /// counts.
 pub fn number(value: f64) -> String {
     let scientific = format!("{value:.*e}", DIGITS - 1);
