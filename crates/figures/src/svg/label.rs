@@ -207,11 +207,13 @@ impl Label {
             if back > 0.0 {
                 shift = format!(" dx=\"{}\"{shift}", trimmed(-back, 2));
             }
+            // Its halo would hide a part of the letter before it.
+            let is_power = k > 0 && text.starts_with(['²', '³']);
             let look = match style {
+                Style::Upright if is_power && self.haloed => " stroke=\"none\"".to_owned(),
                 Style::Upright => String::new(),
                 Style::Italic => " font-style=\"italic\"".to_owned(),
                 Style::Subscript => format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2)),
-                // Its halo would hide a part of the letter before it.
                 Style::Superscript => {
                     let halo = if self.haloed { " stroke=\"none\"" } else { "" };
                     format!(" font-size=\"{}\"{halo}", trimmed(SUBSCRIPT * TEXT_SIZE, 2))
