@@ -207,19 +207,17 @@ impl Label {
             if back > 0.0 {
                 shift = format!(" dx=\"{}\"{shift}", trimmed(-back, 2));
             }
-            // Its halo would hide a part of the letter before it.
-            let is_power = k > 0 && text.starts_with(['²', '³']);
+            // The halo of a power would hide a part of the letter before it.
+            let is_power = *style == Style::Superscript || (k > 0 && text.starts_with(['²', '³']));
+            let halo = if is_power && self.haloed { " stroke=\"none\"" } else { "" };
             let look = match style {
-                Style::Upright if is_power && self.haloed => " stroke=\"none\"".to_owned(),
                 Style::Upright => String::new(),
                 Style::Italic => " font-style=\"italic\"".to_owned(),
-                Style::Subscript => format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2)),
-                Style::Superscript => {
-                    let halo = if self.haloed { " stroke=\"none\"" } else { "" };
-                    format!(" font-size=\"{}\"{halo}", trimmed(SUBSCRIPT * TEXT_SIZE, 2))
+                Style::Subscript | Style::Superscript => {
+                    format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2))
                 }
             };
-            spans += &format!("<tspan{shift}{look}>{}</tspan>", escape(text));
+            spans += &format!("<tspan{shift}{look}{halo}>{}</tspan>", escape(text));
         }
         let halo = if self.haloed { format!(" stroke=\"{}\"{HALO}", self.halo.0) } else { String::new() };
         let part =
