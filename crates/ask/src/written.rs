@@ -47,7 +47,7 @@ pub fn number(value: f64) -> String {
         Err(_) if exponent < 2 * DIGITS as i32 => format!("{value:.0}"),
         _ => scientific,
     };
-    number.replace('-', "−")
+    geneva_figures::with_minus_sign(&number)
 }
 
 /// An angle in degrees with as many digits. Zero and the half turn have no sign.

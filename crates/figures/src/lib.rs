@@ -34,4 +34,5 @@ pub mod timer;
 pub use error::FigureError;
 pub use figure::Figure;
 pub(crate) use figure::Words;
+pub use number::with_minus_sign;
 pub use series::{Column, Series};

@@ -2,7 +2,7 @@
 
 use crate::control::Quantity;
 use geneva_ask::{Field, Rounding};
-use geneva_figures::Figure;
+use geneva_figures::{Figure, with_minus_sign};
 
 /// A drawing and its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,7 +105,7 @@ impl Number {
         let value = if value == 0.0 { 0.0 } else { value };
         let text = format!("{value:.digits$}");
         let is_zero = !text.contains(|c: char| ('1'..='9').contains(&c));
-        let text = if is_zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "−") };
+        let text = if is_zero { text.trim_start_matches('-').to_owned() } else { with_minus_sign(&text) };
         let gap = if unit.is_empty() || unit == "°" { "" } else { " " };
         Self { name, value, text: format!("{text}{gap}{unit}") }
     }

@@ -1,5 +1,7 @@
 //! Numbers as the pages show them.
 
+use geneva_figures::with_minus_sign;
+
 /// A number with so many decimals.
 pub fn fixed(number: f64, decimals: usize) -> String {
     with_minus_sign(&format!("{number:.decimals$}"))
@@ -10,11 +12,6 @@ pub fn signed(number: f64, decimals: usize) -> String {
     let text = format!("{number:+.decimals$}");
     let is_zero = !text.contains(|c: char| c.is_ascii_digit() && c != '0');
     if is_zero { text[1..].to_owned() } else { with_minus_sign(&text) }
-}
-
-/// Puts a minus sign in place of each hyphen of a text.
-pub fn with_minus_sign(text: &str) -> String {
-    text.replace('-', "−")
 }
 
 #[cfg(test)]

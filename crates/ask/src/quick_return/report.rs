@@ -253,7 +253,7 @@ fn direction(degrees: f64) -> String {
     match format!("{degrees:.2}").as_str() {
         "-0.00" => "0.00".to_owned(),
         "-180.00" => "180.00".to_owned(),
-        written => written.replace('-', "−"),
+        written => geneva_figures::with_minus_sign(written),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::found::{Answer, Contact, Judgement, Run, contacts, flags, runs, unit_flags};
 use crate::html::{Cells, Table, escape, table};
-use crate::numbers::with_minus_sign;
+use geneva_figures::with_minus_sign;
 
 /// The texts that nobody had looked at, with what became of their flags: the third round by text, the others in one row each.
 pub fn texts() -> anyhow::Result<Table> {

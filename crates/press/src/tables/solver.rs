@@ -2,7 +2,7 @@
 
 use crate::html::{Cells, Table, escape, table};
 use crate::measurements::{Measurement, integrators};
-use crate::numbers::with_minus_sign;
+use geneva_figures::with_minus_sign;
 
 /// The contestants of the record and what they are, in the order of the table.
 pub const CONTESTANTS: [(&str, &str); 8] = [
