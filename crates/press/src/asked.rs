@@ -1,8 +1,7 @@
 //! Questions that the chapters ask of mechanisms, each stated once, and numbers of the answers as a sentence says them.
 
-use crate::computed::with_unit;
 use crate::lookup::{claim, unknown};
-use crate::numbers::fixed;
+use crate::numbers::{fixed, significant};
 use anyhow::{Context, anyhow};
 use geneva_ask::wheel::{Design, Question};
 use geneva_ask::{Answer, Field, Rounding};
@@ -90,6 +89,11 @@ pub fn answer(name: &str) -> anyhow::Result<&'static Answer> {
     ANSWERS[at].get_or_init(asked).as_ref().map_err(|error| anyhow!("question `{name}`: {error}"))
 }
 
+/// The field of an answer with this key.
+pub fn field<'a>(answer: &'a Answer, key: &str) -> anyhow::Result<&'a Field> {
+    answer.field(key).ok_or_else(|| unknown("key", key, answer.fields().map(|field| field.key)))
+}
+
 /// A number of an answer, `QUESTION.KEY` or `QUESTION.KEY:DIGITS`.
 ///
 /// The digits are those that count, or with a point before them those after it; `size` before them drops the sign, and `limit`
@@ -98,7 +102,7 @@ pub fn number(asked: &str) -> anyhow::Result<String> {
     let (path, digits) = asked.split_once(':').unwrap_or((asked, ""));
     let (name, key) = path.split_once('.').with_context(|| format!("`{asked}`: give QUESTION.KEY"))?;
     let answer = answer(name)?;
-    let field = answer.field(key).ok_or_else(|| unknown("key", key, answer.fields().map(|field| field.key)))?;
+    let field = field(answer, key)?;
     let value = field.number().with_context(|| format!("`{path}` has no number: its question gives too little"))?;
     let unsized_digits = digits.strip_prefix("size");
     let (value, digits) =
@@ -117,7 +121,7 @@ pub fn number(asked: &str) -> anyhow::Result<String> {
         Rounding::Percent(decimals) => fixed(100.0 * value, decimals) + "&nbsp;%",
         Rounding::Decimals(_) if digits.is_empty() => as_drawn(value, field),
         Rounding::Decimals(decimals) => fixed(value, decimals) + &unit(field),
-        Rounding::Significant(digits) => with_unit(value, digits as i32, "").replace("&nbsp;", "") + &unit(field),
+        Rounding::Significant(digits) => significant(value, digits) + &unit(field),
     })
 }
 

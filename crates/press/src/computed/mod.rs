@@ -19,7 +19,8 @@ mod terminal_speed;
 pub mod timer;
 mod wild;
 
-use crate::{lookup, numbers};
+use crate::lookup;
+use crate::numbers::significant;
 
 /// A number with its unit, as HTML.
 pub type Number = fn() -> anyhow::Result<String>;
@@ -58,13 +59,9 @@ pub fn by_name(name: &str) -> anyhow::Result<String> {
     found.ok_or_else(|| lookup::unknown("number", name, names()))?()
 }
 
-/// A number to so many significant digits, trailing zeros kept, with its unit.
-pub(crate) fn with_unit(number: f64, digits: i32, unit: &str) -> String {
-    let after_first = usize::try_from(digits - 1).unwrap_or(0);
-    let scientific = format!("{number:.after_first$e}");
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
-    let decimals = usize::try_from(digits - 1 - exponent).unwrap_or(0);
-    format!("{}&nbsp;{unit}", numbers::fixed(scientific.parse().unwrap_or(number), decimals))
+/// A number to so many digits that count, with its unit.
+fn with_unit(number: f64, digits: usize, unit: &str) -> String {
+    format!("{}&nbsp;{unit}", significant(number, digits))
 }
 
 /// An angle in degrees with one decimal.
@@ -80,15 +77,4 @@ fn least(all: &[f64]) -> f64 {
 /// The greatest of some numbers.
 fn most(all: &[f64]) -> f64 {
     all.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::with_unit;
-
-    #[test]
-    fn digits_count_from_the_first() {
-        let written = [0.0999, 9.999, 233.32, 1234.5, -4.1].map(|number| with_unit(number, 3, "m"));
-        assert_eq!(written, ["0.0999&nbsp;m", "10.0&nbsp;m", "233&nbsp;m", "1230&nbsp;m", "−4.10&nbsp;m"]);
-    }
 }
