@@ -161,7 +161,7 @@ pub struct Item {
 }
 
 impl Answer {
-    /// All fields but those of the list.
+    /// All fields of the sections.
     pub fn fields(&self) -> impl Iterator<Item = &Field> {
         self.sections.iter().flat_map(|(_, fields)| fields)
     }

@@ -162,6 +162,16 @@ pub fn slug(mechanism: Mechanism) -> String {
     format!("{}-pin", mechanism.pins())
 }
 
+/// Whether the printed numbers of a column go as this power of the torque, 1/2 or −1/2, each to one unit of its last place.
+pub fn obeys(rows: &[Row], column: Column, power: f64) -> bool {
+    let [low, high] = rows.iter().fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], row| {
+        let scale = if power > 0.0 { 1.0 / row.torque().sqrt() } else { row.torque().sqrt() };
+        let [least, most] = [-1.0, 1.0].map(|off| (row.number(column) + off * column.unit()) * scale);
+        [low.max(least), high.min(most)]
+    });
+    low <= high
+}
+
 /// The rows of one mechanism and one friction, by rising torque, of rows in the order of their tables; nothing else
 /// changes among them.
 pub fn series(rows: &[Row]) -> impl Iterator<Item = &[Row]> {

@@ -34,7 +34,6 @@ const ALL: &[&[(&str, Number)]] = &[
     jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
-    making::ADVICE,
     method::NUMBERS,
     mimic::NUMBERS,
     mistake::NUMBERS,
@@ -62,6 +61,13 @@ pub fn by_name(name: &str) -> anyhow::Result<String> {
 /// A number to so many digits that count, with its unit.
 fn with_unit(number: f64, digits: usize, unit: &str) -> String {
     format!("{}&nbsp;{unit}", significant(number, digits))
+}
+
+/// From the least to the greatest of some numbers, with so many decimals.
+fn over(values: &[f64], decimals: usize) -> anyhow::Result<String> {
+    anyhow::ensure!(!values.is_empty(), "there are no rows");
+    let [least, greatest] = [least(values), most(values)].map(|end| format!("{end:.decimals$}"));
+    Ok(if least == greatest { least } else { format!("{least} to {greatest}") })
 }
 
 /// An angle in degrees with one decimal.

@@ -3,7 +3,7 @@
 
 use super::Number;
 use anyhow::Context;
-use geneva_dynamics::Pose;
+use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Mechanism, Turn};
 use geneva_ledger::meyer::runs::{Column, Constants, Hypothesis, Reset, Row, Run, deck, listing, rows};
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
@@ -97,7 +97,7 @@ fn turned_when_backwards(set: &[(&str, f64)]) -> anyhow::Result<f64> {
 /// The follower's speed over the driver's where the program resets the angle, in the sense in which a pin drives it.
 fn ratio_at_the_reset(mechanism: Mechanism) -> f64 {
     let angle = listing().reset - mechanism.engagement_half_angle();
-    Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)).velocity_ratio()
+    velocity_ratio(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle))
 }
 
 #[cfg(test)]

@@ -1,23 +1,22 @@
 //! The quick-return mechanism's vectors with their directions and senses, and what other readings would give.
 
-use crate::asked::{answer, field};
+use crate::asked::{field, question, value};
 use crate::html::{Cells, Table, table};
 use crate::maths::formula;
 use crate::numbers::fixed;
 use anyhow::Context;
-use geneva_ask::Answer;
 use geneva_ledger::quick_return::with_printed_angle;
 
 /// Every velocity and acceleration of the printed instant: magnitude, direction, sense.
 pub fn terms() -> anyhow::Result<Table> {
-    let answer = answer("lever")?;
+    let lever = question("lever")?;
     let rows = VECTORS.into_iter().map(|(symbol, key)| {
-        let (symbol, vector) = (formula(symbol, false)?, field(answer, key)?);
+        let (symbol, vector) = (formula(symbol, false)?, field(&lever, key)?);
         let Some(direction) = vector.direction() else {
             return Ok(vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned()]);
         };
-        let length = format!("{:.4}&nbsp;{}", number(answer, key)?, vector.unit);
-        Ok(vec![symbol, length, format!("{}°", fixed(direction, 2)), words(answer, direction)?])
+        let length = format!("{:.4}&nbsp;{}", value(&lever, key)?, vector.unit);
+        Ok(vec![symbol, length, format!("{}°", fixed(direction, 2)), words(&lever, direction)?])
     });
     let head = ["Vector", "Magnitude", "Direction", "Sense"];
     let caption = "All vectors of the problem. Directions are angles, counted counter-clockwise from the line from the lever’s \
@@ -27,25 +26,25 @@ pub fn terms() -> anyhow::Result<Table> {
 
 /// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
 pub fn branches() -> anyhow::Result<Table> {
-    let (far, near) = (answer("lever")?, answer("lever-near")?);
-    let column = |answer| -> anyhow::Result<[f64; 10]> {
+    let (far, near) = (question("lever")?, question("lever-near")?);
+    let column = |lever: &str| -> anyhow::Result<[f64; 10]> {
         Ok([
-            number(answer, "pin_distance_m")?,
-            number(answer, "angle_at_pin_deg")?,
-            across(answer, "lever_point_velocity_m_s")?,
-            along(answer, "sliding_velocity_m_s")?,
-            number(answer, "lever_speed_rad_s")?,
-            along(answer, "lever_point_normal_acceleration_m_s2")?,
-            across(answer, "coriolis_acceleration_m_s2")?,
-            along(answer, "sliding_tangential_acceleration_m_s2")?,
-            across(answer, "lever_point_tangential_acceleration_m_s2")?,
-            number(answer, "lever_acceleration_rad_s2")?,
+            value(lever, "pin_distance_m")?,
+            value(lever, "angle_at_pin_deg")?,
+            across(lever, "lever_point_velocity_m_s")?,
+            along(lever, "sliding_velocity_m_s")?,
+            value(lever, "lever_speed_rad_s")?,
+            along(lever, "lever_point_normal_acceleration_m_s2")?,
+            across(lever, "coriolis_acceleration_m_s2")?,
+            along(lever, "sliding_tangential_acceleration_m_s2")?,
+            across(lever, "lever_point_tangential_acceleration_m_s2")?,
+            value(lever, "lever_acceleration_rad_s2")?,
         ])
     };
     let printed = with_printed_angle();
     let with_printed_angle = [
-        number(far, "pin_distance_m")?,
-        number(far, "crank_angle_deg")?,
+        value(&far, "pin_distance_m")?,
+        value(&far, "crank_angle_deg")?,
         printed.lever_point_speed,
         -printed.sliding_speed,
         printed.lever_speed,
@@ -55,7 +54,7 @@ pub fn branches() -> anyhow::Result<Table> {
         -printed.lever_tangential,
         -printed.lever_acceleration,
     ];
-    let (far, near) = (column(far)?, column(near)?);
+    let (far, near) = (column(&far)?, column(&near)?);
     let names = [
         ("r", "in m"),
         (r"\beta", "in degrees"),
@@ -96,25 +95,21 @@ const VECTORS: [(&str, &str); 10] = [
     (r"\vec{a}_\mathrm{Cor}", "coriolis_acceleration_m_s2"),
 ];
 
-fn number(answer: &Answer, key: &str) -> anyhow::Result<f64> {
-    field(answer, key)?.number().with_context(|| format!("`{key}` has no number"))
-}
-
 /// A vector along the lever: its size, outwards positive.
-fn along(answer: &Answer, key: &str) -> anyhow::Result<f64> {
-    signed(answer, key, 0.0)
+fn along(lever: &str, key: &str) -> anyhow::Result<f64> {
+    signed(lever, key, 0.0)
 }
 
 /// A vector across the lever: its size, counter-clockwise positive.
-fn across(answer: &Answer, key: &str) -> anyhow::Result<f64> {
-    signed(answer, key, 90.0)
+fn across(lever: &str, key: &str) -> anyhow::Result<f64> {
+    signed(lever, key, 90.0)
 }
 
 /// The size of a vector, positive in a direction that is so many degrees from the lever's, negative against it.
-fn signed(answer: &Answer, key: &str, from_lever: f64) -> anyhow::Result<f64> {
-    let (size, lever) = (number(answer, key)?, number(answer, "lever_angle_deg")?);
-    let direction = field(answer, key)?.direction().with_context(|| format!("`{key}` is zero"))?;
-    Ok(if turned(lever + from_lever, direction).abs() < 90.0 { size } else { -size })
+fn signed(lever: &str, key: &str, from_lever: f64) -> anyhow::Result<f64> {
+    let (size, angle) = (value(lever, key)?, value(lever, "lever_angle_deg")?);
+    let direction = field(lever, key)?.direction().with_context(|| format!("`{key}` is zero"))?;
+    Ok(if turned(angle + from_lever, direction).abs() < 90.0 { size } else { -size })
 }
 
 /// From one direction to another, from −180° to 180°.
@@ -123,13 +118,13 @@ fn turned(from: f64, to: f64) -> f64 {
 }
 
 /// The sense of a vector that is along the lever or the crank, or across one of them.
-fn words(answer: &Answer, direction: f64) -> anyhow::Result<String> {
+fn words(lever: &str, direction: f64) -> anyhow::Result<String> {
     /// Degrees that are none but for rounding.
     const NOTHING: f64 = 1e-6;
     for (name, key, centre) in
         [("lever", "lever_angle_deg", "the lever’s pivot"), ("crank", "crank_angle_deg", "the crank’s axis")]
     {
-        let turned = turned(number(answer, key)?, direction);
+        let turned = turned(value(lever, key)?, direction);
         let is = |degrees: f64| (turned - degrees).abs() <= NOTHING;
         if is(0.0) || is(180.0) || is(-180.0) {
             let to = if is(0.0) { "away from" } else { "towards" };
