@@ -43,7 +43,7 @@ fn angulated() -> Claim {
         .but_not("it also takes half of the driver's turn at every angle between the shafts")
         .read_as(
             "We tried this with shafts at 60°, 90° and 120°, for all numbers of stations that we try elsewhere. A \
-             proof covers any angle at which the pin finds room.",
+             proof covers any angle at which there is room for the pin.",
         )
 }
 

@@ -3,8 +3,8 @@
 use super::fit::ANY;
 use super::*;
 
-const TWICE: &str = "The foot of the perpendicular from the driver's axis on the slot's line confirms the corrected form for 3 to 60 \
-    slots.";
+const TWICE: &str = "The foot of the perpendicular from the driver's axis on the slot's line confirms the corrected \
+                     form for 3 to 60 slots.";
 
 pub fn claims() -> Vec<Claim> {
     [wrong(), oxiphysics(), right(), generators(), both_ways(), slots(), of_four()].concat()
@@ -364,7 +364,7 @@ fn of_four() -> Vec<Claim> {
             .statement(
                 "wild.compass.bottom",
                 "tangent to circle",
-                "the slots of a wheel of four end on the circle about the wheel's axis that touches the pin's circle",
+                "the slots of a four-slot wheel end on the circle about the wheel's axis that touches the pin's circle",
             )
             .by(ClosedForm, |stated| bottom(&Fit::by_wheel(4), stated))
             .by(Vectors, |stated| bottom(&Fit::by_vectors(4), stated))
