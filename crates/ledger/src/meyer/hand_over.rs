@@ -176,7 +176,7 @@ fn entry(stated: Stated, jump: fn(&Coming) -> f64, across: fn(&Coming, f64) -> f
     }
     let holds = wrong.is_empty() && smooth > 0 && smooth < all;
     let but = wrong.first().map_or(String::new(), |(pins, slots)| {
-        format!("; it fails in {} of them, for example with {pins} pins and {slots} slots", wrong.len())
+        format!("; the statement fails for {} of them, for example with {pins} pins and {slots} slots", wrong.len())
     });
     Finding::new(holds, format!("{smooth} of {all} entries have no jump in the follower's speed{but}"))
 }

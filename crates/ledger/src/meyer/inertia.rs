@@ -69,7 +69,10 @@ fn material() -> Vec<Claim> {
                 let [diameter, thickness] = sizes(stated);
                 let [radius, said] = data().map_or([f64::NAN; 2], |data| [data.diameter / 2.0, data.thickness]);
                 let holds = agrees(diameter / 2.0, radius) && agrees(thickness, said);
-                Finding::new(holds, format!("the numbers of the estimate are a radius of {radius} and {said} inch"))
+                Finding::new(
+                    holds,
+                    format!("the estimate has a radius of {radius} inch and a thickness of {said} inch"),
+                )
             })
             .by(ClosedForm, |stated| {
                 let [diameter, thickness] = sizes(stated);

@@ -76,9 +76,9 @@ pub fn claims() -> Vec<Claim> {
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
                 "The copy we had does not include the drawing. The lengths and the angle follow from the solution, and \
-                 so does the point of the crank's circle at which the pin is, the far one. But the solution does not \
-                 show on which side of the line of centres the lever is. Without that side, we do not know the senses \
-                 of the sliding, of the Coriolis acceleration and of the lever's angular acceleration",
+                 so does the point of the crank's circle where the pin is, the far one. But the solution does not show \
+                 on which side of the line of centres the lever is. Without that side, we do not know the senses of \
+                 the sliding, of the Coriolis acceleration and of the lever's angular acceleration",
             ),
     ]
 }

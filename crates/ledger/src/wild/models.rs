@@ -337,8 +337,7 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "the cam keeps an arc of {arc:.1}°, and as the pin enters, it reaches {past:.0}° past the line of \
-                 centres"
+                "the cam keeps an arc of {arc:.1}°, which reaches {past:.0}° past the line of centres as the pin enters"
             ),
         )
     };

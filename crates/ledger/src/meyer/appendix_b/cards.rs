@@ -90,7 +90,7 @@ fn letter<const N: usize>(
             });
             Finding::new(
                 holds,
-                "we read and evaluated the lines that contain it and compared them with the mechanism by coordinates",
+                "we read and evaluated the lines that contain it, and compared them with the mechanism by coordinates",
             )
         })
         .but_not(neighbour)
@@ -201,14 +201,21 @@ fn angle() -> Claim {
                 let right = [pose.numerator, pose.k_sin_theta, pose.one_minus_k_squared, pose.radius_squared];
                 lines.iter().zip(right).all(|(line, right)| vanishes(value(line, mechanism, angle) - right))
             });
-            Finding::new(holds, "we evaluated the four lines over a turn of the driver, with the angle reset from pin to pin")
+            Finding::new(
+                holds,
+                "we evaluated the four lines over a turn of the driver, with the angle reset from pin to pin",
+            )
         })
         .by(Vectors, move |stated| {
             let holds = turns(stated).all(|(mechanism, turned, _, angle)| {
                 let distance = nearest_pin(&mechanism, turned);
                 vanishes(value(program::L, mechanism, angle) - distance * distance)
             });
-            Finding::new(holds, "we compared L with the distance of the pin nearest to the follower's axis, by the coordinates of all pins")
+            Finding::new(
+                holds,
+                "by the coordinates of all pins, we compared L with the distance of the pin nearest to the follower's \
+                 axis",
+            )
         })
         .but_not("it is THETA, the angle through which the driver has turned")
         .read_as(
