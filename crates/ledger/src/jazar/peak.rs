@@ -235,7 +235,7 @@ fn acceleration_by_time() -> f64 {
 /// Whether the tallest of points at whole degrees tells an extreme: its angle to half a degree, its size as rounded to
 /// the places of the printed ratio.
 fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f64)) -> Finding {
-    let Ok(wheel) = example() else { return Finding::new(false, "there is no wheel of six") };
+    let Ok(wheel) = example() else { return Finding::new(false, "there is no wheel of six stations") };
     let last = wheel.engagement_half_angle().to_degrees() as i32;
     let points = (0..=last).map(|degrees| (degrees, curve(&wheel, f64::from(degrees).to_radians())));
     let (degrees, read) = points.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN));

@@ -93,7 +93,7 @@ fn combinations() -> Vec<Claim> {
                 let found = possible().len();
                 Finding::new(
                     holds && found == stated.pick(stated.count() as usize, 4),
-                    format!("(m − 2)(n − 2) = 4, which has {found} pairs of divisors; {how}"),
+                    format!("(m − 2)(n − 2) = 4, and 4 has {found} pairs of divisors; {how}"),
                 )
             })
             .by(LimitCase, |stated| {

@@ -25,7 +25,7 @@ fn both_ways() -> Vec<Claim> {
     };
     vec![
         formula(MACRO, "wild.freecad.centres", r"c = \sqrt{a^2 + b^2}", "centre distance", ANY, both)
-            .read_as("We take the two radii of a wheel that fits. For other radii see the example."),
+            .read_as("We take the two radii of a wheel that fits. For other radii, see the example."),
         rim(MACRO, "wild.freecad.keep-crank-rim"),
         crank(MACRO, "wild.freecad.keep-rim-crank"),
         centres(WINDOW, "wild.freecad-window.keep-rim", r"c = b/\cos(\pi/n)", by_rim),
@@ -242,7 +242,7 @@ fn right() -> Vec<Claim> {
             ANY,
             |fit| vec![("p", fit.crank), ("d", fit.centres), ("r", fit.rim), (r"\theta", fit.step / 2.0)],
         )
-        .read_as("We take the radius that fits the centre distance. For other radii see the example."),
+        .read_as("We take the radius that fits the centre distance. For other radii, see the example."),
     ]
 }
 
