@@ -26,8 +26,8 @@ pub fn claims() -> Vec<Claim> {
 
 fn plotted() -> Claim {
     PLOT.figure("jazar.fig-5.30", "plotted", "Fig. 5.30 shows the curves of Eqs. (5.27), (5.28) and (5.29)").missing(
-        "The copy we had does not include the drawing, so we cannot see whether the third curve was drawn by the \
-         equation as it stands in the copy, without its minus sign",
+        "The copy we had does not include the drawing, so we cannot see whether the third curve was drawn from the \
+         equation as it is in the copy, without its minus sign",
     )
 }
 
@@ -103,8 +103,9 @@ fn smooth_inside() -> Claim {
         })
         .but_not("they are smooth over the whole turn, the ends of the advance included")
         .read_as(
-            "We take this to be about the four-station wheel, whose curves the figure shows, between the two ends of \
-             the advance: there is no jump and no kink. At the ends, as the source itself says, the jerk is infinite.",
+            "We take this to be about the four-station wheel, whose curves the figure shows. Between the two ends of \
+             the advance, the curves have no jump and no kink. At the ends, as the source itself says, the jerk is \
+             infinite.",
         )
 }
 

@@ -73,7 +73,7 @@ fn sizes() -> Vec<Claim> {
                     [|w, t| by_duals(w, t)[0], |w, t| by_duals(w, t)[1], |w, t| by_duals(w, t)[2]];
                 four_from_general(&derivatives, stated)
             })
-            .but_not("Eq. (5.29) as it stands in the copy, without its minus sign, is a case of Eq. (5.32)")
+            .but_not("Eq. (5.29) as it is in the copy, without its minus sign, is a case of Eq. (5.32)")
             .read_as("We take Eq. (5.29) with the minus sign that it has lost in the copy."),
     ]
 }

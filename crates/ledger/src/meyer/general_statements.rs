@@ -84,8 +84,8 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series().count(),
                 format!(
-                    "from one to four million times the torque of the tables, the rise time goes as the power {:.6} of \
-                     the torque, with every mechanism and friction of the runs",
+                    "from one million to four million times the torque of the tables, the rise time goes as the power \
+                     {:.6} of the torque, with every mechanism and friction of the runs",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )

@@ -91,8 +91,8 @@ fn material() -> Vec<Claim> {
             })
             .but_not("a tenth of an inch more in diameter")
             .read_as(
-                "The sentence makes an assumption for the estimate of the inertias alone. Only with four slots do a \
-                 follower and a driver that end where the pins are have the same size.",
+                "The sentence makes an assumption for the estimate of the inertias alone. A follower and a driver that \
+                 end where the pins are have the same size only if there are four slots.",
             ),
     ]
 }

@@ -23,12 +23,12 @@ const PEAKS_AT_ENTRY: Slip = Slip {
              friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
              distance a in crank radii. This acceleration is zero at one speed only, and in every run the steady speed \
              at entry differs from it. How far the peak is from the entry depends on the ratio of the inertias. In the \
-             runs of six pins the driver is heavy, and the peak follows so soon after the entry that it exceeds the \
-             speed at entry by at most one unit of the tables. In the runs of four and three pins the driver is light. \
-             While the pin still bears on the trailing flank, the friction already exceeds the spring's torque, so the \
-             peak comes before the pin leaves. If driver and follower are equal discs, as in the thesis's own estimate \
-             of the inertias, all three drivers are fastest within three degrees past the entry. At the entry they \
-             already have 98 per cent of that speed or more, so for these drivers the sentence is nearly right.",
+             runs of six pins the driver is heavy, and the peak follows so soon after the entry that the peak exceeds \
+             the speed at entry by at most one unit of the tables. In the runs of four and three pins the driver is \
+             light. While the pin still bears on the trailing flank, the friction already exceeds the spring's torque, \
+             so the peak comes before the pin leaves. If driver and follower are equal discs, as in the thesis's own \
+             estimate of the inertias, all three drivers are fastest within three degrees past the entry. At the entry \
+             they already have 98 per cent of that speed or more, so for these drivers the sentence is nearly right.",
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
@@ -40,7 +40,7 @@ const PEAKS_AT_ENTRY: Slip = Slip {
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
     reason: "On the line of centres the pin does not slide, so the spring acts unbraked. By Eq. (1-19), A θ'' = E \
-             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver therefore is \
+             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver is therefore \
              slowest before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
              the follower's acceleration φ'' is this ratio times θ'' and is positive as well. The follower is fastest \
              where the pin goes over to the trailing flank of its slot. In the runs of six and four pins the driver's \

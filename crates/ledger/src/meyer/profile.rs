@@ -62,8 +62,8 @@ fn shape() -> Claim {
         })
         .read_as(
             "We ask of the printed sentence only that, with each mechanism, the curve goes up and down equally often \
-             in all runs, as far as the whole units of the tables can show. That is the least that a shape can mean. \
-             In the correction, the shape means how deep the minimum is and how high the speed at entry is, both \
+             in all runs, as far as the whole units of the tables can show it. That is the least that a shape can \
+             mean. In the correction, the shape means how deep the minimum is and how high the speed at entry is, both \
              relative to the peak.",
         )
         .corrected(
@@ -98,8 +98,8 @@ fn scales() -> Claim {
         .but_not("changing torque and both inertias in the same proportion will change them")
         .read_as(
             "In all runs, each of the three changes by a thousandth or more if we change a suitable one of torque, \
-             friction and the two inertias, and nothing else, by a tenth up or down. A change of the shape counts from \
-             the same size on. The torque changes all three, and velocity and period change with each of the four. The \
+             friction and the two inertias, and nothing else, by a tenth up or down. Changes of this size count for \
+             the shape too. The torque changes all three, and velocity and period change with each of the four. The \
              rise time does not always change. With six pins and a friction of .35, the driver's inertia changes the \
              rise time, measured to the average, by 0.02 per cent. That is a few hundredths of a millisecond, while \
              the tables' unit is one millisecond.",

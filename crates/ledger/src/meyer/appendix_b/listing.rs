@@ -104,7 +104,7 @@ fn constants() -> Vec<Claim> {
             })
             .but_not("it asks for the acceleration a twentieth of the interval earlier")
             .read_as(
-                "We check what the card asks for in a run whose steps are shorter than the delay. Where a step is \
+                "In a run whose steps are shorter than the delay, we check what the card asks for. Where a step is \
                  longer, the runs of our deck take the latest value. We do not know which value the library of 1973 \
                  took there.",
             ),
