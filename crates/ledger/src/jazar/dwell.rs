@@ -55,8 +55,8 @@ pub fn claims() -> Vec<Claim> {
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART)
             .read_as(
-                "The decimal is cut off after its last place, as long division leaves it. If it is rounded, the \
-                 fraction before it ends in a 6.",
+                "The decimal is cut off after its last place, as long division leaves it. If the fraction before it \
+                 were rounded, it would end in a 6.",
             ),
     ]
 }

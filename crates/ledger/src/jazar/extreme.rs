@@ -15,7 +15,7 @@ fn root_choice() -> Claim {
         .statement(
             "jazar.ex-e.root-choice",
             "0 and 1",
-            "only the positive root gives a cosine of a size between zero and one",
+            "only the positive root gives a cosine whose size is between zero and one",
         )
         .by(ClosedForm, |stated| {
             let [least, most] = stated.numbers()[..] else { return Finding::new(false, "not two numbers") };
@@ -216,8 +216,7 @@ fn general_validity() -> Claim {
         })
         .but_not("the equations hold while the driver speeds up, too")
         .read_as(
-            "We take this to be about every number of stations, with a driver of constant speed, as the example \
-                  has it.",
+            "We take this to be about every number of stations, with a driver of constant speed, as in the example.",
         )
 }
 

@@ -59,8 +59,8 @@ fn mechanisms() -> Vec<Claim> {
             .by(Vectors, move |stated| has_its_distance(stated, which))
             .but_not("the mechanism of the next of the three drawings")
             .read_as(
-                "Appendix A computes the sizes for the drawings, which come after it, in its own order. We take its \
-                 first computation for the first drawing.",
+                "In an order of its own, Appendix A computes the sizes for the drawings, which come after it. We take \
+                 its first computation for the first drawing.",
             )
     };
     (0..DRAWN.len()).map(of).collect()

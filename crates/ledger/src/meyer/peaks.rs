@@ -22,14 +22,13 @@ const PEAKS_AT_ENTRY: Slip = Slip {
              presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the \
              friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
              distance a in crank radii. This acceleration is zero at one speed only, and in every run the steady speed \
-             at entry is a different one. How far the peak is from the entry depends on the ratio of the inertias. In \
-             the runs of six pins the driver is heavy, and the peak follows so soon after the entry that the peak is \
-             higher than the speed at entry by one unit of the tables at most. In the runs of four and three pins the \
-             driver is light. While the pin still bears on the trailing flank, the friction already exceeds the \
-             spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as in \
-             the thesis's own estimate of the inertias, all three drivers are fastest within three degrees past the \
-             entry. At the entry they already have 98 per cent of that speed or more, so for these drivers the \
-             sentence is nearly right.",
+             at entry differs from it. How far the peak is from the entry depends on the ratio of the inertias. In the \
+             runs of six pins the driver is heavy, and the peak follows so soon after the entry that the peak exceeds \
+             the speed at entry by at most one unit of the tables. In the runs of four and three pins the driver is \
+             light. While the pin still bears on the trailing flank, the friction already exceeds the spring's torque, \
+             so the peak comes before the pin leaves. If driver and follower are equal discs, as in the thesis's own \
+             estimate of the inertias, all three drivers are fastest within three degrees past the entry. At the entry \
+             they already have 98 per cent of that speed or more, so for these drivers the sentence is nearly right.",
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
@@ -41,18 +40,18 @@ const PEAKS_AT_ENTRY: Slip = Slip {
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
     reason: "On the line of centres the pin does not slide, so the spring acts unbraked. By Eq. (1-19), A θ'' = E \
-             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver therefore has its \
-             minimum before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
+             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver is therefore \
+             slowest before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
              the follower's acceleration φ'' is this ratio times θ'' and is positive as well. The follower is fastest \
              where the pin goes over to the trailing flank of its slot. In the runs of six and four pins the driver's \
-             minimum is so flat that its speed on the line of centres is above the minimum by less than a unit of the \
-             tables. In some runs of three pins, the driver's speed on the line is above the minimum by more than a \
+             minimum is so flat that the driver's speed on the line of centres exceeds it by less than a unit of the \
+             tables. In some runs of three pins, the driver's speed on the line exceeds the minimum by more than a \
              unit. In all runs, the follower's speed on the line is below its maximum by more than a unit.",
     witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "The follower goes on to gain speed past the line of centres, and the driver already gains some speed \
-              before that line.",
+    changes: "The follower goes on gaining speed past the line of centres, and the driver already begins to gain speed \
+              before it.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -81,8 +80,8 @@ fn at_entry() -> Vec<Claim> {
             "the driver is fastest when a pin enters",
             "the driver velocity is a maximum at pin entry",
             "in the runs of six pins (driver's inertia 0.6 of the follower's) the driver velocity is a maximum at pin \
-             entry, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) it is one 7.7 to 14° \
-             before pin entry",
+             entry, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) it is a maximum 7.7 \
+             to 14° before pin entry",
         ),
         PEAKS
             .statement(
@@ -115,9 +114,9 @@ fn at_entry() -> Vec<Claim> {
             "meyer.peaks-at-rest",
             "the driver is fastest when the follower stands still",
             "the peaks in driver velocity coincide with the zero points",
-            "in the runs of six pins (driver's inertia 0.6 of the follower's) the greatest peaks in driver velocity coincide \
-             with the zero points, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) they \
-             come 7.7 to 14° before them",
+            "in the runs of six pins (driver's inertia 0.6 of the follower's) the greatest peaks in driver velocity \
+             coincide with the zero points, to one unit of the tables; in the runs of four and three pins (0.06 and \
+             0.075) they come 7.7 to 14° before them",
         ),
         PEAKS
             .statement(
@@ -155,8 +154,8 @@ fn at_entry() -> Vec<Claim> {
             .but_not("the driver slows down all the way from the entry to the exit")
             .read_as(
                 "We take the motion from the entry until the driver is slowest, to one unit of the tables' speeds. To \
-                 half a unit the claim holds in 46 of 49 runs, and exactly in 28. In the other runs the driver goes \
-                 on to gain speed past the entry, by up to 0.70 rad/s.",
+                 half a unit, the claim holds in 46 of 49 runs, and it holds exactly in 28. In the other runs, the \
+                 driver goes on gaining speed past the entry, by up to 0.70 rad/s.",
             ),
     ]
 }
@@ -169,7 +168,9 @@ fn at_the_centres() -> Vec<Claim> {
                 "the driver velocity is a minimum and the follower velocity is a maximum",
                 "on the line of centres the driver is slowest and the follower fastest",
             )
-            .by(Quadrature, |stated| extremes(stated, cycles().iter().filter_map(Cycle::middle).collect(), rows().len()))
+            .by(Quadrature, |stated| {
+                extremes(stated, cycles().iter().filter_map(Cycle::middle).collect(), rows().len())
+            })
             .by(RungeKutta, |stated| {
                 let middle = |group: &Group, row: &Row| {
                     let (motion, steady) = (&group.motion, group.motion.steady()?);
@@ -184,19 +185,19 @@ fn at_the_centres() -> Vec<Claim> {
                 extremes(stated, all.collect(), rows().len())
             })
             .read_as(
-                "We take every run, in steady motion. An extreme counts as on the line of centres if the speed on the \
-                 line is the extreme speed, to one unit of the tables' speeds.",
+                "We take every run, in steady motion. An extreme counts as being on the line of centres if the speed \
+                 on the line is the extreme speed, to one unit of the tables' speeds.",
             )
             .corrected(
-                "the driver velocity is a minimum 0.48 to 5.8° earlier, and on the line it is up to 2.1 rad/s greater; the \
-                 follower velocity is a maximum 9.3 to 25° later, and that maximum is 4.9 to 15 rad/s greater",
+                "the driver velocity is a minimum 0.48 to 5.8° earlier, and on the line it is up to 2.1 rad/s greater; \
+                 the follower velocity is a maximum 9.3 to 25° later, and that maximum is 4.9 to 15 rad/s greater",
                 EXTREMES_ON_CENTRES,
             ),
         PEAKS
             .statement(
                 "meyer.follower-decreases",
                 "(and the follower velocity decreases)",
-                "the follower's speed falls from the line of centres on",
+                "the follower's speed falls from the line of centres onwards",
             )
             .by(Quadrature, |stated| {
                 let found = cycles().iter().filter_map(|Cycle { state, lines }| {
@@ -236,9 +237,9 @@ fn at_exit() -> Vec<Claim> {
             "meyer.peaks-at-exit",
             "past the line of centres the driver is fastest again as the pin leaves",
             "until it again reaches a maximum as the pin leaves the slot",
-            "until it is fastest again, in the runs of six pins (driver's inertia 0.6 of the follower's) as the pin leaves \
-             the slot, to one unit of the tables and after a dip of up to 1.8 rad/s, in the runs of four and three pins \
-             (0.06 and 0.075) 7.7 to 14° before",
+            "until it is fastest again: in the runs of six pins (driver's inertia 0.6 of the follower's) as the pin \
+             leaves the slot, to one unit of the tables and after a dip of up to 1.8 rad/s, and in the runs of four \
+             and three pins (0.06 and 0.075) 7.7 to 14° earlier",
         ),
     ]
 }
@@ -267,9 +268,9 @@ fn driver_increases() -> Claim {
         .by(RungeKutta, |stated| increases(stated, all_peaks_in_steps()))
         .read_as("We take every run, in steady motion, all the way to the exit and to one unit of the tables' speeds.")
         .corrected(
-            "the driver velocity increases, in the runs of six pins (driver's inertia 0.6 of the follower's) but for a dip \
-             of up to 1.8 rad/s, in the runs of four and three pins (0.06 and 0.075) until 7.7 to 14° before the pin \
-             leaves",
+            "the driver velocity increases: in the runs of six pins (driver's inertia 0.6 of the follower's) except \
+             for a dip of up to 1.8 rad/s, and in the runs of four and three pins (0.06 and 0.075) until 7.7 to 14° \
+             before the pin leaves",
             PEAKS_AT_ENTRY,
         )
 }
@@ -305,8 +306,8 @@ fn beside_the_hand_over(
         .by(Quadrature, move |stated| peaks(stated, all_peaks(), with_dip))
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
-            "We take every run, in steady motion. A peak counts as at entry or exit if the driver's speed there is \
-             the peak speed, to one unit of the tables' speeds.",
+            "We take every run, in steady motion. A peak counts as being at entry or exit if the driver's speed there \
+             is the peak speed, to one unit of the tables' speeds.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }
@@ -385,9 +386,9 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
     Finding::new(
         holds,
         format!(
-            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs of six pins \
-             and by {least:.0} to {most:.0} in the runs of four and three, where the peak is {:.2} to {:.2}° before \
-             the exit",
+            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs of six pins, \
+             and by {least:.0} to {most:.0} rad/s in the runs of four and three, where the peak is {:.2} to {:.2}° \
+             before the exit",
             before[0], before[1]
         ),
     )

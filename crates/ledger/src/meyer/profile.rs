@@ -61,9 +61,9 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "Of the printed sentence, we ask only that with each mechanism the curve goes up and down equally often in \
-             all runs, as far as we can see this in whole units of the tables. That is the least that a shape can \
-             mean. In the correction, the shape is how deep the minimum is, and how high the speed at entry is, both \
+            "We ask of the printed sentence only that, with each mechanism, the curve goes up and down equally often \
+             in all runs, as far as the whole units of the tables can show it. That is the least that a shape can \
+             mean. In the correction, the shape means how deep the minimum is and how high the speed at entry is, both \
              relative to the peak.",
         )
         .corrected(
@@ -72,9 +72,12 @@ fn shape() -> Claim {
                 id: "",
                 reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \
                          change how deep the minimum is relative to the peak and how fast a pin enters. They even \
-                         change how often the curve goes up and down in an engagement. With six pins the speed dips shortly before the hand-over and rises again until just after it. With little friction this second rise is too small to be seen in the tables' units, but with more friction it can be seen. The tables themselves have curves that are no copies of \
-                         each other: with four pins, one run has a least speed of 25 and a peak of 206, and another \
-                         has the same least speed but a peak of 163.",
+                         change how often the curve goes up and down in an engagement. With six pins the speed dips \
+                         shortly before the hand-over and rises again until just after it. With little friction this \
+                         second rise is too small to be seen in the tables' units, but with more friction it can be \
+                         seen. The tables themselves have curves that are not copies of each other: with four pins, \
+                         one run has a minimum of 25 and a peak of 206, and another has the same minimum but a peak of \
+                         163.",
                 witness: "We computed the motions in steps of the angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
@@ -92,14 +95,14 @@ fn scales() -> Claim {
         )
         .by(Quadrature, |stated| changed(stated, quantities()))
         .by(RungeKutta, |stated| changed(stated, quantities_in_steps()))
-        .but_not("changing torque and both inertias in one proportion will change them")
+        .but_not("changing torque and both inertias in the same proportion will change them")
         .read_as(
-            "In all runs, each of the three changes by a thousandth or more if we change some of torque, friction and \
-             the two inertias, alone, by a tenth up or down. A change as small counts for the shape too. The torque \
-             changes all three, and velocity and period change with each of the four. The rise time does not change \
-             everywhere. With six pins and a friction of .35, the driver's inertia changes the rise time, taken to \
-             the average, by 0.02 per cent. That is some hundredths of a millisecond, and the tables have units of \
-             one.",
+            "In all runs, each of the three changes by a thousandth or more if we change a suitable one of torque, \
+             friction and the two inertias, and nothing else, by a tenth up or down. Changes of this size count for \
+             the shape too. The torque changes all three, and velocity and period change with each of the four. The \
+             rise time does not always change. With six pins and a friction of .35, the driver's inertia changes the \
+             rise time, measured to the average, by 0.02 per cent. That is a few hundredths of a millisecond, while \
+             the tables' unit is one millisecond.",
         )
 }
 
@@ -129,7 +132,7 @@ fn first_minimum() -> Claim {
          tables that is.",
     )
     .corrected(
-        "at the first minimum in velocity, the driver is still slower by 1.8 to 28 per cent than at the minimum of its \
+        "at the first minimum in velocity, the driver is still 1.8 to 28 per cent slower than at the minimum of its \
          steady state",
         Slip {
             id: "",
@@ -208,7 +211,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         .collect();
     Finding::new(
         counts.iter().all(same),
-        format!("in a cycle, the driver's speed turns from rising to falling, or back, {}", joined(&each)),
+        format!("in a cycle, the driver's speed changes between rising and falling {}", joined(&each)),
     )
 }
 
@@ -303,8 +306,8 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
     Finding::new(
         groups.len() == series().count() && least >= 100.0 * VISIBLE,
         format!(
-            "changing some parameter by a tenth changes each by {least:.1} per cent or more in all groups, and \
-             changing any parameter by a tenth does so by {least_alone:.2} per cent or more"
+            "in all groups, changing a suitable parameter by a tenth changes each of them by {least:.1} per cent or \
+             more, and changing any parameter by a tenth changes each by {least_alone:.2} per cent or more"
         ),
     )
 }

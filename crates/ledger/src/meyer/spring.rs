@@ -31,8 +31,9 @@ pub fn constant(id: &'static str, place: Place, meaning: &'static str, printed: 
         .by(OtherPlaceInSource, in_the_equation)
         .but_not(RATE)
         .read_as(
-            "The constant of a spring whose torque is constant is that torque. (For other springs the constant is a \
-             torque for each radian of winding. Elsewhere the word rate says this of our spring.)",
+            "If the torque of a spring is constant, the spring's constant is that torque. (For other springs, the \
+             constant is a torque for each radian of winding, which is what the word “rate” elsewhere says of this \
+             spring.)",
         )
 }
 

@@ -40,14 +40,14 @@ pub fn of_parameters() -> Vec<Claim> {
             Finding::new(
                 holds,
                 format!(
-                    "we asked how the pin's distance changes just past the angles of Appendix D, {} degrees before the \
-                     line of centres",
+                    "we checked how the pin's distance changes just past the angles of Appendix D, {} degrees before \
+                     the line of centres",
                     joined(&angles)
                 ),
             )
         })
         .but_not("it is where the pin leaves")
-        .read_as("We take the angle with its sign, as Appendix D has it. Chapter I and Appendix A have its size."),
+        .read_as("We take the angle with its sign, as Appendix D has it. Chapter I and Appendix A give its size."),
         spring::constant(
             "meyer.parameter.spring",
             LIST,

@@ -55,7 +55,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             .equation(
                 "pin.velocity-angle-equation",
                 r"g=90^{\circ}-\ldots^{\circ}-\ldots^{\circ}",
-                "γ is a right angle less the angle at O and less the angle at B",
+                "γ is a right angle less the angles at O and B",
             )
             .said_in_letters(SPEEDS, filled(&[r"\theta^\circ", r"b^\circ"])),
         ANGLE

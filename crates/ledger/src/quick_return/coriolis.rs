@@ -80,7 +80,7 @@ pub fn claims() -> Vec<Claim> {
                 "The copy we had does not include the diagram. Suppose that the crank turns counter-clockwise and has \
                  passed the line of centres. If the lever is on that side, the pin slides towards the lever's pivot. \
                  In the mirror image, which has the same printed numbers, it slides away from the pivot. The sense of \
-                 the Coriolis acceleration goes with the sense of the sliding",
+                 the Coriolis acceleration depends on the sense of the sliding",
             ),
     ]
 }

@@ -74,7 +74,7 @@ const WINDOW_BOX: Boxed = ([25.0, 25.0 * 1.732_050_807_568_877_2], SHIPPED);
 const WORKBENCH_BOX: Boxed = ([15.0, 15.0], WORKBENCH_SHIPPED);
 
 const ALONG: &str = "We read it as how far the slot extends along its centre line, from the rim to the deepest place \
-                     of the pin's centre. The width from side to side is the next line of the same list.";
+                     of the pin's centre. The next line of the same list gives the width from side to side.";
 
 fn pin_diameter() -> Claim {
     MACRO
@@ -388,7 +388,7 @@ fn from_entry() -> Claim {
                 "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. But \
                  the driving phase starts half a move earlier. The formula for the wheel's speed, printed beside this \
                  one, counts the angle from the line of centres, too.",
-                "Coordinates give the pin, and the direction of the slot as the pin enters.",
+                "Coordinates give the pin's place and the slot's direction as the pin enters.",
                 "If you pass an angle counted from the entry, the wheel moves by only half a step.",
             ),
         )

@@ -154,7 +154,7 @@ fn freecad() -> Claim {
             slip(
                 "For any two radii, the program makes the triangle of the two axes and the pin right-angled. The angle \
                  at the wheel's axis is then half the angle between two slots for at most one number of slots. A \
-                 comment of the program gives formulas in which you can choose only one radius.",
+                 comment in the program gives formulas in which you can choose only one radius.",
                 TWICE,
                 "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",
@@ -201,7 +201,7 @@ fn freecad_count() -> Claim {
         .corrected(
             "range(n), 360/n",
             slip(
-                "The loops that cut slots and arcs contain the number and the angle of six slots, not the number that \
+                "The loops that cut slots and arcs use the number and the angle for six slots, not for the number that \
                  you ask for.",
                 "We went through the directions of all slots, one by one.",
                 "If you ask for more or fewer slots than six, the wheel still gets six. The version of the macro that \
@@ -224,7 +224,7 @@ fn model3d() -> Claim {
         (
             "4 slots: driven radius 0.9 √2, centres 1.8",
             slip(
-                "The rim is cut short. So when the pin comes to the rim, the pin has passed the place where it would \
+                "The rim is cut short. So by the time the pin comes to the rim, it has passed the place where it would \
                  slide in along the slot.",
                 TWICE,
                 "A pin without thickness or play starts the wheel with a jump of speed, although the page says that a \
@@ -247,7 +247,7 @@ fn cadbuildr() -> Claim {
         (
             "4 slots: cross 2 · 50/√2, centres 50",
             slip(
-                "The rim is cut short. So when the pin comes to the rim, the pin has passed the place where it would \
+                "The rim is cut short. So by the time the pin comes to the rim, it has passed the place where it would \
                  slide in along the slot.",
                 TWICE,
                 "A pin without thickness or play starts the wheel with a jump of speed.",
@@ -272,7 +272,7 @@ fn sdfx() -> Claim {
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
-                "With any other wheel radius than the right one, the pin still meets the mouth of the slot, but it \
+                "With any wheel radius other than the right one, the pin still meets the mouth of the slot, but it \
                  does not move along the slot there.",
                 TWICE,
                 "A pin without thickness or play starts the wheel with a jump of speed. In the second example of the \
@@ -337,8 +337,7 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "the cam keeps an arc of {arc:.1}°, and as the pin enters, it reaches {past:.0}° past the line of \
-                 centres"
+                "the cam keeps an arc of {arc:.1}°, which reaches {past:.0}° past the line of centres as the pin enters"
             ),
         )
     };
@@ -346,7 +345,7 @@ fn pitter_cam() -> Claim {
         .example(
             "wild.cherry-pitter.cam",
             "cam radius 22.0, cut width 30.0",
-            "width of what is cut out of the locking cam, which keeps an arc of 240° according to the drawing",
+            "width of the cut in the locking cam, which keeps an arc of 240° according to the drawing",
         )
         .by(ClosedForm, move |stated| {
             let [radius, width] = sizes(stated);
@@ -363,7 +362,7 @@ fn pitter_cam() -> Claim {
             slip(
                 "The cut must reach 60° to either side of the pin, because the pin enters 60° before the line of \
                  centres. But the box that makes the cut is narrower.",
-                "We checked places all along the cam's rim, by coordinates.",
+                "We checked points all along the cam's rim, by coordinates.",
                 "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
                  centres and holds the wheel.",
             ),

@@ -3,8 +3,8 @@
 use super::fit::ANY;
 use super::*;
 
-const TWICE: &str = "The foot of the perpendicular from the driver's axis on the slot's line confirms the corrected form for 3 to 60 \
-    slots.";
+const TWICE: &str = "The foot of the perpendicular from the driver's axis on the slot's line confirms the corrected \
+                     form for 3 to 60 slots.";
 
 pub fn claims() -> Vec<Claim> {
     [wrong(), oxiphysics(), right(), generators(), both_ways(), slots(), of_four()].concat()
@@ -25,7 +25,7 @@ fn both_ways() -> Vec<Claim> {
     };
     vec![
         formula(MACRO, "wild.freecad.centres", r"c = \sqrt{a^2 + b^2}", "centre distance", ANY, both)
-            .read_as("We take the two radii of a wheel that fits. For other radii see the example."),
+            .read_as("We take the two radii of a wheel that fits. For other radii, see the example."),
         rim(MACRO, "wild.freecad.keep-crank-rim"),
         crank(MACRO, "wild.freecad.keep-rim-crank"),
         centres(WINDOW, "wild.freecad-window.keep-rim", r"c = b/\cos(\pi/n)", by_rim),
@@ -242,7 +242,7 @@ fn right() -> Vec<Claim> {
             ANY,
             |fit| vec![("p", fit.crank), ("d", fit.centres), ("r", fit.rim), (r"\theta", fit.step / 2.0)],
         )
-        .read_as("We take the radius that fits the centre distance. For other radii see the example."),
+        .read_as("We take the radius that fits the centre distance. For other radii, see the example."),
     ]
 }
 
@@ -364,7 +364,7 @@ fn of_four() -> Vec<Claim> {
             .statement(
                 "wild.compass.bottom",
                 "tangent to circle",
-                "the slots of a wheel of four end on the circle about the wheel's axis that touches the pin's circle",
+                "the slots of a four-slot wheel end on the circle about the wheel's axis that touches the pin's circle",
             )
             .by(ClosedForm, |stated| bottom(&Fit::by_wheel(4), stated))
             .by(Vectors, |stated| bottom(&Fit::by_vectors(4), stated))

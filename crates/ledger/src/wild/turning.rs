@@ -357,11 +357,11 @@ fn others() -> Vec<Claim> {
             "wild.cherry-pitter.dwell",
             "240",
             "°",
-            "arc of the locking cam, which is how far the driver turns while a wheel of six rests",
+            "arc of the locking cam, which is how far the driver turns while a wheel of six slots rests",
             6,
             |fit| fit.resting.to_degrees(),
         )
-        .read_as("We read it as the arc that the mechanism needs. For the cam as it is built see the example."),
+        .read_as("We read it as the arc that the mechanism needs. For the cam as it is built, see the example."),
     ]
 }
 

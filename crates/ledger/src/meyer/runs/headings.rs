@@ -61,11 +61,11 @@ pub fn of_headings() -> Claim {
             })
         })
         .read_as(
-            "The runs summed up below a heading, this one and the heading for three pins, are of the mechanism that \
-             it names.",
+            "The claim is that the runs below this heading, and those below the heading for three pins, are of the \
+             mechanism that the heading names.",
         )
         .corrected(
-            "Six Pin Mechanism, with the driver's angle reset after 90° (and so the Three Pin Mechanism)",
+            "Six Pin Mechanism, with the driver's angle reset after 90° (and likewise the Three Pin Mechanism)",
             RESET_ANGLE,
         )
 }
