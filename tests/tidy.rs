@@ -19,20 +19,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("workshop", &["kinematics"]),
     ("ask", &["kinematics", "dynamics", "figures", "workshop"]),
     ("live", &["kinematics", "dynamics", "mimic", "case1973", "figures", "ask"]),
-    (
-        "press",
-        &[
-            "kinematics",
-            "mimic",
-            "case1973",
-            "ledger",
-            "figures",
-            "ask",
-            "live",
-            "proofread",
-            "proofread-page",
-        ],
-    ),
+    ("press", &["kinematics", "mimic", "case1973", "ledger", "figures", "ask", "live", "proofread", "proofread-page"]),
     ("proofread-page", &["proofread"]),
     (
         "geneva",

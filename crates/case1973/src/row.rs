@@ -1,7 +1,8 @@
 //! A printed run, and what the source gives besides its table. Both come in as arguments: no number of it is written
 //! here.
 
-use geneva_kinematics::Mechanism;
+use geneva_kinematics::pin_slot::velocity_ratio;
+use geneva_kinematics::{Mechanism, Turn};
 use geneva_mimic::AtSmallestStep;
 
 /// The columns of a table, in their order.
@@ -58,6 +59,13 @@ pub struct Listing {
 }
 
 impl Listing {
+    /// The follower's speed over the driver's where the program resets the angle, dimensionless; positive in the sense in which a
+    /// pin drives the follower.
+    pub fn velocity_ratio_at_reset(&self, mechanism: Mechanism) -> f64 {
+        let angle = self.reset - mechanism.engagement_half_angle();
+        velocity_ratio(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle))
+    }
+
     /// The integrator as far as the listing tells, with the defaults for the rest.
     ///
     /// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.

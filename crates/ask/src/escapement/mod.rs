@@ -7,6 +7,7 @@ mod run;
 mod timer;
 
 pub use question::{Further, Question, Units};
+pub use timer::rates;
 
 use crate::Error;
 use crate::written::{as_typed, rounded_up};

@@ -8,12 +8,34 @@ use crate::{Error, Field, Rounding};
 use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::joints::{self, Joints};
 use geneva_dynamics::timer::{self, Accelerations, Crossing, EntryBlow, Sensitivities, Settling, Strongest};
+use geneva_dynamics::{Error as Motion, Parameters};
 
 /// Seconds and hours of a day.
 const DAY: f64 = 86_400.0;
 const HOURS: f64 = 24.0;
 /// One per cent: by so much more of a quantity the rate is asked, and to this part of itself a small difference settles.
 const PER_CENT: f64 = 0.01;
+
+/// What one per cent more of each quantity makes in a day, and the power behind the friction's rate. A minus is a loss.
+///
+/// # Errors
+///
+/// Without friction there is no steady state.
+pub fn rates(parameters: &Parameters) -> Result<Vec<Field>, Motion> {
+    let powers = Sensitivities::new(parameters)?;
+    let rate = |key, power, name| {
+        let field = Field::in_unit(key, PER_CENT * DAY * power, "s a day").rounded(Rounding::Decimals(0));
+        field.line(name, "what the timer gains with one per cent more of it, to first order")
+    };
+    Ok(vec![
+        rate("friction_rate_s_a_day", powers.friction, "friction"),
+        rate("torque_rate_s_a_day", powers.torque, "torque"),
+        rate("driver_inertia_rate_s_a_day", powers.driver_inertia, "driver's inertia"),
+        rate("follower_inertia_rate_s_a_day", powers.follower_inertia, "follower's inertia"),
+        Field::new("friction_power", powers.friction)
+            .line("power of the friction", "the mean speed is proportional to this power of the friction"),
+    ])
+}
 
 impl Design {
     /// The further fields of its answer.
@@ -22,7 +44,12 @@ impl Design {
     ///
     /// Why there is no steady state, and a further argument that is impossible.
     pub(crate) fn further(&self) -> Result<Vec<Field>, Error> {
-        let mut fields = self.rates()?;
+        let mut fields = rates(&self.parameters).map_err(|error| unsteady(&self.question, error))?;
+        fields.push(
+            Field::new("half_friction_gain", self.gain_over(self.parameters.friction() / 2.0)?)
+                .line("half the friction", "how much faster the timer runs with it")
+                .rounded(Rounding::Percent(0)),
+        );
         fields.extend(self.strongest()?);
         fields.extend(self.settling()?);
         if let Some(set) = self.question.further.set_friction {
@@ -35,31 +62,6 @@ impl Design {
             fields.extend(self.with_joints(joints)?);
         }
         Ok(fields)
-    }
-
-    /// What one per cent more of each quantity makes in a day, and what half the friction does. A minus is a loss.
-    ///
-    /// # Errors
-    ///
-    /// Why there is no steady state.
-    pub fn rates(&self) -> Result<Vec<Field>, Error> {
-        let powers = Sensitivities::new(&self.parameters).map_err(|error| unsteady(&self.question, error))?;
-        let rate = |key, power, name| {
-            let field = Field::in_unit(key, PER_CENT * DAY * power, "s a day").rounded(Rounding::Decimals(0));
-            field.line(name, "what the timer gains with one per cent more of it, to first order")
-        };
-        let half = self.gain_over(self.parameters.friction() / 2.0)?;
-        Ok(vec![
-            rate("torque_rate_s_a_day", powers.torque, "torque"),
-            rate("friction_rate_s_a_day", powers.friction, "friction"),
-            rate("driver_inertia_rate_s_a_day", powers.driver_inertia, "driver's inertia"),
-            rate("follower_inertia_rate_s_a_day", powers.follower_inertia, "follower's inertia"),
-            Field::new("friction_power", powers.friction)
-                .line("power of the friction", "the mean speed is proportional to this power of the friction"),
-            Field::new("half_friction_gain", half)
-                .line("half the friction", "how much faster the timer runs with it")
-                .rounded(Rounding::Percent(0)),
-        ])
     }
 
     /// By what part of itself the mean speed is greater with another friction.
@@ -152,5 +154,68 @@ impl Design {
             Field::new("apparent_friction", apparent)
                 .line("apparent friction", "found from the mean speed, if the joints are taken as ideal"),
         ])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Field, answer, further};
+
+    const FOUR: &str = "escapement --slots 4 --friction 0.2 --torque 2 --driver-inertia 4e-6 --follower-inertia 4e-5";
+
+    #[track_caller]
+    fn number(more: &str, key: &str) -> f64 {
+        let all = further(&format!("{FOUR} {more}")).expect("further fields");
+        all.iter().find(|field| field.key == key).and_then(Field::number).expect(key)
+    }
+
+    #[track_caller]
+    fn near(value: f64, expected: f64) {
+        approx::assert_relative_eq!(value, expected, max_relative = 1e-6);
+    }
+
+    #[test]
+    fn a_gain_is_the_quotient_of_two_mean_speeds() {
+        let speed = |friction: f64| {
+            let answer = answer(&format!("{FOUR} --friction {friction}")).expect("it runs");
+            answer.field("mean_speed").and_then(Field::number).expect("a speed")
+        };
+        near(number("--set-friction 0.15", "gain_h_a_day"), 24.0 * (speed(0.2) / speed(0.15) - 1.0));
+        near(number("", "half_friction_gain"), speed(0.1) / speed(0.2) - 1.0);
+        // To first order, one per cent.
+        let rate = number("", "friction_rate_s_a_day");
+        near(rate, 864.0 * number("", "friction_power"));
+        assert!((rate / (86_400.0 * (speed(0.202) / speed(0.2) - 1.0)) - 1.0).abs() < 0.02, "{rate}");
+    }
+
+    #[test]
+    fn a_moment_becomes_a_force_where_the_units_and_the_radius_are_given() {
+        let moment = 2.0 * number("", "pin_force_ratio").abs();
+        near(number("--units si --crank-radius 5", "pin_force_n"), moment / 0.005);
+        let all = further(FOUR).expect("further fields");
+        assert!(all.iter().all(|field| field.key != "pin_force_n" || field.number().is_none()));
+    }
+
+    #[test]
+    fn ideal_joints_change_nothing_and_a_thick_pin_looks_like_less_friction() {
+        assert_eq!(number("--pin-radius 0", "joints_speed_change"), 0.0);
+        let ideal = answer(FOUR).expect("it runs").field("multiplier").and_then(Field::number).expect("a multiplier");
+        near(number("--pin-radius 0", "joints_multiplier"), ideal);
+        let apparent = number("--pin-radius 0.1", "apparent_friction");
+        assert!(apparent < 0.2);
+        let change = number("--pin-radius 0.1", "joints_speed_change");
+        near(number(&format!("--friction {apparent} --set-friction 0.2"), "gain_h_a_day"), 24.0 * change);
+        // Journals brake: no less friction has their speed.
+        let all = further(&format!("{FOUR} --driver-journal 0.1 --bearing-friction 0.2")).expect("it runs");
+        assert!(all.iter().any(|field| field.key == "apparent_friction" && field.number().is_none()));
+    }
+
+    #[test]
+    fn a_pin_that_leaves_its_slot_before_it_has_crossed_has_no_blow_there() {
+        let all = further(&format!("{FOUR} --play 0.9")).expect("it runs");
+        let share = |key| all.iter().find(|field| field.key == key).expect(key).number();
+        assert!(share("crossing_share").is_none() && share("entry_share").is_some());
+        assert!(number("--play 0.01", "crossing_share") > 0.0);
+        assert!(further(&format!("{FOUR} --play 2")).is_err());
     }
 }

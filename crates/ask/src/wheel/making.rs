@@ -148,3 +148,45 @@ fn together(sizes: &Sizes) -> Vec<Field> {
     ];
     all.into_iter().map(|(key, length, name, of)| Field::in_unit(key, length, "mm").line(name, of)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{Field, answer, further};
+
+    const SIX: &str = "wheel --stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --thickness 10 \
+                       --density 7800 --pin-material steel --wheel-material steel --pin-friction 0.15 --before-entry 20";
+
+    fn number(question: &str, key: &str) -> Option<f64> {
+        let all = further(question).expect("further fields");
+        all.iter().find(|field| field.key == key).expect(key).number()
+    }
+
+    #[test]
+    fn with_all_that_is_asked_for_every_number_is_there_and_under_a_key_of_its_own() {
+        let (answer, further) = (answer(SIX).expect("an answer"), further(SIX).expect("further fields"));
+        let mut keys: Vec<_> = answer.fields().chain(&further).map(|field| field.key).collect();
+        for field in &further {
+            assert!(field.number().is_some_and(f64::is_finite), "{}", field.key);
+            assert!(field.line.is_some(), "{} has no name", field.key);
+        }
+        keys.sort_unstable();
+        let all = keys.len();
+        keys.dedup();
+        assert_eq!(keys.len(), all, "two fields have one key");
+    }
+
+    #[test]
+    fn a_blow_with_the_axes_in_place_is_the_knock_of_the_answer_and_apart_it_is_less() {
+        let knock = answer(SIX).expect("an answer").field("knock_mm_s").and_then(Field::number).expect("a knock");
+        let blow = |error: &str| number(&format!("{SIX} --centre-error {error}"), "entry_knock_mm_s").expect("met");
+        approx::assert_relative_eq!(blow("0"), knock, max_relative = 1e-12);
+        assert!(blow("0.02") < knock);
+    }
+
+    #[test]
+    fn what_the_question_gives_too_little_for_is_missing() {
+        for key in ["pin_speed_mm_s", "contact_width_um", "rubbing_peak_crank_torque_nm", "rms_crank_torque_share"] {
+            assert_eq!(number("wheel --stations 6", key), None, "{key}");
+        }
+    }
+}

@@ -4,7 +4,6 @@ mod built;
 mod escapement;
 mod found;
 mod front;
-mod jazar;
 mod joints;
 pub mod making;
 mod method;
@@ -31,7 +30,6 @@ const ALL: &[&[(&str, Number)]] = &[
     escapement::NUMBERS,
     found::NUMBERS,
     front::NUMBERS,
-    jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
     method::NUMBERS,
