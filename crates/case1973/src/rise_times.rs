@@ -166,7 +166,7 @@ pub fn explained(rows: &[Row], missing: f64) -> Vec<Tried> {
     of_parts.chain(EVENTS.iter().map(|definition| tried(definition, None))).collect()
 }
 
-/// The greatest relative change, without its sign, of the time until the velocity is the steady one at every angle, but for a
+/// The greatest relative change, dimensionless and without its sign, of the time until the velocity is the steady one at every angle, but for a
 /// part `missing`, by so many times the friction or one of the inertias of a row as a mechanism. None if there is no such motion.
 pub fn change(row: &Row, missing: f64, times: f64) -> Option<f64> {
     let own = Hypothesis::IDEAL.parameters(row)?;

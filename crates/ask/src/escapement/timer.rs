@@ -46,14 +46,14 @@ impl Design {
     pub(crate) fn further(&self) -> Result<Vec<Field>, Error> {
         let mut fields = rates(&self.parameters).map_err(|error| unsteady(&self.question, error))?;
         fields.push(
-            Field::new("half_friction_gain", self.gain_over(self.parameters.friction() / 2.0)?)
+            Field::new("half_friction_gain", self.speed_change(self.parameters.friction() / 2.0)?)
                 .line("half the friction", "how much faster the timer runs with it")
                 .rounded(Rounding::Percent(0)),
         );
         fields.extend(self.strongest()?);
         fields.extend(self.settling()?);
         if let Some(set) = self.question.further.set_friction {
-            fields.push(self.gain(set)?);
+            fields.push(self.set_right(set)?);
         }
         if let Some(play) = self.question.further.play {
             fields.extend(self.blows(play)?);
@@ -65,14 +65,14 @@ impl Design {
     }
 
     /// By what part of itself the mean speed is greater with another friction.
-    fn gain_over(&self, friction: f64) -> Result<f64, Error> {
-        timer::gain(&self.parameters, friction).map_err(|error| unsteady(&self.question, error))
+    fn speed_change(&self, friction: f64) -> Result<f64, Error> {
+        timer::speed_change(&self.parameters, friction).map_err(|error| unsteady(&self.question, error))
     }
 
     /// What the timer gains with its friction, if it was set right with another.
-    fn gain(&self, set: f64) -> Result<Field, Error> {
+    fn set_right(&self, set: f64) -> Result<Field, Error> {
         let set = Self::new(Question { friction: set, ..self.question })?;
-        Ok(Field::in_unit("gain_h_a_day", HOURS * set.gain_over(self.parameters.friction())?, "h a day")
+        Ok(Field::in_unit("gain_h_a_day", HOURS * set.speed_change(self.parameters.friction())?, "h a day")
             .line("gain", "set right with another friction"))
     }
 

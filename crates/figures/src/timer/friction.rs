@@ -5,7 +5,7 @@ use crate::chart::{Axis, Chart, Panel, Spot, Stroke, of_mechanism};
 use crate::number::trimmed;
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
-use geneva_dynamics::timer::gain;
+use geneva_dynamics::timer::speed_change;
 
 const STEPS: u32 = 50;
 /// How far the x axis goes beyond what is shown, as a part of the friction.
@@ -32,7 +32,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
     let mut curves = Vec::new();
     for one in all {
         let own = one.with(set)?;
-        let gain = |friction: f64| Ok((friction, HOURS * gain(&own, friction)?));
+        let gain = |friction: f64| Ok((friction, HOURS * speed_change(&own, friction)?));
         let curve: Vec<(f64, f64)> =
             one.steps(least, most, STEPS)?.into_iter().map(gain).collect::<Result<_, FigureError>>()?;
         let marks = one.frictions.iter().copied().map(gain).collect::<Result<Vec<_>, FigureError>>()?;
