@@ -78,8 +78,8 @@ fn alpha_range() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "α is greatest with three stations, {greatest:.4}°, and the range {} up to this angle",
-                    if holds { "goes" } else { "does not go" }
+                    "α is largest with three stations, {greatest:.4}°, and the range {} this angle",
+                    if holds { "includes" } else { "does not include" }
                 ),
             )
         })

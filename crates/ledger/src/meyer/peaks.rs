@@ -19,17 +19,17 @@ const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
     reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the pin \
-             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the \
-             friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
-             distance a in crank radii. This acceleration is zero at one speed only, and in no run is that the steady \
-             speed at entry. How far the peak is from the entry depends on the ratio of the inertias. In the runs with \
-             six pins the driver is heavy. The peak follows so soon after the entry that it exceeds the speed at entry \
-             by 1 rad/s at most, the unit of the tables. In the runs with four and three pins the driver is light. \
-             While the leaving pin still bears on the trailing flank, the friction already exceeds the spring's \
-             torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as in the \
-             thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest within three \
-             degrees past the entry. At the entry they already have 98 per cent of that speed or more, so for these \
-             drivers the sentence is nearly right.",
+             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with K, the friction \
+             μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre distance \
+             a in crank radii. This acceleration is zero at one speed only, and in no run is that the steady speed at \
+             entry. How far the peak is from the entry depends on the ratio of the inertias. In the runs with six pins \
+             the driver is heavy. The peak follows so soon after the entry that it exceeds the speed at entry by at \
+             most 1 rad/s, the unit of the tables. In the runs with four and three pins the driver is light. While the \
+             leaving pin still bears on the trailing flank, the friction already exceeds the spring's torque, so the \
+             peak comes before the pin leaves. If driver and follower are equal discs, as in the thesis's own estimate \
+             of the inertias, the drivers of all three mechanisms are fastest within three degrees past the entry. At \
+             the entry they already have 98 per cent of that speed or more, so for these drivers the sentence is \
+             nearly right.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,
@@ -271,8 +271,10 @@ fn driver_increases() -> Claim {
         )
         .by(Quadrature, |stated| increases(stated, all_peaks()))
         .by(RungeKutta, |stated| increases(stated, all_peaks_in_steps()))
-        .read_as("We test the sentence on the steady motion of every run, all the way to the exit and to within 1 \
-                  rad/s, the unit of the tables.")
+        .read_as(
+            "We test the sentence on the steady motion of every run, all the way to the exit and to within 1 rad/s, \
+             the unit of the tables.",
+        )
         .corrected(
             "the driver velocity increases: in the runs with six pins (driver's inertia 0.6 of the follower's) except \
              for a dip of up to 1.8 rad/s, and in the runs with four and three pins (inertia 0.06 and 0.075 of the \

@@ -30,11 +30,11 @@ pub fn claims() -> Vec<Claim> {
         shape(),
         scales(),
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
-            "The text does not name the run. In the four-pin runs of the tables the velocity is steady only after 29 \
-             ms or more, whether we go by the velocity at each angle or by the average of peak and minimum, and no row \
-             has the 25 ms that the text gives. The first minima of two of these runs are at times that round to 25 \
-             ms, but the rise times of these two runs are longer by half or more. Besides, the run that is drawn need \
-             not be one of the runs of the tables",
+            "The text does not name the run, and it need not be one of the runs in the tables. In the four-pin runs of \
+             the tables the velocity takes 29 ms or more to become steady, whether we go by the velocity at each angle \
+             or by the average of peak and minimum, and no row has the 25 ms that the text gives. In two of these runs \
+             the time of the first minimum rounds to 25 ms, but the rise times of these two runs are longer by half or \
+             more",
         ),
         first_minimum(),
     ]

@@ -4,12 +4,12 @@ use super::fit::ANY;
 use super::*;
 use crate::Decimal;
 
-const TWICE: &str = "The pin's place at entry, by coordinates, confirms the corrected form for 3 to 60 slots.";
+const TWICE: &str = "The coordinates of the pin at entry confirm the corrected form for 3 to 60 slots.";
 
 /// The page takes the wheel's turn for the driver's turn.
 const TURNED: &str = "While a wheel of n slots turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because \
-                      the crank is at right angles to the slot at the start and at the end. The page takes the wheel's \
-                      angle for the driver's angle, but they are equal for four slots only.";
+                      the crank is at right angles to the slot at the start and at the end. The page uses the wheel's \
+                      angle in place of the driver's angle, but the two are equal for four slots only.";
 
 /// How long a wheel moves, of the calculator.
 const DWELL: Slip = Slip {
@@ -17,8 +17,8 @@ const DWELL: Slip = Slip {
     ..slip(
         TURNED,
         TWICE,
-        "For more than four slots, a machine is planned with too long a rest and too short a move. For three slots, \
-         the rest is too short and the move too long. At six slots the move takes twice as long as planned, and at \
+        "For more than four slots, the formula gives too long a rest and too short a move. For three slots, it gives \
+         too short a rest and too long a move. With six slots the real move takes twice as long as planned, and with \
          eight it takes three times as long.",
     )
 };
@@ -66,8 +66,8 @@ fn calculator() -> Vec<Claim> {
             index,
         )
         .read_as(
-            "We take the index angle as the wheel's step, as the page says. If it were the driver's angle, the time \
-             would be right, but the page's own dwell angle would not fit this angle.",
+            "We take the index angle as the wheel's step, as the page says. If it were the angle that the driver turns \
+             through, the time would be right, but the page's own dwell angle would not fit.",
         )
         .corrected(r"t_{index} = \frac{180^{\circ} - \theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}", DWELL),
     ]
@@ -127,8 +127,8 @@ fn star() -> Vec<Claim> {
         .in_error(slip(
             TURNED,
             TWICE,
-            "The rest is longer than the page says, and the move takes half of the time that the page says. So a \
-             wheel of three slots is quick and rough.",
+            "The rest is longer than the page says, and the move takes only half the time that the page gives. So a \
+             wheel with three slots is quick and rough.",
         )),
     ]
 }
@@ -263,9 +263,9 @@ fn fractions() -> Vec<Claim> {
                 consequence: Consequence::Derivation,
                 origin: Origin::Misprint,
                 ..slip(
-                    "The page divides the time of a move by the angle through which the driver turns during a rest. \
-                     The page must mean the time of the rest, because the two times have the ratio of the two angles \
-                     on the right side.",
+                    "The page divides the time of a move by the angle through which the driver turns during a rest. It \
+                     must mean the time of the rest, because the right side is the ratio of the two angles, and the \
+                     two times have the same ratio.",
                     TWICE,
                     "Nothing changes, because the formulas for the two times, which follow on the page, are right.",
                 )

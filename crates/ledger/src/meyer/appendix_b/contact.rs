@@ -266,7 +266,10 @@ fn described() -> Vec<Claim> {
                     };
                     program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
                 });
-                Finding::new(holds, "we read and evaluated each line and compared it with the mechanism by coordinates")
+                Finding::new(
+                    holds,
+                    "we read and evaluated each line and compared it with the mechanism computed in coordinates",
+                )
             })
             .but_not("C and D are swapped"),
         PROGRAM
