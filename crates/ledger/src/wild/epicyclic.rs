@@ -52,8 +52,8 @@ const WHOLE_TURNS: &str = "The pinion must make a whole number of turns relative
 
 /// What the ratio of teeth is for, with an external and with an internal wheel.
 const GEARS: [&str; 2] = [
-    "number of teeth of the fixed gear over the number of teeth of the pinion, for an external wheel of n slots",
-    "number of teeth of the fixed gear over the number of teeth of the pinion, for an internal wheel of n slots",
+    "number of teeth of the fixed gear over the number of teeth of the pinion, for an external wheel with n slots",
+    "number of teeth of the fixed gear over the number of teeth of the pinion, for an internal wheel with n slots",
 ];
 
 fn gears(place: Place, id: &'static str, meaning: &'static str, corrected: &'static str, moving: Moving) -> Claim {

@@ -309,7 +309,7 @@ fn counter() -> Claim {
 fn pitter() -> Claim {
     let drawn = Drawn { slots: 6, crank: 30.0, centres: 60.0, rim: f64::NAN };
     PITTER_WHEEL
-        .value("wild.cherry-pitter.rim", "52", "mm", "radius of a wheel of six slots, for a centre distance of 60 mm")
+        .value("wild.cherry-pitter.rim", "52", "mm", "radius of a wheel with six slots, for a centre distance of 60 mm")
         .by(ClosedForm, move || drawn.with_fitting_rim().rim)
         .by(Vectors, move || drawn.fitting().rim)
 }

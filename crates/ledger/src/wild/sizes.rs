@@ -345,7 +345,7 @@ fn of_four() -> Vec<Claim> {
             DRIVE,
             "wild.firgelli-drive.centres",
             r"C = R \sqrt{2}",
-            "centre distance of a wheel of four slots",
+            "centre distance of a wheel with four slots",
             4..=4,
             |fit| vec![("C", fit.centres), ("R", fit.crank)],
         ),

@@ -36,8 +36,7 @@ pub fn claims() -> Vec<Claim> {
                     ..slip(
                         "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
                          of steps in a turn of the wheel. A turn of the driver makes one step for each pin. At most \
-                         six pins fit, and only with a wheel of three slots. So there are 1 to 6 steps in a turn of \
-                         the driver.",
+                         six pins fit, and only with three slots. So there are 1 to 6 steps in a turn of the driver.",
                         "Each move takes a certain part of a turn of the driver, so one turn has no room for as many \
                          moves as the page says.",
                         "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
