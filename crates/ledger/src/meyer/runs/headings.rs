@@ -36,7 +36,7 @@ fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism
         .by(Quadrature, move || data::inertias(mechanism)[member] * units_in_one(UNIT))
         .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * units_in_one(UNIT))
         .read_as(
-            "The computed value is from the pair of inertias that best reproduces all peaks, minima and periods of \
+            "The computed value belongs to the pair of inertias that best reproduces all peaks, minima and periods in \
              the table.",
         )
 }
