@@ -19,7 +19,7 @@ const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
     reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the pin \
-             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with K, the friction \
+             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the friction \
              μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre distance \
              a in crank radii. This acceleration is zero at one speed only, and in no run is that the steady speed at \
              entry. How far the peak is from the entry depends on the ratio of the inertias. In the runs with six pins \
