@@ -10,7 +10,7 @@ pub const STEPS: Slip = Slip {
              but the results that are computed from these numbers are printed with three or four. No rounding of one \
              step alone gives all of these results. Rounding the crank's rate gives the printed speed of the pin, and \
              rounding the lever's length is enough to spoil the lever's angular velocity.",
-    witness: "The loop closure, differentiated by power series, gives the corrected digits too.",
+    witness: "The loop closure, differentiated with power series, gives the corrected digits too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
     changes: "Eight results change in their last digits, and the lever's angular velocity and acceleration are among \
