@@ -279,20 +279,22 @@ fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) ->
 fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
     if depth.is_some_and(|depth| depth < 0.0) {
         return Some(
-            "With these axes, driver and wheel are in each other. A clearance below zero says how deep.".to_owned(),
+            "With the axes at this distance, driver and wheel overlap. The clearance, below zero, says how \
+             deeply.".to_owned(),
         );
     }
     if !is_met {
-        return Some("With this distance of the axes the pin does not meet the slot.".to_owned());
+        return Some("With the axes at this distance the pin does not meet the slot.".to_owned());
     }
     let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
     let moved = (error != 0.0).then(|| {
-        "Clearance and knock are for the axes as moved. Sizes, times and loads are for the right distance, and the \
-         backlash is known only there."
+        "Clearance and knock are for the axes as you moved them. Sizes, times and loads are for the right distance, \
+         and we know the backlash only there."
             .to_owned()
     });
     let late = is_late.then(|| {
-        "With so little play, some of the clearances take too long to find in a page. The command geneva wheel finds them."
+        "With so little play, some of the clearances take too long to compute in a page. The command geneva wheel \
+         computes them."
             .to_owned()
     });
     let all: Vec<String> = warnings.chain(moved).chain(late).collect();
