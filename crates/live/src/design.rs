@@ -279,8 +279,8 @@ fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) ->
 fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
     if depth.is_some_and(|depth| depth < 0.0) {
         return Some(
-            "With the axes at this distance, driver and wheel overlap. The clearance, below zero, says how \
-             deeply.".to_owned(),
+            "With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much."
+                .to_owned(),
         );
     }
     if !is_met {
