@@ -87,9 +87,9 @@ fn alpha_range() -> Claim {
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "A wheel with three stations, the smallest number that the handout allows, has α = 60° \
-                         exactly, and what the handout says about the choice of the root holds for this wheel too. The \
-                         copy may have lost a stroke of the sign. But the right sign is nowhere else in the handout, \
+                reason: "With three stations, the smallest number that the handout allows, α is exactly 60°, and what \
+                         the handout says about the choice of the root is true for three stations too. The copy may \
+                         have lost a stroke of the inequality sign. But the right sign is nowhere else in the handout, \
                          so we put this mistake down to the handout.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
