@@ -92,11 +92,11 @@ fn small_variations() -> Claim {
         .missing(
             "The thesis does not say what it would call a serious effect, and the three obvious measures disagree. In \
              all runs, a change of one per cent in the torque, the friction or an inertia changes peak, minimum and \
-             period of the steady motion by less than one per cent. In some runs such a change alters the rise time by \
-             more than one per cent, if the rise ends only when the velocity is steady at each angle. If it ends when \
-             the average of peak and minimum is steady, this happens in no run, but a change of a few per cent can \
-             shorten the rise by a whole engagement, which is half of the rise time. And a clock controlled by the \
-             mechanism gains or loses minutes a day",
+             period of the steady motion by less than one per cent. Suppose that the rise ends when the velocity is \
+             steady at each angle. Then such a change alters the rise time by more than one per cent in some runs. Now \
+             let the rise end when the average of peak and minimum is steady. Then this happens in no run, but a \
+             change of a few per cent can shorten the rise by a whole engagement, which is half of the rise. And a \
+             clock controlled by the mechanism gains or loses minutes a day",
         )
 }
 

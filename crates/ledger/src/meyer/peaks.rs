@@ -79,9 +79,9 @@ fn at_entry() -> Vec<Claim> {
             "meyer.peaks-at-entry",
             "the driver is fastest when a pin enters",
             "the driver velocity is a maximum at pin entry",
-            "in the runs of six pins (driver's inertia 0.6 of the follower's) the driver velocity is a maximum at pin \
-             entry, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) it is a maximum 7.7 \
-             to 14° before pin entry",
+            "in the runs with six pins (driver's inertia 0.6 of the follower's) the driver velocity is a maximum at \
+             pin entry, to within one unit of the tables; in the runs with four and three pins (0.06 and 0.075) it is \
+             a maximum 7.7 to 14° before pin entry",
         ),
         PEAKS
             .statement(

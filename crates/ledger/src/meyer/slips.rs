@@ -137,8 +137,8 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
              θ'' throughout, so there is one solution: θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − D²). \
              This formula is right whatever the sign of the expression between the bars of the equation. So we need to \
              know neither that sign nor an earlier acceleration.",
-    witness: "With the factors from the mechanism by coordinates and Newton's laws, the formula gives the \
-              acceleration that these laws require.",
+    witness: "We took the factors from the mechanism in coordinates and from Newton's laws. With these factors, the \
+              formula gives the acceleration that Newton's laws require.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
     changes: "With this formula the program could do without the sign S, and so without the earlier acceleration and \
@@ -185,8 +185,8 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
              example, take five pins, five slots and a centre distance of the golden ratio times the crank radius. \
              Each pin then takes over from the pin before it without a blow, although the follower never stops. Eq. \
              (1-3) says which mechanisms have the follower at rest at each hand-over, and there are three.",
-    witness: "We checked pins and slots by coordinates. We also computed, in steps and with friction, the motion of \
-              mechanisms with other numbers of pins and slots, and each of these motions reaches a terminal velocity.",
+    witness: "We checked pins and slots in coordinates. We also computed the motion of mechanisms with other numbers \
+              of pins and slots, in steps and with friction. Each of these motions reaches a terminal velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
     changes: "There are more than three mechanisms to choose from, because in many other mechanisms, too, each pin \

@@ -91,8 +91,8 @@ pub fn of_parameters() -> Vec<Claim> {
                     reason: "The least inertia of the tables is several times the estimate, and the greatest is a \
                              hundred times the estimate. We do not know how the estimate came to be printed beside \
                              such inertias.",
-                    witness: "To within a unit of the last place, only inertias of about the tables' size give the \
-                              printed periods of the four-pin table.",
+                    witness: "Only inertias close to the tables' inertias give the printed periods of the four-pin \
+                              table to within a unit of the last place.",
                     origin: Origin::Concept,
                     consequence: Consequence::Remark,
                     changes: "The parts behind the tables are not like the parts described. For the greatest inertia, \
