@@ -110,7 +110,7 @@ fn first_minimum() -> Claim {
     RISE.statement(
         "meyer.first-minimum",
         "by the first minimum in velocity, the driver has achieved its steady state",
-        "from the first minimum of its speed on, the driver's motion is steady",
+        "by the first minimum of its speed, the driver has reached its steady motion",
     )
     .by(Quadrature, |stated| {
         let lacks = |(row, state): &(&Row, SteadyState)| {
