@@ -93,13 +93,14 @@ fn least_rise_time() -> Claim {
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
         .read_as("We read the sentence in this way: from some torque on, more torque does not shorten the rise.")
         .corrected(
-            "fall without end, in inverse proportion to the root of the torque, so that every increase of the torque \
-             reduces the rise time",
+            "fall without end, in inverse proportion to the square root of the torque, so that every increase of the \
+             torque reduces the rise time",
             Slip {
                 id: "",
-                reason: "If the torque grows and all times shrink as the inverse of its root, Eq. (1-19) stays the \
-                         same. All times are in proportion to √(I_f/K), where I_f is the follower's inertia and K the \
-                         torque, and this root becomes as small as we like as K grows. So there is no minimum.",
+                reason: "If the torque grows and all times shrink in inverse proportion to its square root, Eq. (1-19) \
+                         stays the same. All times are in proportion to √(I_f/K), where I_f is the follower's inertia \
+                         and K the torque. This square root becomes as small as we like as K grows, so there is no \
+                         minimum.",
                 witness: "We prove the law of similarity for the equation, and we show that it fails if the times are \
                           left unchanged.",
                 origin: Origin::Concept,

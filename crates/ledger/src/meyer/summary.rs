@@ -83,7 +83,7 @@ pub fn claims() -> Vec<Claim> {
             .read_as("“As much as” means that no run takes longer.")
             .corrected(
                 "more than fifty milliseconds: up to 101 in Appendix E, and for the mechanisms themselves up to 103, \
-                 or up to 145 if the rise ends when the average of peak and minimum is reached",
+                 or up to 145 if the rise lasts until the average of peak and minimum is reached",
                 Slip {
                     id: "",
                     reason: "The claim disagrees with the thesis's own tables. Many of the rise times in Appendix E \
