@@ -27,7 +27,7 @@ pub fn claims() -> Vec<Claim> {
 fn plotted() -> Claim {
     PLOT.figure("jazar.fig-5.30", "plotted", "Fig. 5.30 shows the curves of Eqs. (5.27), (5.28) and (5.29)").missing(
         "The copy we had does not include the drawing, so we cannot see whether the third curve was drawn from the \
-         equation as it is in the copy, without its minus sign",
+         equation as printed in the copy, without its minus sign",
     )
 }
 

@@ -15,11 +15,11 @@ const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
     reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because the \
              printed ratio is larger than the largest value that the equation takes for six stations. We can only \
-             suggest a possible origin. If the angle has a 5 instead of the 9 in the denominator, but is the printed \
-             one in the numerator, the equation gives the printed digits. The answer to (e) is the ratio times the \
-             square of the right speed.",
-    witness: "We took the pin's position as a power series, and from it the angle at which the pin is seen from the \
-              wheel's axis. By halving intervals, we found where this angle's third derivative is zero, which is where \
+             guess at its origin: the equation gives the printed digits if the angle in the numerator is the printed \
+             one, but the angle in the denominator has a 5 in place of the 9. The answer to (e) is the ratio times the \
+             square of the driver's speed, which is right.",
+    witness: "We wrote the pin's position as a power series and derived from it the pin's direction as seen from the \
+              wheel's axis. By bisection, we found where the third derivative of this angle is zero, which is where \
               the acceleration peaks.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,

@@ -157,7 +157,7 @@ fn corrected_centre(claim: Claim) -> Claim {
                      number. Taking √3 as 1.73 would give the printed number, but the appendix itself, further down, \
                      gives √3 to one more place. It is also possible that a digit was misread, by the author or in the \
                      copy.",
-            witness: "We computed the hand-over by coordinates, with exact roots.",
+            witness: "We computed the hand-over in coordinates, with exact square roots.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Number,
             changes: "The last digit of one centre distance is wrong, but nothing is computed from it.",
@@ -170,14 +170,14 @@ fn corrected_radius(claim: Claim) -> Claim {
         "0.577",
         Slip {
             id: "",
-            reason: "The ratio of the two printed sines is one over the root of three. No rounding of the sines gives \
-                     the printed digits, and the printed centre distance does not give them either. Only the middle \
-                     digit differs, and we cannot tell whether it was misprinted or misread in the copy.",
-            witness: "We computed the hand-over by coordinates, with exact roots.",
+            reason: "The ratio of the two printed sines is one over the square root of three. No rounding of the sines \
+                     gives the printed digits, and the printed centre distance does not give them either. Only the \
+                     middle digit differs, and we cannot tell whether it is a misprint or was misread in copying.",
+            witness: "We computed the hand-over in coordinates, with exact square roots.",
             origin: Origin::Misprint,
             consequence: Consequence::Result,
             changes: "A follower cut to that radius for six pins would be too small, so each pin would leave its slot \
-                      before the next pin has entered.",
+                      before the next pin enters.",
         },
     )
 }

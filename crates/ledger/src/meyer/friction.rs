@@ -278,7 +278,7 @@ fn as_size(tex: &str) -> Option<bool> {
 
 /// A drawing of which the copy has only the caption.
 fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    let reason = "The copy we had does not contain the drawing. What the text reads off the drawing has claims of its \
-                  own";
+    let reason = "The copy we had does not contain the drawing. What the text reads off the drawing is covered by \
+                  other claims";
     at(locator).figure(id, printed, meaning).missing(reason)
 }

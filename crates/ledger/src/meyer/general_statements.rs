@@ -84,23 +84,24 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series().count(),
                 format!(
-                    "from one million to four million times the torque of the tables, the rise time goes as the power \
-                     {:.6} of the torque, with every mechanism and friction of the runs",
+                    "from one million to four million times the torque in the tables, the rise time varies as the \
+                     torque to the power {:.6}, with every mechanism at every friction value of the runs",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as("We read the sentence in this way: from some torque on, more torque does not shorten the rise.")
+        .read_as("We read the sentence as saying that, from some torque on, more torque does not shorten the rise.")
         .corrected(
-            "fall without end, in inverse proportion to the root of the torque, so that every increase of the torque \
-             reduces the rise time",
+            "fall without limit, in inverse proportion to the square root of the torque, so that every increase of the \
+             torque reduces the rise time",
             Slip {
                 id: "",
-                reason: "If the torque grows and all times shrink as the inverse of its root, Eq. (1-19) stays the \
-                         same. All times are in proportion to √(I_f/K), where I_f is the follower's inertia and K the \
-                         torque, and this root becomes as small as we like as K grows. So there is no minimum.",
-                witness: "We prove the law of similarity for the equation, and we show that it fails if the times are \
+                reason: "If the torque grows and all times shrink in inverse proportion to its square root, Eq. (1-19) \
+                         stays the same. So all times are proportional to √(I_f/K), where I_f is the follower's \
+                         inertia and K the torque. As K grows, this square root becomes as small as we like, and there \
+                         is no minimum.",
+                witness: "We proved the law of similarity for the equation and showed that it fails if the times are \
                           left unchanged.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,

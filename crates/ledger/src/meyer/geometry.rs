@@ -56,12 +56,12 @@ fn conditions() -> Vec<Claim> {
                 "as an escapement, the mechanism needs a pin engaged at every instant",
             )
             .missing(
-                "The thesis does not say whether every such escapement needs an engaged pin at every instant, or only \
-                 that this design should have one. Without an engaged pin, the follower rests. The text calls such \
-                 intermittent motion undesirable, not impossible. If the sentence only states what the designer chose, \
-                 there is nothing to test. If the sentence states a need, it is false. Even with some of the pins \
-                 taken away, and the follower held between two engagements, each of the three mechanisms comes to a \
-                 steady speed with each friction of the runs",
+                "The sentence can be read as a need of every such escapement, or as a choice made for this design, and \
+                 the thesis does not say which. Without an engaged pin, the follower rests. The text calls such \
+                 intermittent motion undesirable, not impossible. If the sentence states a choice, there is nothing to \
+                 test. If it states a need, it is false. Even with some pins taken away, and with the follower held \
+                 between engagements, each of the three mechanisms comes to a steady speed at each friction value of \
+                 the runs",
             ),
         at("Fig. 3, caption")
             .figure("meyer.fig-3", "four pin, four slot", "the mechanism that is drawn has four pins and four slots")

@@ -33,12 +33,12 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. We count a number of pins \
-                   and a number of slots as a configuration if each pin takes over from the previous one without a \
+    let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. A number of pins and a \
+                   number of slots count as a configuration if each pin takes over from the previous one without a \
                    gap, as chapter I requires. For all configurations of up to eight pins and eight slots, we tested \
-                   whether the motion reaches a terminal velocity, with the frictions of the runs and the inertias of \
-                   the runs with six pins. (With other inertias and more friction, some configurations have no \
-                   terminal velocity, and this is true of the thesis's three as well.)";
+                   whether the motion reaches a terminal velocity. In these tests we used the friction values of the \
+                   runs and the inertias of the six-pin runs. (With other inertias and more friction, some \
+                   configurations have no terminal velocity, and this is true of the thesis's three as well.)";
     vec![
         at(locator)
             .statement(
@@ -51,7 +51,7 @@ pub fn conclusion() -> Vec<Claim> {
             .read_as(reading)
             .corrected(
                 "All geometrical configurations of m pins and n slots with 1/m + 2/n < 1 and inertias that suit the \
-                 friction, in only three of which the follower is at rest at each hand-over",
+                 friction, although only in three of them is the follower at rest at each hand-over",
                 ENTRY_ALONG_THE_SLOT,
             ),
         at(locator)

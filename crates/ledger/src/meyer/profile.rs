@@ -30,11 +30,11 @@ pub fn claims() -> Vec<Claim> {
         shape(),
         scales(),
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
-            "The text does not name the run. In the four-pin runs of the tables the velocity is steady only after 29 \
-             ms or more, whether we go by the velocity at each angle or by the average of peak and minimum, and no row \
-             has the 25 ms that the text gives. The first minima of two of these runs are at times that round to 25 \
-             ms, but the rise times of these two runs are longer by half or more. Besides, the run that is drawn need \
-             not be one of the runs of the tables",
+            "The text does not name the run, and it need not be one of the runs in the tables. In the four-pin runs of \
+             the tables the velocity takes 29 ms or more to become steady, whether we go by the velocity at each angle \
+             or by the average of peak and minimum, and no row has the 25 ms that the text gives. In two of these runs \
+             the time of the first minimum rounds to 25 ms, but the rise times of these two runs are longer by half or \
+             more",
         ),
         first_minimum(),
     ]
@@ -61,10 +61,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "We ask of the printed sentence only that, with each mechanism, the curve goes up and down equally often \
-             in all runs, as far as the whole units of the tables can show it. That is the least that a shape can \
-             mean. In the correction, the shape means how deep the minimum is and how high the speed at entry is, both \
-             relative to the peak.",
+            "We hold the printed sentence only to this: with each mechanism, the curve goes up and down equally often \
+             in all runs, as far as speeds rounded to the tables' whole units can show. That is the least that “shape” \
+             can mean. In the correction, “shape” means how low the minimum is and how high the speed at entry is, \
+             both relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",
@@ -74,14 +74,14 @@ fn shape() -> Claim {
                          change how deep the minimum is relative to the peak and how fast a pin enters. They even \
                          change how often the curve goes up and down in an engagement. With six pins the speed dips \
                          shortly before the hand-over and rises again until just after it. With little friction this \
-                         second rise is too small to be seen in the tables' units, but with more friction it can be \
-                         seen. The tables themselves have curves that are not copies of each other: with four pins, \
+                         second rise is too small to show in the whole numbers of the tables, but with more friction \
+                         it shows. Even in the tables, the curves are not scaled copies of each other: with four pins, \
                          one run has a minimum of 25 and a peak of 206, and another has the same minimum but a peak of \
                          163.",
-                witness: "We computed the motions in steps of the angle.",
+                witness: "We computed the motions in small steps of the driver's angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
-                changes: "Two curves are copies of one another only if nothing but the torque is different.",
+                changes: "Two speed curves are scaled copies of each other only if nothing but the torque differs.",
             },
         )
 }
@@ -110,7 +110,7 @@ fn first_minimum() -> Claim {
     RISE.statement(
         "meyer.first-minimum",
         "by the first minimum in velocity, the driver has achieved its steady state",
-        "by the first minimum of its speed the driver moves as it always will from then on",
+        "by the first minimum of its speed, the driver has reached its steady motion",
     )
     .by(Quadrature, |stated| {
         let lacks = |(row, state): &(&Row, SteadyState)| {
@@ -127,9 +127,9 @@ fn first_minimum() -> Claim {
         achieved(stated, &groups().iter().filter_map(lacks).collect::<Vec<_>>(), groups().len())
     })
     .read_as(
-        "We take all runs, as the sentence before this one in the thesis says. Steady means within one per cent, as \
-         for the rise time. If we take only the four-pin run of Fig. 8, the claim fails too, whichever run of the \
-         tables that is.",
+        "We test the sentence on all runs, because the sentence before it in the thesis speaks of all runs. “Steady” \
+         means to within one per cent, as for the rise time. The claim also fails if it is meant only for the four-pin \
+         run of Fig. 8, whichever run of the tables that is.",
     )
     .corrected(
         "at the first minimum in velocity, the driver is still 1.8 to 28 per cent slower than at the minimum of its \
@@ -137,14 +137,14 @@ fn first_minimum() -> Claim {
         Slip {
             id: "",
             reason: "The first minimum belongs to an engagement that begins at rest. In every run it is lower than the \
-                     minimum of the steady state, and the less the friction, the lower it is. In a few runs the \
-                     difference is one unit of the tables or less, so the tables, whose speeds have no decimals, \
-                     hardly show it.",
-            witness: "We computed the motions in steps of the angle.",
+                     minimum of the steady state, and the less friction there is, the lower it is. In a few runs the \
+                     difference is 1 rad/s or less, so the tables, whose speeds have no decimals, hardly show it.",
+            witness: "We computed the motions in small steps of the driver's angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
             changes: "The time of the first minimum is no measure of the rise time, although the text takes a rise \
-                      time from it. We leave that rise time open, because its run is not named.",
+                      time from it. We leave the claim about that rise time open, because the text does not name the \
+                      run.",
         },
     )
 }

@@ -100,7 +100,8 @@ fn quantity() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "we read and evaluated the quantity and compared it with the pin's distance by coordinates",
+                    "we read and evaluated the quantity and compared it with the pin's distance computed in \
+                     coordinates",
                 )
             })
             .by(ClosedForm, |stated| {

@@ -19,13 +19,13 @@ pub const RESET_ANGLE: Slip = Slip {
 /// The inertias of the six-pin runs are swapped in the heading.
 pub const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
-    reason: "Compared with Fig. 11, the heading swaps the inertias of driver and follower. Only Fig. 11's choice \
-             gives the table's peaks, minima and periods.",
+    reason: "Compared with Fig. 11, the heading swaps the inertias of driver and follower. Only the assignment in Fig. \
+             11 gives the table's peaks, minima and periods.",
     witness: "Fig. 11 gives the driver the inertia that the heading gives the follower, and vice versa. Its two values \
-              agree with the inertias that we find from the table's results by two routes.",
+              agree with the inertias that we computed from the table's results by two routes.",
     origin: Origin::Misprint,
     consequence: Consequence::Result,
-    changes: "If you recompute the table with the inertias of its heading, you do not get the table's numbers.",
+    changes: "If you recompute the table with the inertias in its heading, you do not get the table's numbers.",
 };
 
 /// The spring's torque is called a rate.
@@ -137,7 +137,7 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
              θ'' throughout, so there is one solution: θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − D²). \
              This formula is right whatever the sign of the expression between the bars of the equation. So we need to \
              know neither that sign nor an earlier acceleration.",
-    witness: "With the factors from the mechanism by coordinates and Newton's laws, the formula gives the \
+    witness: "We took the factors from the mechanism's coordinates and Newton's laws. With them, the formula gives the \
               acceleration that these laws require.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
@@ -151,42 +151,44 @@ pub const UNEXPLAINED: Slip = Slip {
     reason: "With four pins, the program resets the driver's angle correctly, so both program and mechanism should \
              have the printed peak. But both give a higher peak. The largest speed that the program prints exceeds the \
              printed peak by more than one and a half units of the last digit. The mechanism's own peak, which we give \
-             as the right one, exceeds it by more than two and a half units. The minimum and the period of the same \
-             row fit. We do not know how the printed peak came about.",
-    witness: "The steady cycle of the mechanism, by quadrature and by Runge-Kutta steps, has a higher peak.",
+             as the right one, exceeds the printed peak by more than two and a half units. The minimum and the period \
+             in the same row do agree. We do not know how the printed peak came about.",
+    witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both give a higher \
+              peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The printed peak of the row is too low by more than one per cent.",
+    changes: "The peak printed in this row is too low by more than one per cent.",
 };
 
 /// The greatest printed speed is taken for the greatest.
 pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
     reason: "The print-out has one line for each print interval, so the true peak falls between two lines, sometimes \
-             nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak lasts, \
-             and the more of the peak's height the lines miss. The peaks of the steady motion themselves are equal, \
-             and they grow as the root of the torque.",
-    witness: "If the program prints far more often, with everything else as in the listing, its peaks are equal.",
+             nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak, and the \
+             more of its height the lines miss. The true peaks of the steady motion are all equal, and they grow as \
+             the square root of the torque.",
+    witness: "If the program prints far more often, with everything else as in the listing, the peaks that it prints \
+              are equal.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "There is nothing in the mechanism to investigate, because the oscillations disappear if the lines of the \
-              print-out are closer together. Where the true peak lasts only a short time, the printed peak is too \
-              small.",
+    changes: "There is nothing in the mechanism to investigate, because the oscillations disappear if the print-out \
+              has more lines per second. Where the true peak lasts only a short time, the printed peak is too low.",
 };
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
 pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     id: "meyer.conclusion.three",
-    reason: "A pin strikes the slot's wall if pin and wall have different velocities across the slot. So if the \
-             follower is at rest, the pin must move along the slot. But if the follower turns, the pin must move \
-             across the slot as fast as the wall does. The velocity ratio is an even function of the driver's angle. \
-             Therefore the leaving pin and the entering pin require the same speed of the follower, and nothing \
+    reason: "An entering pin strikes the slot's wall if pin and wall have different velocities across the slot. So if \
+             the follower is at rest, the pin must move along the slot. But if the follower is turning, the pin's \
+             velocity across the slot must equal the wall's. The velocity ratio is an even function of the driver's \
+             angle. Therefore the leaving pin and the entering pin require the same speed of the follower, and nothing \
              strikes. This holds for any numbers of pins and slots that are large enough to make a mechanism. For \
              example, take five pins, five slots and a centre distance of the golden ratio times the crank radius. \
              Each pin then takes over from the pin before it without a blow, although the follower never stops. Eq. \
-             (1-3) says which mechanisms have the follower at rest at each hand-over, and there are three.",
-    witness: "We checked pins and slots by coordinates. We also computed, in steps and with friction, the motion of \
-              mechanisms with other numbers of pins and slots, and each of these motions reaches a terminal velocity.",
+             (1-3) selects the mechanisms whose follower is at rest at each hand-over, and there are three of them.",
+    witness: "We used coordinates to check pins and slots. We also computed, by integration in steps and with \
+              friction, how mechanisms with other numbers of pins and slots move. Each of them reaches a terminal \
+              velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
     changes: "There are more than three mechanisms to choose from, because in many other mechanisms, too, each pin \

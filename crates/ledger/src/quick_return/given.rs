@@ -75,10 +75,11 @@ pub fn claims() -> Vec<Claim> {
         DRAWING
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
-                "The copy we had does not include the drawing. The lengths and the angle follow from the solution, and \
-                 so does the point of the crank's circle where the pin is, the far one. But the solution does not show \
-                 on which side of the line of centres the lever is. Without that side, we do not know the senses of \
-                 the sliding, of the Coriolis acceleration and of the lever's angular acceleration",
+                "The copy we had does not include the drawing. The lengths and the angle follow from the solution. So \
+                 does the place of the pin on the crank's circle: of the two possible points, it is the far one. But \
+                 the solution does not show on which side of the line of centres the lever is. Without knowing the \
+                 side, we cannot tell the senses of the sliding, of the Coriolis acceleration and of the lever's \
+                 angular acceleration",
             ),
     ]
 }

@@ -228,7 +228,7 @@ fn freecad() -> Claim {
         .corrected(
             "m = c z/a, R = b z/a",
             cut_in_the_middle(
-                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.17 mm, although the \
+                "The tips of the wheel's horns (the walls beside the slots) run into the disc by 0.17 mm, although the \
                  play is 0.01 mm. The program computes the radius b z/a, which would clear the horns, but it does not \
                  use this radius. The version of the macro that opens a window does.",
             ),
@@ -271,7 +271,7 @@ fn freecad_arcs() -> Claim {
             slip(
                 "While the wheel rests, the disc turns in one of the wheel's arcs, so the arc's centre must be on the \
                  driver's axis. In the program, the disc's radius is the radius of the arcs less the tolerance.",
-                "We checked points all along an arc, by coordinates.",
+                "We used coordinates to check points all along an arc.",
                 "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
                  loose when it should rest. The version of the macro that opens a window puts this centre on the \
                  driver's axis.",
@@ -355,13 +355,13 @@ fn sdfx() -> Claim {
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as(
-            "We put the pin where the program puts it, although the wheel then starts with a jump of its speed. We \
-             only ask whether the horns clear the disc.",
+            "We put the pin where the program puts it, although the wheel then starts with a jump in speed. We ask \
+             only whether the horns clear the disc.",
         )
         .corrected(
             "a cut whose edges are where the pin enters and leaves",
             cut_in_the_middle(
-                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.05 mm, although the \
+                "The tips of the wheel's horns (the walls beside the slots) run into the disc by 0.05 mm, although the \
                  clearance is 0.1 mm on either side.",
             ),
         )

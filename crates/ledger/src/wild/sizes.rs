@@ -3,7 +3,7 @@
 use super::fit::ANY;
 use super::*;
 
-const TWICE: &str = "The foot of the perpendicular from the driver's axis on the slot's line confirms the corrected \
+const TWICE: &str = "The foot of the perpendicular from the driver's axis to the slot's line confirms the corrected \
                      form for 3 to 60 slots.";
 
 pub fn claims() -> Vec<Claim> {
@@ -107,7 +107,7 @@ fn wrong() -> Vec<Claim> {
         )
         .read_as(
             "The page says that the pin sits at the driver's radius. We use the right centre distance. With the page's \
-             own formula for the centre distance, the pin's distance is right for six slots alone, and even then the \
+             own formula for the centre distance, the pin's distance is right for six slots only, and even then the \
              wheel's radius does not fit.",
         )
         .corrected(
@@ -118,7 +118,7 @@ fn wrong() -> Vec<Claim> {
                  the wheel, in a slot, so the pin's circle must cut the wheel's rim.",
                 TWICE,
                 "The pin's circle touches the wheel's rim from outside. So the pin never enters a slot, and the wheel \
-                 is not moved.",
+                 does not move.",
             ),
         )
         .in_places(2),
@@ -131,8 +131,8 @@ fn wrong() -> Vec<Claim> {
             centres_by_the_root,
         )
         .read_as(
-            "We take the pin radius as the radius of the pin's circle. With the radius of the pin itself, or of the \
-             wheel, the formula holds for no integer number of slots either.",
+            "We take the pin radius as the radius of the pin's circle. If we take it as the radius of the pin itself \
+             or of the wheel, the formula does not hold for any integer number of slots either.",
         )
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
@@ -345,7 +345,7 @@ fn of_four() -> Vec<Claim> {
             DRIVE,
             "wild.firgelli-drive.centres",
             r"C = R \sqrt{2}",
-            "centre distance of a wheel of four slots",
+            "centre distance of a wheel with four slots",
             4..=4,
             |fit| vec![("C", fit.centres), ("R", fit.crank)],
         ),

@@ -24,7 +24,10 @@ pub fn claims() -> Vec<Claim> {
                 let room = |slots| 2.0 * PI * (1.0 + 1e-12) / Fit::by_vectors(slots).moving;
                 steps(stated, Fit::by_vectors, |slots| PINS.rev().find(|pins| f64::from(*pins) <= room(slots)))
             })
-            .read_as("We take wheels with 3 to 18 slots, with one pin or with as many as there is room for.")
+            .read_as(
+                "We take wheels with 3 to 18 slots, and drivers with one pin or with as many pins as there is room \
+                 for.",
+            )
             .corrected(
                 "3 to 18 steps per turn of the wheel",
                 Slip {
@@ -33,9 +36,8 @@ pub fn claims() -> Vec<Claim> {
                     ..slip(
                         "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
                          of steps in a turn of the wheel. A turn of the driver makes one step for each pin. At most \
-                         six pins fit, and only with a wheel of three slots. So there are 1 to 6 steps in a turn of \
-                         the driver.",
-                        "Each move takes a certain part of a turn of the driver, and one turn has no room for as many \
+                         six pins fit, and only with three slots. So there are 1 to 6 steps in a turn of the driver.",
+                        "Each move takes a certain part of a turn of the driver, so one turn has no room for as many \
                          moves as the page says.",
                         "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
                     )
@@ -98,8 +100,8 @@ pub fn claims() -> Vec<Claim> {
                     consequence: Consequence::Remark,
                     ..slip(
                         "Wheels of three and of four slots work, and all formulas of the page hold for them.",
-                        "By coordinates, in a wheel with three slots the pin comes into a slot and leaves it again, \
-                         but in a wheel with two it never does.",
+                        "Coordinates show that the pin enters a slot and leaves it again in a wheel with three slots, \
+                         but never in a wheel with two.",
                         "The commonest wheel, which has four slots, is excluded by the page.",
                     )
                 },

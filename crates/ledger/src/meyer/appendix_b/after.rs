@@ -99,7 +99,7 @@ fn lines() -> Vec<Claim> {
                 let holds = program::holds(&line);
                 Finding::new(
                     holds == Some(true),
-                    "we read and evaluated the equation and compared it with the mechanism by coordinates",
+                    "we read and evaluated the equation and compared it with the mechanism computed in coordinates",
                 )
             })
             .but_not("it is the derived equation without S"),
@@ -212,7 +212,7 @@ fn angle() -> Vec<Claim> {
                         });
                         agrees(leaving, entering)
                     },
-                    "we used the same speed and acceleration of the driver for both pins, by coordinates",
+                    "we used the same speed and acceleration of the driver for both pins, in coordinates",
                 )
             })
             .but_not("it takes over the follower's acceleration too"),

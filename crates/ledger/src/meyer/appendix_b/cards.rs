@@ -90,7 +90,8 @@ fn letter<const N: usize>(
             });
             Finding::new(
                 holds,
-                "we read and evaluated the lines that contain it, and compared them with the mechanism by coordinates",
+                "we read and evaluated the lines that contain it, and compared them with the mechanism computed in \
+                 coordinates",
             )
         })
         .but_not(neighbour)

@@ -62,9 +62,9 @@ fn solved() -> Vec<Claim> {
             })
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
-                "“To solve” means to find a formula that gives the acceleration in terms of the other letters. The \
-                 text goes on to replace the bars by a sign, which it takes from an older acceleration. Whether the \
-                 computer needed this is a question for other sentences, and we leave those open.",
+                "We read “solved” as having a formula that gives the acceleration in terms of the other letters. The \
+                 text goes on to replace the bars by a sign, which it takes from an earlier acceleration. Whether the \
+                 computer needed this is a question for other claims, which we leave open.",
             ),
         PROGRAM
             .statement(
@@ -266,7 +266,10 @@ fn described() -> Vec<Claim> {
                     };
                     program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
                 });
-                Finding::new(holds, "we read and evaluated each line and compared it with the mechanism by coordinates")
+                Finding::new(
+                    holds,
+                    "we read and evaluated each line and compared it with the mechanism computed in coordinates",
+                )
             })
             .but_not("C and D are swapped"),
         PROGRAM
