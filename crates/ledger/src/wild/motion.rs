@@ -100,8 +100,8 @@ fn formulas() -> Vec<Claim> {
                      factor.",
                     TWICE,
                     "The speed is too high by a factor of the centre distance over the crank radius: 1.4 times the \
-                     right speed at four slots, and twice the right speed at six. Loads that grow as the square of the \
-                     speed are four times too high at six slots.",
+                     right speed with four slots, and twice the right speed with six. Loads that grow as the square of \
+                     the speed are four times too high with six slots.",
                 )
             },
         ),

@@ -35,7 +35,7 @@ pub fn texts() -> anyhow::Result<Table> {
         "Texts that we had not looked at before, those of the third round in the order in which they were run, and the flags on a \
          number",
         Cells::NamedNumbers,
-        &["Text", "Format", "Chains checked", "Flags", "Really wrong", "Rounding, convention", "Misread"],
+        &["Text", "Format", "Chains checked", "Flags", "Real errors", "Rounding, convention", "Misread"],
         rows.into_iter().map(Ok).collect::<Vec<_>>(),
     )
 }
