@@ -205,6 +205,28 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         self.integral(|load| load.crank_torque)
     }
 
+    /// The torque at the crank with a pin that rubs in its slot with this coefficient of friction (zero or more): the greatest, and
+    /// the mean over the driver's turn, in N m, at two thousand equal steps of the index.
+    ///
+    /// The power of the friction, the force of the pin times its speed along the slot, comes on top.
+    ///
+    /// # Errors
+    ///
+    /// None for the angles of an index.
+    pub fn rubbing_crank_torque(&self, friction: f64) -> Result<(f64, f64), KinematicsError> {
+        const STEPS: u32 = 2000;
+        let end = self.wheel.engagement_half_angle();
+        let (mut peak, mut sum) = (0.0_f64, 0.0);
+        for step in 0..STEPS {
+            let crank = end * (2.0 * (f64::from(step) + 0.5) / f64::from(STEPS) - 1.0);
+            let (load, pin) = (self.at(crank)?, self.wheel.pin_in_slot(crank)?);
+            let torque = load.crank_torque + friction * (load.pin_moment * pin.radius_rate).abs();
+            peak = peak.max(torque);
+            sum += torque * 2.0 * end / f64::from(STEPS);
+        }
+        Ok((peak, sum * f64::from(self.wheel.pins()) / TAU))
+    }
+
     /// The greatest in the first half, and the least where the pin holds the wheel back.
     fn peaks(&self, of: fn(&Load) -> f64, rate: impl Fn(f64) -> f64) -> Peaks {
         let value = |crank: f64| self.at(crank).map_or(0.0, |load| of(&load));

@@ -26,6 +26,7 @@ mod regions;
 mod search;
 mod shared_tolerance;
 mod sizes;
+mod standard_fit;
 mod warnings;
 
 pub use centres::CentreTolerance;
@@ -43,4 +44,5 @@ pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{Entry, EntryContact, Knock};
 pub use shared_tolerance::SharedTolerance;
 pub use sizes::{Choices, LockingDisc, Play, Scale, Sizes};
+pub use standard_fit::play_of_h8_e8;
 pub use warnings::Warning;

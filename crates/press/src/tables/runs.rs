@@ -3,7 +3,7 @@
 use crate::html::{Cells, Table, table};
 use crate::lookup::judged;
 use crate::numbers::{fixed, signed};
-use crate::rows::engagement;
+use crate::rows::NONE;
 use anyhow::Context;
 use geneva_case1973::choice::rows_of as table_of;
 use geneva_case1973::fitted::{Freed, most_within_one};
@@ -306,18 +306,18 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
 }
 
 fn printed_and_right(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Vec<String>> {
-    let steady = engagement(row, hypothesis)?.steady_state()?;
+    let [peak, minimum, period] = hypothesis.results(row).context(NONE)?;
     let off = |column, value: f64| signed(100.0 * (row.number(column) / value - 1.0), 0);
     let printed = |column| row.printed(column).to_owned();
     Ok(vec![
         printed(Column::Friction),
         printed(Column::Torque),
         printed(Column::Peak),
-        format!("{:.1}", steady.peak.speed),
-        off(Column::Peak, steady.peak.speed),
+        format!("{peak:.1}"),
+        off(Column::Peak, peak),
         printed(Column::Minimum),
-        format!("{:.2}", steady.minimum.speed),
+        format!("{minimum:.2}"),
         printed(Column::Period),
-        format!("{:.5}", steady.period),
+        format!("{period:.5}"),
     ])
 }
