@@ -258,7 +258,8 @@ fn described() -> Vec<Claim> {
                         "D" => "C",
                         other => other,
                     };
-                    program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
+                    program_letters::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged)))
+                        == Some(true)
                 });
                 Finding::new(holds, "we read and evaluated each line and compared it with the mechanism by coordinates")
             })
