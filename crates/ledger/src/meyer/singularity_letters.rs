@@ -26,7 +26,7 @@ pub fn on_the_axis_by_cosine() -> Condition {
 }
 
 /// The letters, the ratio, and the square of the pin's distance from the follower's axis.
-fn pin() -> Condition {
+fn pin() -> (Moment<Expression>, Expression, Expression) {
     let [ratio, half] = from_fn(Expression::variable);
     let crank = Turn::from_half_tangent(&half);
     let letters = Moment::default().with([("a", ratio)]).with_angles([(r"\theta_\infty", angle(&crank))]);
