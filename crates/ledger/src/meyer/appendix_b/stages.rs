@@ -115,6 +115,6 @@ pub fn power_of_two(ratio: f64) -> Option<i32> {
 pub fn of_order(order: i32, ratio: f64) -> Finding {
     Finding::new(
         power_of_two(ratio) == Some(order),
-        format!("with half the step the error of a run is {ratio:.1} times smaller"),
+        format!("with half the step, the error of a run is {ratio:.1} times smaller"),
     )
 }
