@@ -1,8 +1,12 @@
 //! The estimate of the inertias: two steel discs.
 
 use super::parameters::AFTER_THE_LIST;
+use super::reading::Moment;
 use super::*;
-use crate::Dimension as Exponents;
+use crate::{Decimal, Dimension as Exponents, Vocabulary};
+use geneva_kinematics::Expression;
+use std::array::from_fn;
+use std::sync::OnceLock;
 
 const FORMULA: Place = at("Chapter II, 1st display of I");
 const NUMBERS: Place = at("Chapter II, 2nd display of I");
@@ -105,13 +109,8 @@ fn estimate() -> Vec<Claim> {
                 r"I = \frac{1}{2} \pi m r^4 t",
                 "moment of inertia of a disc about its axis, by density, radius and thickness",
             )
-            .by(ClosedForm, || {
-                let (density, radius, thickness) = (1.5, 0.75, 0.25);
-                let sum = of_rings(density, radius, thickness);
-                let letters = [("m", density), ("r", radius), ("t", thickness)].map(|(n, v)| (n.to_owned(), v)).into();
-                same(reading::value(right_side("meyer.disc"), &letters), sum)
-            })
-            .by(Dimension, || {
+            .in_letters(DISC)
+            .also_by(Dimension, || {
                 // In other units, 2, 3 and 5 times as small for length, time and force, the numbers grow so.
                 let grown = |of: Exponents| {
                     [(2.0, of.length), (3.0, of.time), (5.0, of.force)]
@@ -127,8 +126,7 @@ fn estimate() -> Vec<Claim> {
                     reading::value(right_side("meyer.disc"), &quantities.map(number).into())
                 };
                 same(by(true) / by(false), grown(mass() * volume(2)))
-            })
-            .read_by(holds_for_a_disc),
+            }),
         FORMULA
             .statement(
                 "meyer.letter-m",
@@ -160,12 +158,11 @@ fn estimate() -> Vec<Claim> {
                 "moment of inertia with the numbers put in, where a weight per volume over the acceleration of \
                  gravity is a mass density",
             )
-            .by(Dimension, || unit_of_the_estimate(AS_PRINTED))
-            .corrected_form(|| unit_of_the_estimate(PUT_RIGHT))
-            .by(ClosedForm, || {
+            .in_letters(ESTIMATE)
+            .also_by(ClosedForm, || {
                 // The same disc in kilograms and metres, with the weight of a cubic inch for a mass.
                 let torque = POUND * 9.806_65 * INCH;
-                let of = |data: Data| {
+                let of = |data: Data<f64>| {
                     let [radius, thickness] = [data.diameter / 2.0, data.thickness].map(|inches| inches * INCH);
                     PI / 2.0 * metric_density(steel()) * radius * radius * radius * radius * thickness / torque
                 };
@@ -178,7 +175,6 @@ fn estimate() -> Vec<Claim> {
                     format!("{metric:.4e} in lb sec² by way of metres and kilograms, {inches:.4e} as corrected"),
                 )
             })
-            .read_by(holds_for_the_estimate)
             .corrected(
                 PUT_RIGHT,
                 Slip {
@@ -256,31 +252,69 @@ fn sizes(stated: Stated) -> [f64; 2] {
     [diameter + stated.pick(0.0, 0.1), thickness]
 }
 
-/// Whether a formula for the moment of inertia holds for a disc made of rings.
-fn holds_for_a_disc(tex: &str) -> Option<bool> {
-    let moments = [(1.5, 0.75, 0.25), (0.5, 1.25, 2.0)].map(|(density, radius, thickness)| {
-        let letters = [("m", density), ("r", radius), ("t", thickness), ("I", of_rings(density, radius, thickness))];
-        reading::Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
+/// A disc: its moment of inertia by rings, exactly, and by strips.
+const DISC: Vocabulary = Vocabulary::new(disc_of_rings, ClosedForm, discs_of_strips);
+/// The disc of the sentences around the estimate, in units of any size.
+const ESTIMATE: Vocabulary = Vocabulary::new(estimate_by_rings, ClosedForm, estimate_by_strips);
+
+/// Variables: π, density, radius, thickness.
+fn disc_of_rings(_: i64) -> Moment<Expression> {
+    let [pi, density, radius, thickness] = from_fn(Expression::variable);
+    Moment::default()
+        .with([(r"\pi", pi), ("m", density), ("r", radius), ("t", thickness)])
+        .with([("I", of_rings(pi, [density, radius, thickness]))])
+}
+
+/// Variables: π, and the inch, the pound and the second in other units.
+fn estimate_by_rings(_: i64) -> Moment<Expression> {
+    let [pi, inch, pound, second] = from_fn(Expression::variable);
+    let units = [(r"\pi", pi), (r"\text{in}", inch), (r"\text{lb}", pound), (r"\text{sec}", second)];
+    let exactly = Data::in_sentences().and_then(|data| data.map(exactly));
+    let inertia = exactly.map(|Data { density, gravity, diameter, thickness }| {
+        of_rings(pi, [density / gravity, diameter / 2, thickness]) * pound * second * second * inch
     });
-    reading::holds(tex, &moments)
+    Moment::default().with(units).with(inertia.map(|inertia| ("I", inertia)))
 }
 
-/// Whether the estimate of the moment of inertia holds for the numbers of the text around it, in units of any size.
-fn holds_for_the_estimate(tex: &str) -> Option<bool> {
-    let Data { density, gravity, diameter, thickness } = data_of_the_sentences()?;
-    let (inch, pound, second) = (2.0, 3.0, 5.0);
-    // By discs of so many inches, in pounds, seconds and inches.
-    let inertia = of_rings(density / gravity, diameter / 2.0, thickness) * pound * second * second * inch;
-    let letters = [("in", inch), ("lb", pound), ("sec", second), ("I", inertia)];
-    let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
-    reading::holds(tex, &[reading::Moment::of(letters)])
+/// Moment of inertia of a disc with this density, radius and thickness: the mass of its rings times the square of their
+/// radius, by Simpson's rule, which is exact for cubes.
+fn of_rings(pi: Expression, [density, radius, thickness]: [Expression; 3]) -> Expression {
+    let ring = |at: Expression| 2 * pi * at * density * thickness * at * at;
+    radius / 6 * (ring(Expression::ZERO) + 4 * ring(radius / 2) + ring(radius))
 }
 
-/// Moment of inertia of a disc: the mass of its rings times the square of their radius, by Simpson's rule, which is
-/// exact for cubes.
-fn of_rings(density: f64, radius: f64, thickness: f64) -> f64 {
-    let ring = |at: f64| density * thickness * 2.0 * PI * at * at * at;
-    radius / 6.0 * (ring(0.0) + 4.0 * ring(radius / 2.0) + ring(radius))
+fn discs_of_strips() -> &'static [Moment] {
+    static FOUND: OnceLock<Vec<Moment>> = OnceLock::new();
+    let disc = |[density, radius, thickness]: [f64; 3]| {
+        let inertia = of_strips(density, radius, thickness);
+        Moment::default().with([("m", density), ("r", radius), ("t", thickness), ("I", inertia)])
+    };
+    FOUND.get_or_init(|| [[1.5, 0.75, 0.25], [0.5, 1.25, 2.0]].map(disc).into())
+}
+
+fn estimate_by_strips() -> &'static [Moment] {
+    static FOUND: OnceLock<Vec<Moment>> = OnceLock::new();
+    FOUND.get_or_init(|| {
+        let Some(Data { density, gravity, diameter, thickness }) = data_of_the_sentences() else { return Vec::new() };
+        let (inch, pound, second) = (2.0, 3.0, 5.0);
+        // By discs of so many inches, in pounds, seconds and inches.
+        let inertia = of_strips(density / gravity, diameter / 2.0, thickness) * pound * second * second * inch;
+        let units = [(r"\text{in}", inch), (r"\text{lb}", pound), (r"\text{sec}", second)];
+        vec![Moment::default().with(units).with([("I", inertia)])]
+    })
+}
+
+/// Moment of inertia of a disc: twice the moment about a diameter, of strips along it, by the rule of Gauss and Chebyshev for
+/// chords, which is exact here.
+fn of_strips(density: f64, radius: f64, thickness: f64) -> f64 {
+    const STRIPS: u32 = 4;
+    let strip = |k: u32| {
+        let angle = PI * f64::from(k) / f64::from(STRIPS + 1);
+        let (sine, cosine) = libm::sincos(angle);
+        let (away, half_chord_by_width) = (radius * cosine, sine * sine * PI / f64::from(STRIPS + 1));
+        2.0 * radius * radius * half_chord_by_width * away * away
+    };
+    2.0 * density * thickness * (1..=STRIPS).map(strip).sum::<f64>()
 }
 
 /// Densities of steels in kg/m³, as handbooks have them.
@@ -315,15 +349,41 @@ fn metric_density(weight: f64) -> f64 {
     weight * POUND / (INCH * INCH * INCH)
 }
 
-/// The numbers of the estimate, from the display that has them all.
-struct Data {
-    density: f64,
-    gravity: f64,
-    diameter: f64,
-    thickness: f64,
+/// The numbers of the estimate.
+struct Data<T> {
+    density: T,
+    gravity: T,
+    diameter: T,
+    thickness: T,
 }
 
-fn data() -> Option<Data> {
+impl Data<String> {
+    /// As the sentences around the estimate print them.
+    fn in_sentences() -> Option<Self> {
+        let first = |id: &str| characters(id).split(' ').next().map(str::to_owned);
+        let [diameter, thickness] = numeric_tokens(characters("meyer.like-discs")).try_into().ok()?;
+        Some(Self { density: first("meyer.steel")?, gravity: first("meyer.gravity")?, diameter, thickness })
+    }
+
+    fn map<T>(self, read: impl Fn(&str) -> Option<T>) -> Option<Data<T>> {
+        Some(Data {
+            density: read(&self.density)?,
+            gravity: read(&self.gravity)?,
+            diameter: read(&self.diameter)?,
+            thickness: read(&self.thickness)?,
+        })
+    }
+}
+
+/// A printed decimal, exactly.
+fn exactly(number: &str) -> Option<Expression> {
+    let exact = number.parse::<Decimal>().ok()?.exact();
+    let [above, below] = [exact.numerator().clone(), exact.denominator().clone().into()].map(i64::try_from);
+    Some(Expression::integer(above.ok()?) / Expression::integer(below.ok()?))
+}
+
+/// The numbers of the estimate, from the display that has them all.
+fn data() -> Option<Data<f64>> {
     let tokens = numeric_tokens(characters("meyer.disc.numbers"));
     let number = |at: usize| tokens.get(at)?.parse::<f64>().ok();
     // The first number stands behind a bare point: three digits of it.
@@ -331,10 +391,8 @@ fn data() -> Option<Data> {
 }
 
 /// The data as the sentences around the estimate state them.
-fn data_of_the_sentences() -> Option<Data> {
-    let [diameter, thickness] = sizes(Stated::right(characters("meyer.like-discs")));
-    let gravity = characters("meyer.gravity").split(' ').next()?.parse::<f64>().ok()?;
-    Some(Data { density: steel(), gravity, diameter, thickness })
+fn data_of_the_sentences() -> Option<Data<f64>> {
+    Data::in_sentences()?.map(|number| number.parse().ok())
 }
 
 /// The number of the paragraph before the estimate; it begins with its point.
@@ -350,16 +408,4 @@ pub fn volume(power: u32) -> Exponents {
 /// A force over an acceleration.
 pub fn mass() -> Exponents {
     Exponents::FORCE * Exponents::TIME * Exponents::TIME / Exponents::LENGTH
-}
-
-/// Whether the estimate has the unit of its result if the weight is per so many inches multiplied as its characters
-/// say.
-fn unit_of_the_estimate(characters: &str) -> Finding {
-    let behind = characters.split_once("lb/in}").map_or("", |(_, behind)| behind);
-    let exponent = behind.strip_prefix('^').and_then(|power| power.chars().next()?.to_digit(10));
-    let density =
-        Exponents::FORCE / volume(exponent.unwrap_or(1)) / (Exponents::LENGTH / Exponents::TIME / Exponents::TIME);
-    let found = density * volume(4) * Exponents::LENGTH;
-    let wanted = Exponents::FORCE * Exponents::LENGTH * Exponents::TIME * Exponents::TIME;
-    Finding::new(found == wanted, format!("the unit is {found}; the unit printed with the result is {wanted}"))
 }

@@ -34,6 +34,7 @@ mod rates;
 mod recommendations;
 pub mod runs;
 mod singularity;
+mod singularity_letters;
 mod slips;
 mod spring;
 mod study;

@@ -5,11 +5,14 @@
 //! more.
 
 use super::instants::moments;
-use super::reading::{Letters, Moment};
+use super::reading::{Letters, Moment, decide_multiple};
+use super::singularity_letters::{
+    Condition, nearest_on_the_axis, nearest_on_the_axis_by_cosine, on_the_axis, on_the_axis_by_cosine, ratio_of_one,
+    ratio_of_one_by_sine,
+};
 use super::*;
 use crate::agreement::{joined, joined_numbers};
 use geneva_dynamics::existence::least_margin;
-use geneva_dynamics::singularity::{AtOne, BoundAsSquare, SingularAngle};
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
@@ -128,7 +131,7 @@ fn quantity() -> Vec<Claim> {
                 r"1 + a^2 - 2a \cos \theta_\infty = 0",
                 "condition for an angle at which 1 + a² − 2a cos θ would be zero",
             )
-            .proven(SingularAngle)
+            .decided(|tex| decide_multiple(tex, on_the_axis))
             .read(ClosedForm, with_imaginary_angles),
         at("2nd display of θ_∞")
             .equation(
@@ -136,7 +139,7 @@ fn quantity() -> Vec<Claim> {
                 r"\theta_\infty = \cos^{-1} \left(\frac{1 + a^2}{2a} \right)",
                 "the angle at which 1 + a² − 2a cos θ would be zero",
             )
-            .proven(SingularAngle)
+            .decided(|tex| decide_multiple(tex, on_the_axis_by_cosine))
             .read(ClosedForm, with_imaginary_angles),
     ]
 }
@@ -153,24 +156,28 @@ fn bounds() -> Vec<Claim> {
             "1st inequality",
             "a cosine is at most one",
             r"\left(\frac{1 + a^2}{2a} \right) \leq 1",
+            nearest_on_the_axis_by_cosine,
         ),
         bound(
             "meyer.singularity.cleared",
             "2nd inequality",
             "the first inequality multiplied by 2a",
             r"1 + a^2 \leq 2a",
+            nearest_on_the_axis,
         ),
         bound(
             "meyer.singularity.collected",
             "3rd inequality",
             "the second inequality with all its terms on one side",
             r"a^2 - 2a + 1 \leq 0",
+            nearest_on_the_axis,
         ),
         bound(
             "meyer.singularity.square",
             "4th inequality",
             "the third inequality written as a square",
             r"(a - 1)^2 \leq 0",
+            nearest_on_the_axis,
         ),
         at("Line after the inequalities")
             .statement("meyer.singularity.only-one", "a = 1", "1 + a² − 2a cos θ can be zero only for a ratio of one")
@@ -206,7 +213,7 @@ fn slots() -> Vec<Claim> {
                 r"a = \frac{1}{\sin(\pi/n)} = 1",
                 "the condition that the ratio is one, by Eq. (1-2)",
             )
-            .proven(AtOne)
+            .decided(|tex| decide_multiple(tex, ratio_of_one))
             .read(ClosedForm, only_for_two),
         at("2nd display before the substitutions of Eq. (1-19)")
             .equation(
@@ -214,7 +221,7 @@ fn slots() -> Vec<Claim> {
                 r"\sin\left(\frac{\pi}{n}\right) = 1",
                 "the same condition for the sine",
             )
-            .proven(AtOne)
+            .decided(|tex| decide_multiple(tex, ratio_of_one_by_sine))
             .read(ClosedForm, only_for_two),
         END.statement("meyer.singularity.two-slots", "n=2", "only two slots would give a ratio of one")
             .by(ClosedForm, |stated| {
@@ -366,8 +373,28 @@ fn divisors(display: &str) -> Option<Vec<bool>> {
 }
 
 /// One of the four inequalities; all are one statement.
-fn bound(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    at(locator).equation(id, printed, meaning).proven(BoundAsSquare).read(ClosedForm, only_for_one)
+fn bound(
+    id: &'static str,
+    locator: &'static str,
+    meaning: &'static str,
+    printed: &'static str,
+    letters: fn() -> Condition,
+) -> Claim {
+    let decide = move |tex: &str| match at_most(tex) {
+        Some(apart) => decide_multiple(&apart, letters),
+        None => Finding::of_reading(None),
+    };
+    at(locator).equation(id, printed, meaning).decided(decide).read(ClosedForm, only_for_one)
+}
+
+/// An inequality as an equation of the lesser side and the greater one, in this order; none if it is no inequality.
+fn at_most(tex: &str) -> Option<String> {
+    let lesser_first = tex.split_once(r"\leq");
+    let [lesser, greater] = match tex.split_once(r"\geq") {
+        Some((greater, lesser)) => [lesser, greater],
+        None => lesser_first?.into(),
+    };
+    Some(format!("{lesser} = {greater}"))
 }
 
 fn named((name, value): (&str, f64)) -> (String, f64) {
