@@ -174,6 +174,9 @@ fn scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token>) {
         out.push(match (function, of.as_str()) {
             (Function::Log, "10") => Token::new(Kind::Function(Function::Lg), span),
             (Function::Log, "e") => Token::new(Kind::Function(Function::Ln), span),
+            (Function::Log, base) if base.parse().is_ok_and(|base: u8| base > 1) => {
+                Token::new(Kind::Function(Function::LogTo(base.parse().unwrap_or(2))), span)
+            }
             _ => unknown("a function with a subscript", span),
         });
         return;
