@@ -185,7 +185,13 @@ impl Check<'_> {
             // In running text, what comes before a sign of a sum or a product was not read.
             let lacks_its_start = formula.written == Written::Plain
                 && chain.sides[0].tokens.first().is_some_and(|first| first.is_one_of("+×·/"));
-            let from = usize::from((at == 0 && formula.continues) || lacks_its_start);
+            // A digit close before a formula is a factor that was left outside.
+            let glued = formula.written == Written::Formula
+                && self
+                    .text
+                    .get(..formula.span.start as usize)
+                    .is_some_and(|before| before.ends_with(|c: char| c.is_ascii_digit()));
+            let from = usize::from((at == 0 && (formula.continues || glued)) || lacks_its_start);
             let to = trusted - usize::from(at == last && formula.goes_on);
             self.chain(chain, formula, from..to, at == last);
         }
