@@ -119,7 +119,8 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
     for (at, token) in tokens.iter().enumerate() {
         let next = tokens.get(following[at + 1]);
         // Behind the signs of because and for all, the row says why or where it holds.
-        in_remark = (in_remark || (in_row && token.is_one_of("∵∀"))) && token.kind != Kind::Line;
+        let for_all = token.is('∀') && next.is_some_and(|next| !matches!(next.kind, Kind::Operator(_)));
+        in_remark = (in_remark || (in_row && (token.is('∵') || for_all))) && token.kind != Kind::Line;
         in_row = (in_row || !token.is_space()) && token.kind != Kind::Line;
         if in_remark {
             continue;

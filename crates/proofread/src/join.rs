@@ -394,7 +394,10 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
             at = last + 1;
             continue;
         }
-        if tokens[at..].len() > 2 && tokens[at..at + 3].iter().all(|token| token.is('.')) {
+        // Dots behind a number are its further digits, others are terms that are left out.
+        let follows_number = out.last().is_some_and(|last| last.number().is_some());
+        let dots = tokens[at..].iter().take(3).filter(|token| token.is('.')).count();
+        if dots == 3 && !follows_number {
             out.push(unknown("…", token.span));
             at += 3;
             continue;
