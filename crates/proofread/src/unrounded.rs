@@ -158,7 +158,7 @@ fn changed(side: &[Token], digits: &dyn Fn(&Number) -> Option<String>) -> Option
     change(&mut out, digits).then_some(out)
 }
 
-fn change(tokens: &mut Vec<Token>, digits: &dyn Fn(&Number) -> Option<String>) -> bool {
+fn change(tokens: &mut [Token], digits: &dyn Fn(&Number) -> Option<String>) -> bool {
     let mut any = false;
     for at in 0..tokens.len() {
         let is_ten =
