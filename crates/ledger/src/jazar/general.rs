@@ -5,6 +5,7 @@ use super::letters::{ANY, PARTS, SIZES};
 use super::*;
 use crate::tex::{Letters, value};
 use crate::vocabulary::equal_to;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::{Expression, Identity, prove};
 
 const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle of the pin's centre, because the \
