@@ -186,7 +186,7 @@ impl Unchecked<Decision> {
 
     /// Reads an equation whose characters leave something out, as [`Unchecked::in_letters`] does. `whole` says the characters
     /// in full.
-    pub fn said_in_letters(
+    pub fn rewritten_and_proven(
         self,
         vocabulary: Vocabulary,
         whole: impl Fn(&str) -> String + Clone + Send + Sync + 'static,

@@ -78,7 +78,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     (
         "recorded",
         "what the record of the benchmarks says of its making: processor, cores, compiler, date",
-        Of(|name| Ok(escape(measurements::said(name)?))),
+        Of(|name| Ok(escape(measurements::condition(name)?))),
     ),
     ("records", "what the list of pages puts on this page: claims, slips or lines of sources", Of(records::page)),
     ("ref", "the number of a figure or a table, as a link", Put::Reference),

@@ -45,14 +45,14 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
     });
     let columns = std::iter::once(("theta/(pi/m)".to_owned(), "1")).chain(columns);
     let series = Series::of_columns(columns, rows.clone());
-    let said: Vec<String> = escapements.iter().map(said).collect();
+    let ratios: Vec<String> = escapements.iter().map(peak_and_mean).collect();
     let words = Words::new(
         "escapement-ratios",
         "The follower's speed over the driver's through one engagement",
         format!(
             "Curves over the driver angle in parts of its half angle, from −1, entry, to 1, exit. Each is symmetric, \
              zero at both ends and greatest on the line of centres. {}.",
-            said.join("; ")
+            ratios.join("; ")
         ),
         "The follower's speed divided by the driver's. This ratio depends on the geometry alone. It is zero at every \
          hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, while a \
@@ -75,7 +75,7 @@ fn mean(one: &Mechanism) -> String {
     trimmed(f64::from(one.pins()) / f64::from(one.slots()), 3)
 }
 
-fn said(one: &Mechanism) -> String {
+fn peak_and_mean(one: &Mechanism) -> String {
     let peak = significant(one.wheel().peak_velocity(), 4);
     format!("{} slots, {} pins: greatest {peak}, mean {}", one.slots(), one.pins(), mean(one))
 }

@@ -69,14 +69,14 @@ fn angle() -> Vec<Claim> {
             .but_not("α is the whole angle between neighbouring slots"),
         DURATION
             .equation("jazar.alpha-degrees", r"360^{\circ}/(2N)", "α in degrees")
-            .said_in_letters(PARTS, equal_to(r"\alpha")),
+            .rewritten_and_proven(PARTS, equal_to(r"\alpha")),
     ]
 }
 
 fn duration() -> Claim {
     DURATION
         .equation("jazar.duration", r"\pi - 2\alpha", "crank angle of an advance")
-        .said_in_letters(ENTRY_AND_EXIT, equal_to(r"\theta_{\text{exit}} - \theta_{\text{entry}}"))
+        .rewritten_and_proven(ENTRY_AND_EXIT, equal_to(r"\theta_{\text{exit}} - \theta_{\text{entry}}"))
 }
 
 fn comparisons() -> Vec<Claim> {

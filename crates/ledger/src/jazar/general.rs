@@ -20,7 +20,7 @@ fn sizes() -> Vec<Claim> {
     vec![
         RATIOS
             .equation("jazar.centre-distance-ratio", r"1/\sin \alpha", "centre distance over crank radius")
-            .said_in_letters(SIZES, equal_to("l/r"))
+            .rewritten_and_proven(SIZES, equal_to("l/r"))
             .read_as(PIN_RADIUS),
         RATIOS
             .statement(

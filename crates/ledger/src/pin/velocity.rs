@@ -57,7 +57,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 r"g=90^{\circ}-\ldots^{\circ}-\ldots^{\circ}",
                 "γ is a right angle less the angles at O and B",
             )
-            .said_in_letters(SPEEDS, filled(&[r"\theta^\circ", r"b^\circ"])),
+            .rewritten_and_proven(SPEEDS, filled(&[r"\theta^\circ", r"b^\circ"])),
         ANGLE
             .value("pin.velocity-angle", "17.6", "°", "γ, angle between the pin's velocity and the slot")
             .by(ClosedForm, || triangle(|t| t.velocity_angle).to_degrees())

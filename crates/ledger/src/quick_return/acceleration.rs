@@ -69,7 +69,7 @@ fn known() -> Vec<Claim> {
                 r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
                 "the pin has no tangential acceleration while the crank's speed is constant",
             )
-            .said_in_letters(SIZES, |tex| tex.replace(r"\text{ since }", ","))
+            .rewritten_and_proven(SIZES, |tex| tex.replace(r"\text{ since }", ","))
             .also_by(Series, || {
                 // Along the circle, the polar components of the whole acceleration cancel, and at no other speed.
                 let along = |acceleration: f64| {
@@ -182,7 +182,7 @@ fn found() -> Vec<Claim> {
                 r"A_{P2/P4}^t = A_{P2}^n \cos \ldots - A_{P4}^n",
                 "sliding acceleration, towards the lever's pivot",
             )
-            .said_in_letters(SIZES, filled(&[r"\beta"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\beta"]))
             .read_as(DEGREES),
         SLIDING
             .value(
@@ -206,7 +206,7 @@ fn found() -> Vec<Claim> {
                 "tangential acceleration of the lever's point, in the sense of the pin's acceleration across the \
                  lever",
             )
-            .said_in_letters(SIZES, filled(&[r"\beta"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\beta"]))
             .read_as(DEGREES),
         LEVER_TANGENTIAL
             .value("quick-return.lever-tangential", "2.266", "m/s^2", "tangential acceleration of the lever's point")

@@ -308,7 +308,7 @@ pub fn line(
     said: &'static str,
     letters: Vocabulary,
 ) -> Claim {
-    place.equation(id, printed, meaning).said_in_letters(letters, as_equation).saying(said)
+    place.equation(id, printed, meaning).rewritten_and_proven(letters, as_equation).saying(said)
 }
 
 /// π by Machin's series.
