@@ -1,8 +1,8 @@
-//! Text with italic symbols and subscripts, on a halo of the paper's colour.
+//! Text with italic symbols and subscripts, on a halo of its ground's colour.
 
 use super::view::Pixels;
 use crate::number::{trimmed, with_minus_sign};
-use crate::theme::{Colour, INK, PAPER};
+use crate::theme::{Colour, INK};
 
 /// The look of a label's halo, but for its colour: attributes of a `text` element.
 pub const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
@@ -35,7 +35,6 @@ enum Style {
 pub struct Label {
     runs: Vec<(Style, String)>,
     colour: Colour,
-    halo: Colour,
     haloed: bool,
     part: String,
 }
@@ -64,7 +63,7 @@ impl Label {
 
     /// A label that begins with upright text.
     pub fn words(text: &str) -> Self {
-        Self { runs: Vec::new(), colour: INK, halo: PAPER, haloed: true, part: String::new() }.and(text)
+        Self { runs: Vec::new(), colour: INK, haloed: true, part: String::new() }.and(text)
     }
 
     /// Adds upright text; hyphens become minus signs.
@@ -126,12 +125,6 @@ impl Label {
         self
     }
 
-    /// Sets the colour of the halo: that of the face the label stands on.
-    pub fn on(mut self, halo: Colour) -> Self {
-        self.halo = halo;
-        self
-    }
-
     /// Leaves out the halo, for a label on a plain face.
     pub fn bare(mut self) -> Self {
         self.haloed = false;
@@ -157,10 +150,10 @@ impl Label {
 
     /// The label's markup, so far from `point` in the direction of `towards` (an offset of any length).
     ///
-    /// Sideways the label begins or ends there; above and below it is centred.
-    pub fn beside(&self, point: &Pixels, towards: &Pixels, distance: f64) -> String {
+    /// Sideways the label begins or ends there; above and below it is centred. Its halo has the colour of the `ground`.
+    pub fn beside(&self, point: &Pixels, towards: &Pixels, distance: f64, ground: &str) -> String {
         let (x, base, anchor) = anchored(point, towards, distance);
-        self.markup(x, base, anchor)
+        self.markup(x, base, anchor, ground)
     }
 
     /// The least and the greatest corner of the room that the same label takes; `width` is its [width](Self::width).
@@ -190,7 +183,7 @@ impl Label {
         letters.sum::<f64>() - back.sum::<f64>()
     }
 
-    fn markup(&self, x: f64, base: f64, anchor: &str) -> String {
+    fn markup(&self, x: f64, base: f64, anchor: &str, ground: &str) -> String {
         let mut spans = String::new();
         let mut lowered = 0.0;
         for (k, (style, text)) in self.runs.iter().enumerate() {
@@ -219,7 +212,7 @@ impl Label {
             };
             spans += &format!("<tspan{shift}{look}{halo}>{}</tspan>", escape(text));
         }
-        let halo = if self.haloed { format!(" stroke=\"{}\"{HALO}", self.halo.0) } else { String::new() };
+        let halo = if self.haloed { format!(" stroke=\"{ground}\"{HALO}") } else { String::new() };
         let part =
             if self.part.is_empty() { String::new() } else { format!(" data-letter=\"{}\"", escape(&self.part)) };
         format!(
