@@ -166,6 +166,45 @@ const geneva = (() => {
         return found;
     };
 
+    /** Where a character is shown, by its text and its place there. */
+    const shownAt = (node, at) => {
+        const range = document.createRange();
+        range.setStart(node, at);
+        range.setEnd(node, at + 1);
+        return range.getBoundingClientRect();
+    };
+
+    /** Marks that begin a line, without the word that they mark, and numbers that end one, without their unit. */
+    const parted = units => {
+        const found = [];
+        const isUnit = new RegExp(`(?<=[0-9])[ \\n\u00a0]+(?=(?:${units.join('|')})(?![\\p{L}\\p{N}/]))`, 'gu');
+        const block = element => element.closest('p, li, td, th, dt, dd, figcaption, summary, h1, h2, h3, h4, main');
+        const texts = document.createTreeWalker(main(), NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
+        let before;
+        while (texts.nextNode()) {
+            const node = texts.currentNode;
+            if (node instanceof Element) {
+                const isMark = node.matches('.mark') && isShown(node) && before && block(node) === block(before[0].parentElement);
+                if (isMark && node.getBoundingClientRect().bottom - 6 > shownAt(...before).bottom + 6) {
+                    found.push(fault('parted', node, `a mark begins a line, without “${words(before[0].data.slice(-12))}”`));
+                }
+                continue;
+            }
+            if (!isShown(node.parentElement) || node.parentElement.closest('pre, code, svg, form, .mark, .note')) {
+                continue;
+            }
+            const last = node.data.replace(/[\s\u2060]+$/, '').length - 1;
+            before = last < 0 ? before : [node, last];
+            for (const { index, 0: blanks } of node.data.matchAll(isUnit)) {
+                const [number, unit] = [index - 1, index + blanks.length].map(at => shownAt(node, at));
+                if (unit.top > number.bottom - 2) {
+                    found.push(fault('parted', node.parentElement, `“${words(node.data.slice(Math.max(0, index - 8), index + 8))}” breaks before its unit`));
+                }
+            }
+        }
+        return found;
+    };
+
     /** Whether a declaration changes the colours of what is shown, or how much of one covers another, and nothing of its size
      * or place. */
     const isOfColours = (name, value) => /^(?:color|color-scheme|background-[a-z-]+|fill|stroke|filter|opacity|box-shadow)$|-color$/.test(name)
@@ -492,5 +531,5 @@ const geneva = (() => {
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 
-    return { unfold, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, halos, keyboard, load, accessibility, contrast, content };
+    return { unfold, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, halos, parted, keyboard, load, accessibility, contrast, content };
 })();
