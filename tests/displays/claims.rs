@@ -1,6 +1,6 @@
 //! The verdict on every equation of a source hangs on its own characters: each misprint changes it.
 //!
-//! A claim has two routes, and each is tried on the misprint. One of them at least must refuse it or be unable to read it.
+//! A claim has two routes, and each is tried on the misprint. At least one of them must refuse it or be unable to read it.
 //! The few misprints that change nothing mean the same, and a rule says why.
 
 use super::Misprints;

@@ -1,4 +1,4 @@
-//! Is each slip of a display noticed by itself, where it is the characters that are proven?
+//! Is each slip in a display noticed by itself, where the printed characters themselves are proven?
 //!
 //! The verdicts say that a display put right is proven and that the printed one, with all its slips, is refuted.
 

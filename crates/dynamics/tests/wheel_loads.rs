@@ -1,4 +1,4 @@
-//! The loads against a fine scan, against laws of mechanics, and at their limits.
+//! The loads, compared with a fine scan and with laws of mechanics, and at their limits.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use geneva_dynamics::Error;

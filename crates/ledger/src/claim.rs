@@ -389,8 +389,8 @@ impl Claim {
             (found @ None, _) | (found, None) => Finding::of_reading(found),
             (Some(right), Some(_)) => Finding::new(
                 right && (reader.holds)(self.printed) != Some(true),
-                "we evaluated both forms wherever they must hold, and the corrected characters are right there, but \
-                 the printed ones are wrong",
+                "we evaluated both forms wherever they must hold, and found the corrected characters right and the \
+                 printed ones wrong",
             ),
         }
     }

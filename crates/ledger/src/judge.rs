@@ -3,8 +3,8 @@
 use crate::tex::places_changed;
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
 use crate::{
-    Check, Choice, Claim, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Test, Truth, Verdict,
-    Witness,
+    Check, Choice, Claim, Consequence, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Test,
+    Truth, Verdict, Witness,
 };
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -53,6 +53,12 @@ impl Judged {
     /// Whether what is printed is right.
     pub fn truth(&self) -> Truth {
         self.verdict.truth()
+    }
+
+    /// Whether the source itself is right for all we know: what is wrong is only in the copy of it that was read.
+    pub fn is_miscopied(&self) -> bool {
+        let miscopied = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
+        self.truth() == Truth::Wrong && self.claim.erratum.as_ref().is_some_and(miscopied)
     }
 
     /// The printed number, if the claim is one.

@@ -53,8 +53,7 @@ impl Truth {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Right => {
-                "what is printed is right, to the printed digits or, if it was read off, as finely as that could be \
-                 done"
+                "what is printed is right, to the printed digits or, if it was read off, as finely as it could be read"
             }
             Self::Wrong => "what is printed is wrong, and we give the right form or number",
             Self::Open => "we cannot tell",

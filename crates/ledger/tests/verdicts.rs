@@ -1,4 +1,4 @@
-//! Does every claim stand as recorded, and would it be noticed if it did not?
+//! Does every claim still have its recorded verdict, and would a change be noticed?
 
 use geneva_ledger::meyer::runs::data::inputs;
 use geneva_ledger::{

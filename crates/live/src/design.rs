@@ -12,9 +12,10 @@ use geneva_kinematics::wheel::{Contact, Sizes, Wheel};
 pub const LIVE: Live = Live {
     name: "design",
     figure: "wheel-dimensions",
-    hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by hand. Make the pin thicker until it \
-           no longer fits. Double the speed: without friction the force of the pin grows fourfold. Move the axes apart by 0.02 \
-           mm, and the pin knocks less. At 0.06 mm it meets a corner of its slot.",
+    hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by \
+           hand. Make the pin thicker until it no longer fits. Double the speed: without friction the force of the pin \
+           grows fourfold. Move the axes apart by 0.02 mm, and the pin knocks less hard. At 0.06 mm it meets a corner \
+           of its slot.",
     controls: &[
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
         Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
@@ -29,7 +30,7 @@ pub const LIVE: Live = Live {
             .typed([0.001, 10_000.0]),
         Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).typed([0.0, 1000.0]),
         Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0).typed([0.001, 10_000.0]),
-        Control::choice("material", "the wheel is of", &OF, 3),
+        Control::choice("material", "the wheel is made of", &OF, 3),
     ],
     presets: &[
         Preset {
@@ -52,7 +53,7 @@ pub const LIVE: Live = Live {
     quantities: &[
         Quantity { name: "centres", label: "centre distance" },
         Quantity { name: "clearance", label: "least clearance" },
-        Quantity { name: "nearer", label: "axes may be too close by" },
+        Quantity { name: "nearer", label: "axes may be too close together by" },
         Quantity { name: "farther", label: "axes may be too far apart by" },
         Quantity { name: "index", label: "indexing time" },
         Quantity { name: "dwell", label: "dwell time" },
@@ -278,20 +279,22 @@ fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) ->
 fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
     if depth.is_some_and(|depth| depth < 0.0) {
         return Some(
-            "With these axes, driver and wheel are in each other. A clearance below zero says how deep.".to_owned(),
+            "With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much."
+                .to_owned(),
         );
     }
     if !is_met {
-        return Some("With this distance of the axes the pin does not meet the slot.".to_owned());
+        return Some("With the axes at this distance the pin does not meet the slot.".to_owned());
     }
     let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
     let moved = (error != 0.0).then(|| {
-        "Clearance and knock are for the axes as moved. Sizes, times and loads are for the right distance, and the \
-         backlash is known only there."
+        "Clearance and knock are for the axes as you moved them. Sizes, times and loads are for the right distance, \
+         and we know the backlash only there."
             .to_owned()
     });
     let late = is_late.then(|| {
-        "With so little play, some of the clearances take too long to find in a page. The command geneva wheel finds them."
+        "With so little play, some of the clearances take too long to compute in a page. The command geneva wheel \
+         computes them."
             .to_owned()
     });
     let all: Vec<String> = warnings.chain(moved).chain(late).collect();

@@ -20,10 +20,11 @@ const MOST_ENGAGEMENTS: usize = 5_000;
 pub const LIVE: Live = Live {
     name: "escapement",
     figure: "live-escapement",
-    hint: "Take the friction away bit by bit: the start takes longer and longer, and without any there is no steady speed. Add \
-           friction until it jams. Twice the torque makes it faster by the root of two, and nothing else.",
+    hint: "Reduce the friction bit by bit: the start takes longer and longer, and without friction there is no steady \
+           speed. Add friction until the mechanism jams. Twice the torque makes it √2 times as fast, and changes \
+           nothing else.",
     controls: &[
-        Control::slider("share", "time, of what is shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
+        Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
         Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).typed([0.0, 10.0]),
         Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1)

@@ -16,7 +16,7 @@ pub const LIVE: Live = Live {
     name: "mistake",
     figure: "live-mistake",
     hint: "Move the reset angle away from 90°: the dots leave the line, three pins to one side, six to the other. Only at \
-           90° do nearly all dots of four pins stay on it. Then let the program choose the sign of friction late, as it did.",
+           90° do nearly all dots for four pins stay on it. Then set the sign of friction to “late, as in the program”.",
     controls: &[
         Control::slider("reset", "angle after which the program starts again", "°", [60.0, 120.0], 0.5, 90.0)
             .typed([30.0, 170.0])

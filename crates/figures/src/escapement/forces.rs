@@ -83,12 +83,11 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
             short(friction, 3)
         ),
         format!(
-            "Forces at θ = {}, where the driver's speed is {} in units of the square root of the spring's torque K \
-             over the follower's moment of inertia: {}. At the foot are three moments in units of K. F R is the moment \
-             that F would have at the crank radius; the other two act on driver and \
-             follower. The friction acts on the pin against \
-             its sliding, with the arm l sin φ about B. Arrows show directions, not sizes. Forces through O have no \
-             moment about O and are left out. {}",
+            "Forces at θ = {}. The driver's speed is {} times the square root of the ratio of K to the follower's \
+             moment of inertia, where K is the spring's torque. Here {}. At the foot are three moments in units of K. \
+             F R is the moment that F would have at the crank radius. The other two moments act on driver and \
+             follower. The friction acts on the pin against its sliding, with the arm l sin φ about B. Arrows show \
+             directions, not sizes. Forces through O have no moment about O and are left out. {}",
             degrees(crank),
             significant(speed / parameters.drive().sqrt(), 3),
             senses.flank_words(),

@@ -55,9 +55,9 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
             said.join("; ")
         ),
         "The follower's speed divided by the driver's. This ratio depends on the geometry alone. It is zero at every \
-         hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, while a follower \
-         with more slots moves gently. The ratio never changes sign, so the follower slows down but never reverses. \
-         The mean of the ratio is m/N, pins over slots.",
+         hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, while a \
+         follower with more slots moves gently. The ratio never changes sign, so the follower slows down but never \
+         reverses. The mean of the ratio is m/N, the number of pins divided by the number of slots.",
     );
     Chart::new([panel]).key(key).figure(words, series)
 }

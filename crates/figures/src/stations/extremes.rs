@@ -63,9 +63,9 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
              the three, least. {}",
             crossing(&rows)
         ),
-        "More stations make the motion gentler. The wheel's peak speed is divided by the driver's speed, its peak acceleration \
-         and its jump of acceleration at entry by the square of the driver's speed, which is constant. The number of stations \
-         is an integer, so the dashed lines only join the marks.",
+        "More stations make the motion gentler. The wheel's peak speed is divided by the driver's speed, which is \
+         constant. The peak acceleration and the jump in acceleration at entry are divided by the square of the \
+         driver's speed. The number of stations is an integer, so the dashed lines only join the marks.",
     );
     Chart::new([panel]).figure(words, Series::new(columns, rows))
 }

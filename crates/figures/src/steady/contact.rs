@@ -78,10 +78,11 @@ pub fn contact(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Fig
             said.collect::<Vec<_>>().join(" ")
         ),
         format!(
-            "The pin in its slot, enlarged, seen from the follower, whose axis O is far to the left: 1 while the pin \
-             drives, 2 while it holds the follower back. Seen from there, the pin turns clockwise, and at the flank \
-             its surface slides more slowly than its centre moves. F and μ|F| act on the follower; these two arrows \
-             show directions only. Lengths are in crank radii. Shown: {} pins, ρ = {}, μ = {}, steady state.",
+            "The pin in its slot, enlarged, seen from the follower, whose axis O is far to the left. In panel 1 the \
+             pin drives the follower, and in panel 2 it holds the follower back. Seen from the follower, the pin turns \
+             clockwise, and at the flank its surface slides more slowly than its centre moves. F and μ|F| act on the \
+             follower; these two arrows show directions only. Lengths are in crank radii. Shown: {} pins, ρ = {}, μ = \
+             {}, steady state.",
             parameters.mechanism().pins(),
             joints.pin_radius,
             parameters.friction()

@@ -80,7 +80,7 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
             said.join("; ")
         ),
         format!(
-            "How the mean speed (over the mean speed of the ideal mechanism) and the multiplier depend on the \
+            "How the mean speed (divided by the mean speed of the ideal mechanism) and the multiplier depend on the \
              {size}. Shown: {shown}."
         ),
     );

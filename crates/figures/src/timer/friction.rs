@@ -86,9 +86,9 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
             said.collect::<Vec<_>>().join(", ")
         ),
         format!(
-            "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes. It is \
-             computed from the exact steady motion for each friction. Marks are the frictions of the thesis's runs. \
-             The dashed lines are static handbook values of steel on brass: {}. {}",
+            "How the rate of the three mechanisms, set right at μ = {}, changes with the friction in the slot. The \
+             rate is computed from the exact steady motion at each friction. The marks are at the friction values of \
+             the thesis's runs. The dashed lines are at static handbook values for steel on brass: {}. {}",
             trimmed(set, 2),
             pairs
                 .iter()

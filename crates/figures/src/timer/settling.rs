@@ -68,9 +68,9 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
             significant(slowest, 3)
         ),
         format!(
-            "A lighter follower shortens each engagement but needs more of them, so the time until a small difference of the \
-             squared speed is down to one per cent hardly changes. Shown: {run}, with the follower's inertia changed and all \
-             else kept."
+            "A lighter follower shortens each engagement but needs more of them, so the time in which a small \
+             difference in the square of the speed falls to one per cent hardly changes. Shown: {run}, with only the \
+             follower's inertia changed."
         ),
     );
     let columns = [("part of I_f", "1"), ("engagements", "1"), ("period", "ms"), ("time to 1 %", "ms")];

@@ -1,4 +1,4 @@
-//! Is the play in the dwell that of the outlines, turned against each other until they overlap?
+//! Do the outlines, turned against each other until they overlap, give the same play in the dwell?
 //!
 //! Polygons with their corners on the outlines, and insides by counting crossings of a ray. Nothing here uses a formula of
 //! the play.

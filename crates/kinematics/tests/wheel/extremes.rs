@@ -1,4 +1,4 @@
-//! Are the closed forms of the extremes the formulas at their places?
+//! Do the closed forms of the extremes agree with the formulas at their places?
 
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::velocity_ratio;

@@ -1,4 +1,4 @@
-//! Does the mechanism jam where a single size is off by more than its tolerance, and not before?
+//! Does the mechanism jam where a single size is beyond its tolerance, and not before?
 
 use super::assembly::{Point, between, sized};
 use geneva_kinematics::wheel::{Choices, Loop, Sizes};

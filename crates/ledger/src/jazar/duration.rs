@@ -100,12 +100,7 @@ fn comparisons() -> Vec<Claim> {
                 || limit(|n| of(n, entry_crank)).to_degrees(),
             ),
         DURATION
-            .statement(
-                "jazar.gentler",
-                "more gentle",
-                "with more stations the peaks of velocity and acceleration \
-                                                        fall",
-            )
+            .statement("jazar.gentler", "more gentle", "with more stations the peaks of velocity and acceleration fall")
             .by(ClosedForm, |stated| {
                 compare_neighbours(
                     &[peak_velocity, entry_acceleration, |wheel| acceleration_peak(wheel).ratio],
@@ -124,10 +119,10 @@ fn comparisons() -> Vec<Claim> {
             })
             .but_not("they rise")
             .read_as(
-                "Gentler means here that the wheel's peak velocity, its peak acceleration and the jump of its \
-                 acceleration at entry all fall, for the same speed of the driver, by which the handout normalises its \
-                 own curves. If the move took the same time instead, the jump at entry would rise from three to five \
-                 stations and fall from there.",
+                "“More gentle” means here that, at the same speed of the driver, the wheel's peak velocity, its peak \
+                 acceleration and the jump of its acceleration at entry all fall. The handout normalises its own \
+                 curves by this speed. If the move took the same time instead, the jump at entry would rise from three \
+                 to five stations and then fall.",
             ),
         DURATION
             .statement(

@@ -46,9 +46,9 @@ fn sizes() -> Vec<Claim> {
                 r"\text{outside radius}: 1/\tan \alpha",
                 Slip {
                     id: "",
-                    reason: "With half the angle between two slots for α, 1/tan α is the outside radius of the wheel \
-                             over the pin radius, the only other length that the sentence names. The outside diameter \
-                             over the pin radius is twice as much. Over the diameter of the pin's circle the ratio \
+                    reason: "If α is half the angle between two slots, 1/tan α is the wheel's outside radius over the \
+                             pin radius, which is the only other length that the sentence names. The outside diameter \
+                             over the pin radius is twice as much. Over the diameter of the pin's circle, the ratio \
                              would be right, but the handout never mentions that diameter.",
                     witness: "The handout itself says that the outer radius of the four-station wheel is r, and tan \
                               45° is one.",
@@ -73,7 +73,7 @@ fn sizes() -> Vec<Claim> {
                     [|w, t| by_duals(w, t)[0], |w, t| by_duals(w, t)[1], |w, t| by_duals(w, t)[2]];
                 four_from_general(&derivatives, stated)
             })
-            .but_not("Eq. (5.29) as it stands in the copy, without its minus sign, is a case of Eq. (5.32)")
+            .but_not("Eq. (5.29) as it is in the copy, without its minus sign, is a case of Eq. (5.32)")
             .read_as("We take Eq. (5.29) with the minus sign that it has lost in the copy."),
     ]
 }

@@ -111,7 +111,7 @@ fn for_all_stations(holds: impl Fn(&Wheel) -> bool, how: &str) -> Finding {
         [] => format!("with {}, {how}", numbers_of_stations()),
         [first] => format!("with {first} stations it is not true that {how}"),
         [first, .., last] => {
-            format!("with {} numbers of stations, from {first} to {last}, it is not true that {how}", failing.len())
+            format!("for {} numbers of stations, from {first} to {last}, it is not true that {how}", failing.len())
         }
     };
     Finding::new(failing.is_empty(), how)

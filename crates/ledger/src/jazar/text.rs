@@ -222,9 +222,9 @@ fn wheel_radius() -> Claim {
 
 fn sense_of_the_wheel() -> Claim {
     CAPTION.figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise").missing(
-        "The copy we had does not include the drawing, and the text does not say in which sense its driver turns. If \
-         the driver turns clockwise, the sense in which Fig. 5.29 counts θ, the star wheel turns counterclockwise. If \
-         the driver turns counterclockwise, the star wheel turns clockwise.",
+        "The copy we had does not include the drawing, and the text does not say in which sense the driver turns. If \
+         the driver turns clockwise, which is the sense in which Fig. 5.29 measures θ, the star wheel turns \
+         counterclockwise. If the driver turns counterclockwise, the star wheel turns clockwise.",
     )
 }
 

@@ -49,10 +49,13 @@ fn material() -> Vec<Claim> {
                 let part = metric_density(stated.number() - stated.pick(0.0, LIGHTER)) / IRON.density();
                 Finding::new(
                     (part - 1.0).abs() < 0.015,
-                    format!("the metal's crystal has {:.0} kg/m³, and the number is {part:.3} of it", IRON.density()),
+                    format!(
+                        "the metal's crystal has {:.0} kg/m³, and the number is {part:.3} times this",
+                        IRON.density()
+                    ),
                 )
             })
-            .but_not("a number that is less by five thousandths of a pound")
+            .but_not("a number that is smaller by five thousandths of a pound")
             .read_as(
                 "Steel is iron with little else in it, and steels differ by more than the last digit of the number.",
             ),
@@ -60,13 +63,16 @@ fn material() -> Vec<Claim> {
             .statement(
                 "meyer.like-discs",
                 "both taken to be approximately 0.5 inch in diameter and 0.1 inch in thickness",
-                "for the estimate driver and follower are discs of one size",
+                "for the estimate, driver and follower are discs of the same size",
             )
             .by(OtherPlaceInSource, |stated| {
                 let [diameter, thickness] = sizes(stated);
                 let [radius, said] = data().map_or([f64::NAN; 2], |data| [data.diameter / 2.0, data.thickness]);
                 let holds = agrees(diameter / 2.0, radius) && agrees(thickness, said);
-                Finding::new(holds, format!("the numbers of the estimate are a radius of {radius} and {said} inch"))
+                Finding::new(
+                    holds,
+                    format!("the estimate has a radius of {radius} inch and a thickness of {said} inch"),
+                )
             })
             .by(ClosedForm, |stated| {
                 let [diameter, thickness] = sizes(stated);
@@ -78,15 +84,15 @@ fn material() -> Vec<Claim> {
                 Finding::new(
                     least < result && result < most,
                     format!(
-                        "discs of such a size have {least:.2e} to {most:.2e} in lb sec²; the printed value is \
-                         {result:.1e}"
+                        "discs of this size have inertias of {least:.2e} to {most:.2e} in lb sec²; the printed value \
+                         is {result:.1e}"
                     ),
                 )
             })
             .but_not("a tenth of an inch more in diameter")
             .read_as(
-                "The sentence makes an assumption for the estimate of the inertias alone. A follower and a driver \
-                 that end where the pins are have one size with four slots only.",
+                "The sentence makes an assumption for the estimate of the inertias alone. A follower and a driver that \
+                 end where the pins are have the same size only if there are four slots.",
             ),
     ]
 }
@@ -132,7 +138,10 @@ fn estimate() -> Vec<Claim> {
             .by(Dimension, |stated| {
                 let letter = stated.pick(mass(), Exponents::FORCE) / volume(3);
                 let (found, wanted) = (letter * volume(4) * Exponents::LENGTH, mass() * volume(2));
-                Finding::new(found == wanted, format!("the formula is then a {found}; a moment of inertia is {wanted}"))
+                Finding::new(
+                    found == wanted,
+                    format!("the formula then has the dimension {found}; a moment of inertia has {wanted}"),
+                )
             })
             .by(LimitCase, |stated| {
                 let (density, radius, thickness) = (1.5, 0.75, 0.25);
@@ -212,9 +221,9 @@ fn estimate() -> Vec<Claim> {
                 "0.45",
                 Slip {
                     id: "",
-                    reason: "The numbers of the display before this one give a little less than 0.45, which to one \
-                             digit is 0.4. The thesis writes “approximately equal” here, and its next sentence says \
-                             “about”. But here, as everywhere, we judge the digit that is printed.",
+                    reason: "The numbers in the display before this one give a little less than 0.45, which rounded to \
+                             one digit is 0.4. The thesis writes “approximately equal” here, and its next sentence \
+                             says “about”. But here, as everywhere, we judge the digit that is printed.",
                     witness: "We computed half of the disc's mass times the square of its radius.",
                     origin: Origin::Arithmetic,
                     consequence: Consequence::Number,

@@ -192,7 +192,7 @@ fn factors() -> Vec<Claim> {
         )
         .in_places(4),
         at("5th substitution before Eq. (1-19)")
-            .equation("meyer.factor-e", r"E = \frac{K}{I_f}", "E, what drives")
+            .equation("meyer.factor-e", r"E = \frac{K}{I_f}", "E, the driving term")
             .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("Eq. (1-19)")

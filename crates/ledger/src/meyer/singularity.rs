@@ -18,10 +18,9 @@ use nalgebra::Complex;
 const FLAW: Place = at("Line after Eq. (1-18)");
 const END: Place = at("Paragraph before the substitutions of Eq. (1-19)");
 /// What the word means in the paragraph.
-const SINGULARITY: &str = "A singularity, as the paragraph uses the word, is a place where something that Eq. (1-18) \
-                           divides by, as it is written, is zero, so that the equation would not be valid there. That \
-                           the equation has one solution for the acceleration is a stronger claim, and the paragraph \
-                           does not make it.";
+const SINGULARITY: &str = "As the paragraph uses the word, a singularity is a place where Eq. (1-18), as it is \
+                           written, divides by zero, so that the equation would not be valid there. The paragraph does \
+                           not make the stronger claim that the equation has one solution for the acceleration.";
 
 pub fn claims() -> Vec<Claim> {
     [quantity(), bounds(), slots()].concat()
@@ -101,7 +100,8 @@ fn quantity() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "we read and evaluated the quantity and compared it with the pin's distance by coordinates",
+                    "we read and evaluated the quantity and compared it with the pin's distance computed in \
+                     coordinates",
                 )
             })
             .by(ClosedForm, |stated| {
@@ -191,7 +191,7 @@ fn bounds() -> Vec<Claim> {
                 let found: Vec<f64> = ratios().filter(|ratio| vanishes(nearest(ratio))).collect();
                 Finding::new(
                     found == [stated.pick(stated.number(), NEXT_RATIO)],
-                    format!("of 80 centre distances, the pin comes onto the follower's axis at {}", joined(&found)),
+                    format!("among 80 centre distances, the pin reaches the follower's axis at {}", joined(&found)),
                 )
             })
             .but_not("only the next greater ratio that we tried, seventeen sixteenths, allows it"),

@@ -172,11 +172,13 @@ fn known() -> Vec<Claim> {
                     let bend = if vanishes(sine) { 0.0 } else { arcsine(sine) };
                     Some(Finding::new(
                         vanishes(sine),
-                        format!("three places that are 20° of the crank apart are {bend:.1}° off a line"),
+                        format!(
+                            "three places that are 20° of the crank apart deviate from a straight line by {bend:.1}°"
+                        ),
                     ))
                 })
             })
-            .but_not("the radius of the pin's path over the ground is infinite"),
+            .but_not("the radius of the pin's path relative to the ground is infinite"),
     ]
 }
 

@@ -17,7 +17,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.ground",
                 "0.45",
                 "",
-                "distance of the two axes, a value from the lost drawing, in metres as the speeds show, which the \
+                "distance of the two axes in metres (as the speeds show), a value from the lost drawing that the \
                  printed angles and lengths reproduce",
             )
             .by(OtherPlaceInSource, || {
@@ -49,7 +49,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.crank",
                 "0.20",
                 "",
-                "radius of the crank, a value from the lost drawing, in metres as the speeds show",
+                "radius of the crank in metres (as the speeds show), a value from the lost drawing",
             )
             .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.driver-rate"))
             .by(OtherPlaceInSource, || {

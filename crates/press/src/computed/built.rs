@@ -110,7 +110,8 @@ fn jam(mechanism: Mechanism) -> anyhow::Result<String> {
 fn exceeded() -> anyhow::Result<String> {
     let all = Mechanism::ALL.map(critical).into_iter().collect::<anyhow::Result<Vec<_>>>()?;
     let count = all.iter().filter(|critical| **critical < CLEAN_AND_DRY[1]).count();
-    Ok(["none of these", "the least of these", "two of these", "all of these"][count].to_owned())
+    let words = ["none of these values", "the lowest of these values", "two of these values", "all of these values"];
+    Ok(words[count].to_owned())
 }
 
 /// The least inertia ratio with which clean and dry brass does not jam.

@@ -163,13 +163,13 @@ pub fn right(judged: &Judged) -> anyhow::Result<String> {
 /// How many printed numbers a slip makes wrong, and by how much.
 fn numbers(places: &Places) -> String {
     let number = places.wrong_numbers().count();
-    let (of, at_most) = match number {
+    let (of, up_to) = match number {
         1 => ("one printed number".to_owned(), ""),
-        _ => (format!("{number} printed numbers"), " at most"),
+        _ => (format!("{number} printed numbers"), "up to "),
     };
     places.greatest_change().map_or_else(String::new, |change| {
         let decimals = if change < 0.1 { 1 } else { 0 };
-        format!(" ({of}, wrong by {:.decimals$}&nbsp;%{at_most})", 100.0 * change)
+        format!(" ({of}, wrong by {up_to}{:.decimals$}&nbsp;%)", 100.0 * change)
     })
 }
 

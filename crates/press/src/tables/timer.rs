@@ -75,9 +75,9 @@ pub fn settling() -> anyhow::Result<Table> {
         "time to 1 %, <small>ms</small>",
     ];
     let caption = format!(
-        "Settling with a lighter follower: {}, with driver, friction and torque kept. The multiplier is the part of a \
-         small difference of speed squared that one engagement leaves. The last columns give the number of \
-         engagements and the time until this difference is down to one per cent",
+        "Settling with a lighter follower: {}, with the same driver, friction and torque. The multiplier is the \
+         fraction of a small difference in the squared speed that is left after one engagement. The columns “to 1 %” \
+         give the number of engagements and the time in which this difference falls to one per cent",
         with_torque(example()?).replace("&nbsp;", " ") + " in lb"
     );
     table(&caption, Cells::NamedNumbers, &head, rows)
@@ -104,10 +104,10 @@ pub fn sensitivity() -> anyhow::Result<Table> {
         "exponent of <br>friction",
         "half the <br>friction",
     ];
-    let caption = "What changes the rate. Four columns give the seconds that the timer gains in a day (or loses, with \
-                   a minus) if the torque, the friction, or the inertia of driver or follower is one per cent larger, \
-                   to first order. The mean speed is proportional to a power of the friction, and the next column \
-                   gives its exponent. The last says how much faster the timer runs with half the friction. The \
+    let caption = "What changes the rate. Four columns give, to first order, the seconds that the timer gains in a day \
+                   (or loses, with a minus) if the torque, the friction, or the inertia of driver or follower is one \
+                   per cent larger. The mean speed is proportional to a power of the friction, whose exponent is in \
+                   the next column. The last column says how much faster the timer runs with half the friction. The \
                    mechanisms are ideal, with the inertias of the thesis's runs. The values are the same for a spring \
                    of any strength";
     table(caption, Cells::NamedNumbers, &head, rows)
@@ -144,10 +144,10 @@ pub fn accelerations() -> anyhow::Result<Table> {
         "follower's <br>jump",
         "pin force, <small>× spring’s</small>",
     ];
-    let caption = "Greatest accelerations by size, in 1000 rad/s², each with the driver angle from the line of \
-                   centres. Then follow the jump of the follower's acceleration when the next pin takes over, and the \
-                   greatest force on the pin over the force of the spring at the crank radius. The mechanisms are \
-                   ideal. For each friction the table shows the run of the thesis with the strongest spring";
+    let caption = "Accelerations of the greatest magnitude, in 1000 rad/s², each with the driver's angle from the line \
+                   of centres. Then follow the jump of the follower's acceleration when the next pin takes over, and \
+                   the greatest force on the pin, divided by the spring's force at the crank radius. The mechanisms \
+                   are ideal. For each friction the table shows the run of the thesis with the strongest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -168,8 +168,8 @@ pub fn mean_speed() -> anyhow::Result<Table> {
         ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
     let caption = "Two meanings of an average speed, in rad/s. One is the mean of peak and minimum, from the numbers \
                    that the thesis prints and from the right numbers. The other is the mean over a revolution. The \
-                   factor compares the last two columns of speeds. For each mechanism and friction the table shows \
-                   the run with the weakest spring";
+                   factor is the right mean of peak and minimum divided by the mean over a revolution. For each \
+                   mechanism and friction the table shows the run with the weakest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

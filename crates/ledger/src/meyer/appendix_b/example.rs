@@ -34,7 +34,7 @@ fn lines() -> Vec<Claim> {
     vec![
         line(
             ("meyer.app-b.example.second", at("Appendix B, 3rd display")),
-            "the second derivative from the first derivative and the place",
+            "the second derivative from the first derivative and the position",
             ["2DX = -(C*LDX + K*X)/M", "2DX = -(C*1DX + K*X)/M"],
             [|| read_line("meyer.app-b.example.second", false), || read_line("meyer.app-b.example.second", true)],
         ),
@@ -46,7 +46,7 @@ fn lines() -> Vec<Claim> {
         ),
         line(
             ("meyer.app-b.example.place", at("Appendix B, 5th display")),
-            "the place is the integral of the first derivative",
+            "the position is the integral of the first derivative",
             ["X = INT(LDX, B)", "X = INT(1DX, B)"],
             [|| read_line("meyer.app-b.example.place", false), || read_line("meyer.app-b.example.place", true)],
         ),
@@ -58,13 +58,13 @@ fn lines() -> Vec<Claim> {
         TEXT.statement(
             "meyer.app-b.example.initial",
             "A and B are the initial",
-            "A and B are the values of the first derivative and of the place at the start",
+            "A and B are the values of the first derivative and of the position at the start",
         )
         .by(Evidence::RungeKutta, |stated| {
             let [end, found] = [vibration(1.0)["x"], integrated(stated.pick(["x'", "x"], ["x", "x'"]))];
             Finding::new(
                 (found - end).abs() < 1e-5,
-                format!("integrated from these two, the place is {found:.5}, and it should be {end:.5}"),
+                format!("integrated from these two, the position is {found:.5}, and it should be {end:.5}"),
             )
         })
         .by(ClosedForm, |stated| {
@@ -81,7 +81,7 @@ fn lines() -> Vec<Claim> {
                 "meyer.app-b.first-acceleration",
                 "calculate the initial value of 2DX",
                 "the second derivative at the start comes from A and B, the starting values of the first derivative \
-                 and of the place",
+                 and of the position",
             )
             .by(ClosedForm, |stated| first_acceleration(stated, vibration(0.0)["x''"]))
             .by(LimitCase, |stated| {
@@ -90,7 +90,7 @@ fn lines() -> Vec<Claim> {
                 let [before, after] = [-STEP, STEP].map(|time| vibration(time)["x'"]);
                 first_acceleration(stated, (after - before) / (2.0 * STEP))
             })
-            .but_not("it comes from the place alone"),
+            .but_not("it comes from the position alone"),
         first_derivative(
             ("meyer.app-b.method.name", at("Appendix B, paragraph on the steps")),
             "name of the first derivative",
@@ -109,7 +109,7 @@ fn first_acceleration(stated: Stated, right: f64) -> Finding {
     let found = reading::value(&formula, &letters.map(|(name, value)| (name.to_owned(), value)).into());
     Finding::new(
         (found - right).abs() < 1e-4,
-        format!("the line gives {found:.4}, the vibration begins with {right:.4}"),
+        format!("the line gives {found:.4}, and the vibration begins with {right:.4}"),
     )
 }
 
@@ -232,7 +232,7 @@ pub fn first_derivative(
             Finding::new(
                 holds,
                 match name {
-                    Some(order) => format!("the name begins with the order {order}, and that of 2DX is one more"),
+                    Some(order) => format!("the name begins with the order {order}, and the order of 2DX is one more"),
                     None => "the name does not begin with an order".to_owned(),
                 },
             )

@@ -68,7 +68,7 @@ fn constants() -> Vec<Claim> {
                     let start = start_angle(*mechanism, stated);
                     agrees(start + 2.0 * PI / f64::from(mechanism.pins()), -start)
                 });
-                Finding::new(holds, "the angle from one pin to the next takes the pin as far to the other side")
+                Finding::new(holds, "the angle from one pin to the next takes the pin equally far to the other side")
             })
             .but_not("it is positive"),
         PROGRAM
@@ -80,8 +80,8 @@ fn constants() -> Vec<Claim> {
                 "meyer.listing.print-interval",
                 listed::PRINT_INTERVAL,
                 "s",
-                "time between printed lines, a given value. Of half this time, this time and twice this time, it is \
-                 the one whose largest printed speeds are nearest to the largest speeds of the three tables together",
+                "time between printed lines, a given value. With half or twice this time, the largest printed speeds \
+                 would be farther from the largest speeds of the three tables together",
             )
             .by(Evidence::Quadrature, || runs::fitting_interval(false))
             .by(Evidence::RungeKutta, || runs::fitting_interval(true)),
@@ -89,7 +89,7 @@ fn constants() -> Vec<Claim> {
             .statement(
                 "meyer.listing.delay",
                 listed::DELAY,
-                "the card asks for the acceleration a tenth of the print interval before",
+                "the card asks for the acceleration a tenth of the print interval earlier",
             )
             .by(OtherPlaceInSource, |stated| {
                 let told = parts_of_the_interval("meyer.app-b.delay");
@@ -102,11 +102,11 @@ fn constants() -> Vec<Claim> {
                 let told = parts_of_the_interval("meyer.app-b.delay").unwrap_or(f64::NAN);
                 is_late_by(stated.number() * stated.pick(1.0, 2.0), told)
             })
-            .but_not("it asks for the acceleration a twentieth of the interval before")
+            .but_not("it asks for the acceleration a twentieth of the interval earlier")
             .read_as(
-                "We take what the card asks for, as a run shows whose steps are shorter than the delay. Where a step \
-                 is longer, the runs of our deck take the latest value. We do not know what the library of 1973 gave \
-                 there.",
+                "In a run whose steps are shorter than the delay, we check what the card asks for. Where a step is \
+                 longer, the runs of our deck take the latest value. We do not know which value the library of 1973 \
+                 took there.",
             ),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
             "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on it, \
@@ -141,10 +141,10 @@ fn constants() -> Vec<Claim> {
                 let end = last_line(stated.number() + stated.pick(0.0, runs::interval())).unwrap_or(f64::NAN);
                 Finding::new(
                     (end - told_length()).abs() < 1e-9,
-                    format!("with it the last line of the program's first run is at {end:.4} s"),
+                    format!("with it, the last line of the program's first run is at {end:.4} s"),
                 )
             })
-            .but_not("it ends a printed line later"),
+            .but_not("it ends one printed line later"),
     ]
 }
 
@@ -162,7 +162,7 @@ fn factors() -> Vec<Claim> {
     vec![
         line(
             "meyer.listing.g",
-            "the ratio a, Eq. (1-2), which with the printed 3.1416 differs by less than five millionths",
+            "the ratio a of Eq. (1-2), which the printed 3.1416 changes by less than five millionths",
             "G 1./SIN(3.1416/N)",
             program::G,
             || {
@@ -208,7 +208,7 @@ fn factors() -> Vec<Claim> {
         }),
         line(
             "meyer.listing.f",
-            "F, with the acceleration from a moment before",
+            "F, with the acceleration from a moment earlier",
             "F (C*1DX*1DX)+(D*OLD2DX)",
             program::F,
             || by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))]),

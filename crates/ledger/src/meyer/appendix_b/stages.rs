@@ -91,7 +91,10 @@ pub fn thirty_second() -> Finding {
     let found = halvings();
     Finding::new(
         found.iter().all(|ratio| power_of_two(*ratio) == Some(5)),
-        format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
+        format!(
+            "with half the step, the errors for two equations are {:.0} and {:.0} times smaller",
+            found[0], found[1]
+        ),
     )
 }
 
@@ -105,6 +108,6 @@ pub fn power_of_two(ratio: f64) -> Option<i32> {
 pub fn of_order(order: i32, ratio: f64) -> Finding {
     Finding::new(
         power_of_two(ratio) == Some(order),
-        format!("with half the step the error of a run is {ratio:.1} times smaller"),
+        format!("with half the step, the error of a run is {ratio:.1} times smaller"),
     )
 }

@@ -36,7 +36,7 @@ fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism
         .by(Quadrature, move || data::inertias(mechanism)[member] * units_in_one(UNIT))
         .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * units_in_one(UNIT))
         .read_as(
-            "The computed value is from the pair of inertias that best reproduces all peaks, minima and periods of \
+            "The computed value belongs to the pair of inertias that best reproduces all peaks, minima and periods in \
              the table.",
         )
 }
@@ -61,11 +61,11 @@ pub fn of_headings() -> Claim {
             })
         })
         .read_as(
-            "The runs summed up below a heading, this one and the heading for three pins, are of the mechanism that \
-             it names.",
+            "The claim is that the runs below this heading, and those below the heading for three pins, are of the \
+             mechanism that the heading names.",
         )
         .corrected(
-            "Six Pin Mechanism, with the driver's angle reset after 90° (and so the Three Pin Mechanism)",
+            "Six Pin Mechanism, with the driver's angle reset after 90° (and likewise the Three Pin Mechanism)",
             RESET_ANGLE,
         )
 }

@@ -274,7 +274,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.chance",
-        meaning: "rise times to be expected by chance, the definition for which they are most",
+        meaning: "rise times to be expected by chance, with the definition that gives most",
         by: DEALS,
         first: || greatest(rise_times::explained().iter().map(|tried| tried.as_run.by_chance)),
         second: || {
@@ -285,7 +285,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.by-chance.usual",
-        meaning: "rise times that the best definition explains in the middle one of all shuffles",
+        meaning: "rise times that the best definition explains in the median of all shuffles",
         by: DEALS,
         first: || middle(shuffled(Shuffled::InTables).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), false, SHUFFLES)),
@@ -293,7 +293,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.by-chance.equal-torques",
-        meaning: "rise times that the best definition explains in the middle one of all shuffles among equal torques",
+        meaning: "rise times that the best definition explains in the median of all shuffles among equal torques",
         by: DEALS,
         first: || middle(shuffled(Shuffled::AmongEqualTorques).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), true, SHUFFLES)),
