@@ -1,4 +1,4 @@
-//! A number and its unit stay on one line.
+//! A number and its unit stay on one line, and so does a letter with the number that it is equal to.
 
 /// The units that the pages write behind a number, as they stand in text: those of several words first.
 const UNITS: &[&str] = &[
@@ -29,10 +29,24 @@ pub fn tied(page: &str) -> String {
             rest = &rest[length..];
             continue;
         }
+        if rest.starts_with(" = ")
+            && ends_with_letter(&out)
+            && rest[3..].starts_with(|c: char| c.is_ascii_digit() || c == '−')
+        {
+            out.push_str("\u{a0}=\u{a0}");
+            rest = &rest[3..];
+            continue;
+        }
         out.push(c);
         rest = &rest[c.len_utf8()..];
     }
     out
+}
+
+/// Whether a text ends with a letter by itself.
+fn ends_with_letter(text: &str) -> bool {
+    let mut last = text.chars().rev();
+    last.next().is_some_and(char::is_alphabetic) && !last.next().is_some_and(|c| c.is_alphanumeric() || c == '.')
 }
 
 /// How long what begins here is that is not text: code, a tag, or an element that is kept as it is.
@@ -76,6 +90,7 @@ mod tests {
         assert_eq!(tied("10 mm thick, 0.1 N m, 1\nrad/s."), "10\u{a0}mm thick, 0.1\u{a0}N\u{a0}m, 1\u{a0}rad/s.");
         assert_eq!(tied("<td title=\"5 mm\">5 mm</td>"), "<td title=\"5 mm\">5\u{a0}mm</td>");
         assert_eq!(tied("95 % of 2 kg m²"), "95\u{a0}% of 2\u{a0}kg\u{a0}m²");
+        assert_eq!(tied("at φ = 20°, θ = −5"), "at φ\u{a0}=\u{a0}20°, θ\u{a0}=\u{a0}−5");
     }
 
     #[test]
@@ -87,6 +102,7 @@ mod tests {
             "<pre><code>5 mm</code></pre><svg><text>5 mm</text></svg>",
             "in 1973\n\nm is",
             "a < 5 and mm",
+            "pins = 3, a = b",
         ] {
             assert_eq!(tied(text), text);
         }
