@@ -78,8 +78,8 @@ impl Verdict {
             }
             Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
             Self::ReproducedInError => {
-                "the source's own way gives the printed digits, but there is a mistake in it, so the right number is \
-                 a different one"
+                "the source's own method gives the printed digits, but the method contains a mistake, so the right \
+                 number is a different one"
             }
             Self::Corrected => "the printed form fails, but a corrected form passes, and a second witness agrees",
             Self::NotReproduced => "the printed form fails, and no corrected form is known",

@@ -94,7 +94,7 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
         ),
         format!(
             "The least gap between the tips of the horns and the locking disc while the wheel turns, for a disc with a radius \
-             of {} crank radii and no play. Below the thin line the horns are in the disc.",
+             of {} crank radii and no play. Below the thin line the horns overlap the disc.",
             fixed(disc, 1)
         ),
     );

@@ -100,8 +100,8 @@ fn words(formulas: &[Compared], [first, last]: [f64; 2]) -> Words {
         ),
         format!(
             "The value that each formula gives, divided by the right value. On the thin line a formula is right. The formulas \
-             in the upper panel are right for {right} slots and wrong on both sides of it. The formulas in the lower panel are \
-             right for no number of slots."
+             in the upper panel are right for {right} slots and wrong for fewer and for more. The formulas in the lower panel \
+             are right for no number of slots."
         ),
     )
 }

@@ -89,11 +89,14 @@ pub fn of_fig_8() -> anyhow::Result<Figure> {
     let fitting = rows_of_fig_8().context("no rise time of Fig. 8")?;
     let (row, others) = fitting.split_first().context("no run has the printed rise time")?;
     let others: Vec<String> = others.iter().map(|row| named(row)).collect();
-    let fits = if others.is_empty() { String::new() } else { format!(" So does that of {}.", others.join(" and of ")) };
+    let fits = match others.join(" and with ") {
+        with if with.is_empty() => String::new(),
+        with => format!(" So does the time of the first minimum with {with}."),
+    };
     let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(row).map(|inertia| fixed(1e6 * inertia, 0));
     let inertias = format!("inertias of driver and follower {driver} and {follower} · 10⁻⁶ in lb s²");
     let words = format!(
-        "Four pins, {}, {inertias}: its first minimum rounds to the rise time printed of Fig. 8.{fits}",
+        "Four pins, {}, {inertias}: the time of its first minimum rounds to the rise time printed for Fig. 8.{fits}",
         named(row)
     );
     Ok(runs::speeds(&rows::engagement(row, &Hypothesis::WITHOUT_LAG)?, &words)?)

@@ -85,8 +85,9 @@ pub fn weighings() -> anyhow::Result<Table> {
         "Another reset or <br>inertias, normal",
         "Another reset or <br>inertias, exponential",
     ];
-    let says = "By how much ln L is greater with the reset after 90° and the inertias of Fig. 11 than with the best other \
-                combination. Each line keeps what the line above it says, and the last one takes the least favourable rows";
+    let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of the \
+                other combinations. The third and the fourth line keep the conditions of the line above, and the fourth \
+                takes the rows with the smallest lead";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 
@@ -171,7 +172,7 @@ pub fn by_column() -> anyhow::Result<Table> {
     });
     let head = ["No.", "Peaks", "worst, <br>%", "Minima", "worst, <br>%", "Periods", "worst, <br>%"];
     let says = "The ten hypotheses column by column: how many of the 49 cells are right to the printed digit / to one unit, and \
-                the worst deviation, which is printed over computed, less one";
+                the worst deviation, which is the printed number divided by the computed one, minus one";
     table(says, Cells::Numbers, &head, rows)
 }
 
@@ -195,8 +196,8 @@ pub fn delays() -> anyhow::Result<Table> {
         "Minima",
         "Periods",
     ];
-    let says = "The program as listed, with other lags: cells right to the printed digit / to one unit, and the mean of the \
-                printed peaks over the computed peaks, less one";
+    let says = "The program as listed, with other lags: cells right to the printed digit / to one unit, and the mean \
+                deviation of the peaks, where a deviation is the printed number divided by the computed one, minus one";
     table(says, Cells::Numbers, &head, rows)
 }
 
@@ -293,8 +294,8 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
     ];
     let [driver, follower] = hypothesis.inertias(first).map(|inertia| fixed(1e6 * inertia, 0));
     let says = format!(
-        "{} pins, printed and right values: K in in·lb, speeds in rad/s, periods in s; the inertia of the driver is {driver} \
-         · 10⁻⁶ in lb s², of the follower {follower} · 10⁻⁶ in lb s²",
+        "{} pins, printed and right values: K in in·lb, speeds in rad/s, periods in s; the driver's inertia is {driver} · \
+         10⁻⁶ in lb s², and the follower's is {follower} · 10⁻⁶ in lb s²",
         match mechanism.pins() {
             3 => "Three",
             4 => "Four",

@@ -26,8 +26,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.method.one-value",
                 "made negligible by proper choice of the increment",
-                "if the second derivative, taken as constant over a step, gives the new first derivative, and this \
-                 gives the new value, the error tends to zero as the step gets shorter",
+                "if the second derivative, taken as constant over a step, gives the new first derivative, and the new \
+                 first derivative gives the new value, the error tends to zero as the step gets shorter",
             )
             .by(ClosedForm, |stated| {
                 let errors: Vec<f64> = INCREMENTS.map(error_of_growth).to_vec();

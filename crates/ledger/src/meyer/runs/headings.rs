@@ -47,7 +47,7 @@ pub fn of_headings() -> Claim {
         .statement(
             "meyer.app-e.mechanisms",
             "Six Pin Mechanism",
-            "the tables for six and three pins are of the mechanisms named above them",
+            "the tables for six and three pins describe the mechanisms named above them",
         )
         .by(Quadrature, |stated| {
             counted(&hypothesis(stated), "minima", 1.0, |of, row| {
@@ -61,8 +61,8 @@ pub fn of_headings() -> Claim {
             })
         })
         .read_as(
-            "The claim is that the runs below this heading, and those below the heading for three pins, are of the \
-             mechanism that the heading names.",
+            "The claim is that the runs below this heading are runs of the mechanism that the heading names, and \
+             likewise below the heading for three pins.",
         )
         .corrected(
             "Six Pin Mechanism, with the driver's angle reset after 90° (and likewise the Three Pin Mechanism)",
