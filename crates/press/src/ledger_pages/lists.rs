@@ -2,7 +2,7 @@
 
 use super::inline::badge;
 use crate::html::{Cells, Table, escape, table, tex_or_text};
-use crate::tables::chain::words;
+use crate::tables::chain::scientific;
 use crate::{lookup, maths};
 use geneva_figures::notation::NOTATION;
 use geneva_ledger::{Evidence, Judged, Symbol, TOLERANCES, Verdict};
@@ -29,7 +29,7 @@ pub fn evidence() -> anyhow::Result<Table> {
 /// The tolerances that are not printed digits.
 pub fn tolerances() -> anyhow::Result<Table> {
     let rows = TOLERANCES.iter().map(|tolerance| {
-        let relative = words(&format!("{:e}", tolerance.relative))?;
+        let relative = scientific(&format!("{:e}", tolerance.relative))?;
         Ok(vec![tolerance.name.to_owned(), relative, escape(tolerance.reason)])
     });
     table("Tolerances", Cells::Words, &["Tolerance", "Relative", "Why"], rows)

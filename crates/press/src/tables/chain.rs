@@ -8,13 +8,27 @@ use std::str::Chars;
 
 /// A chain as a formula whose line may break, and with its text for the data beside the table.
 pub fn chain(text: &str) -> anyhow::Result<String> {
+    marked(text, text)
+}
+
+/// A number such as `5e-8` as one with a power of ten, and as it is for the data beside the table; other text as it is.
+pub fn scientific(number: &str) -> anyhow::Result<String> {
+    match number.split_once('e') {
+        Some(("1", exponent)) => marked(&format!("10^{}", with_minus_sign(exponent)), number),
+        Some((digits, exponent)) => marked(&format!("{digits} × 10^{}", with_minus_sign(exponent)), number),
+        None => Ok(escape(number)),
+    }
+}
+
+/// A chain as a formula, with a text for the data.
+fn marked(text: &str, data: &str) -> anyhow::Result<String> {
     // As wide as a phone where its fractions are as large as its other parts; a longer one has smaller fractions.
     const SHORT: usize = 64;
     // The space that a browser gives the sign of a product anyway.
     const USUAL: &str = " lspace=\"0.2222em\" rspace=\"0.2222em\"";
     let markup = broken(&formula(&tex(text), false)?.replace(USUAL, ""));
     let class = if text.chars().count() < SHORT { "" } else { " class=\"long\"" };
-    Ok(format!("<span data-text=\"{}\"{class}>{markup}</span>", escape(text)))
+    Ok(format!("<span data-text=\"{}\"{class}>{markup}</span>", escape(data)))
 }
 
 /// Words about a chain: a number with a power is a formula, `1e-3` is such a number, and a hyphen before a digit is a minus
@@ -202,6 +216,14 @@ mod tests {
         assert_eq!(tex("e^−(1.00 s)/(3.52 s)"), r"e^{-\frac{1.00\text{~s}}{3.52\text{~s}}}");
         assert_eq!(tex("√(2(3.0) m) = 84ĵ"), r"\sqrt{2(3.0)\text{~m}} = 84\hat{j}");
         assert_eq!(tex("30,000 °C cos 0°"), r"30{,}000\,{}^\circ\mathrm{C}\cos  0{}^\circ ");
+    }
+
+    #[test]
+    fn a_power_of_ten_is_a_number_in_the_data() {
+        let set = scientific("1e-6").expect("set");
+        assert_eq!(set, "<span data-text=\"1e-6\"><math><msup><mn>10</mn><mtext>−6</mtext></msup></math></span>");
+        assert!(scientific("5e-8").expect("set").contains("<mn>5</mn><mo>×</mo><msup>"));
+        assert_eq!(scientific("–").expect("set"), "–");
     }
 
     #[test]
