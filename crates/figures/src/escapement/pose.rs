@@ -116,8 +116,8 @@ impl Bodies {
 
     /// The driver's disc and the pins' circle.
     pub fn draw_driver(&self, canvas: &mut Canvas, width: f64) {
-        let disc = Shape::circle(&self.axis, self.disc()).stroke(DRIVER, width).with("fill-opacity", "0.12");
-        canvas.draw(disc.fill(DRIVER).class("driver"));
+        let disc = Shape::circle(&self.axis, self.disc()).stroke(DRIVER, width).tint(DRIVER, 0.12);
+        canvas.draw(disc.class("driver"));
         pin_circle(canvas, &self.axis, self.view.scale);
     }
 

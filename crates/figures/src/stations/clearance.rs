@@ -21,8 +21,8 @@ const TOUCHING: f64 = 1e-3;
 const POSITIONS: i32 = 30;
 
 /// The corners of an outline in crank radii, y upwards.
-fn outline(data: String) -> Vec<Vector2<f64>> {
-    corners(&data, CHORD).iter().map(|at| Vector2::new(at.x, -at.y) / SCALE).collect()
+fn outline(data: &str) -> Vec<Vector2<f64>> {
+    corners(data, CHORD).iter().map(|at| Vector2::new(at.x, -at.y) / SCALE).collect()
 }
 
 fn turned(point: &Vector2<f64>, turn: &Turn<f64>) -> Vector2<f64> {

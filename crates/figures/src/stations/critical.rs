@@ -4,7 +4,7 @@ use super::pose::{Bodies, Margins};
 use crate::number::{degrees, significant};
 use crate::parts::{self, WIDTH, arc, dimension, part, pin_circle, right_angle};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
+use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
@@ -28,7 +28,7 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
     let pin = bodies.pin(-theta);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let scale = bodies.view.scale;
-    canvas.group("opacity=\"0.5\"", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, alpha, 1.3));
+    canvas.faint(0.5, "", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, alpha, 1.3));
     let rim = Shape::circle(&bodies.pivot, bodies.star.rim * scale).stroke(FOLLOWER, 1.3).dashed("2 4");
     canvas.draw(rim.class("rim"));
     pin_circle(&mut canvas, &bodies.axis, scale);
@@ -85,9 +85,9 @@ fn angles(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixels
     let narrow = alpha * near < 24.0;
     let (one, both) = if narrow { (-alpha - 26.0 / near, alpha + 20.0 / far) } else { (-alpha / 2.0, alpha / 2.0) };
     let beyond = if narrow { 0.0 } else { 8.0 };
-    let label = Label::part("α").on(FILL);
+    let label = Label::part("α");
     canvas.label(&(at.pivot + heading(one) * near), &heading(one), beyond, &label);
-    let label = Label::words("2").and_symbol("α").on(FILL);
+    let label = Label::words("2").and_symbol("α");
     canvas.label(&(at.pivot + heading(both) * far), &heading(both), beyond, &label);
     let radius = 0.28 * scale;
     part(canvas, "θ", |canvas| arc(canvas, &at.axis, radius, PI, PI + theta, INK, 1.5));
@@ -109,7 +109,7 @@ fn lengths(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixel
     canvas.label(&at.pivot.lerp(pin, 0.62), &heading(-alpha - PI / 2.0), 16.0, &radius);
     let crank = Label::words("1").in_colour(DRIVER);
     canvas.label(&at.axis.lerp(pin, 0.5), &heading(PI + theta + PI / 2.0), 16.0, &crank);
-    canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
+    canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O"));
     canvas.label(&at.axis, &heading(0.4), 16.0, &Label::words("B"));
     let below = if at.view.scale <= SMALL { -0.8 * PI } else { -PI / 2.0 };
     canvas.label(pin, &heading(below), 8.0 + at.driver.arm * at.view.scale, &Label::words("P"));

@@ -207,14 +207,14 @@ fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
     live.answer(&given(live.name)?).map_err(|message| anyhow!("{}: {message}", live.name))
 }
 
-/// The linkage of the source's problem; its angle to the degree.
+/// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
 fn lever() -> anyhow::Result<Arguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
     let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
     let numbers = [("ground", ground), ("radius", radius), ("speed", speed)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    let others = [("crank", format!("{crank:.1}")), ("unit", "m".to_owned())];
+    let others = [("crank", format!("{crank:.2}")), ("unit", "m".to_owned())];
     Ok(Arguments::of(numbers.into_iter().chain(others)))
 }
 
