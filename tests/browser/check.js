@@ -30,13 +30,14 @@ const geneva = (() => {
     const fault = (kind, element, what) => ({ kind, at: element ? place(element) : 'page', what });
 
     const hide = () => document.documentElement.style.setProperty('display', 'none');
+    const show = () => document.documentElement.style.removeProperty('display');
 
     /**
      * What some checks find. Before and after these the page is hidden: nothing is painted that nobody looks at, and what
      * changes its width and its colours lays it out once.
      */
     const shown = async (...checks) => {
-        document.documentElement.style.removeProperty('display');
+        show();
         const found = [];
         for (const check of checks) {
             found.push(await check());
@@ -531,5 +532,5 @@ const geneva = (() => {
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 
-    return { unfold, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, halos, parted, keyboard, load, accessibility, contrast, content };
+    return { unfold, show, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, halos, parted, keyboard, load, accessibility, contrast, content };
 })();
