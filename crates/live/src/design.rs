@@ -200,7 +200,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
     }
     numbers.extend(loads(&design, &sizes.wheel).map_err(words)?);
-    let is_met = play(sizes, error, design.pin_speed().unwrap_or(f64::NAN), &mut numbers);
+    let is_met = play(&design, sizes, &mut numbers);
     let figure = stations::dimensions_on_a_page(sizes);
     numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
     let more = design.on_pages(&sizes.wheel).map_err(words)?;
@@ -255,8 +255,9 @@ fn loads(design: &Design, wheel: &Wheel) -> Result<Vec<Number>, Error> {
     Ok(all.into_iter().filter_map(number).collect())
 }
 
-/// Backlash and blows of a pin of this speed in mm/s; whether the pin meets the slot at all.
-fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) -> bool {
+/// Backlash and blows; whether the pin meets the slot at all.
+fn play(design: &Design, sizes: &Sizes, numbers: &mut Vec<Number>) -> bool {
+    let (error, pin_speed) = (design.question.centre_error, design.pin_speed().unwrap_or(f64::NAN));
     // With the axes apart the play is another.
     if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
         let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
@@ -267,8 +268,8 @@ fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) ->
         let before = Number::new("before", play.until_entry.to_degrees(), 1, "°");
         numbers.push(Number { text: format!("{} of the crank", before.text), ..before });
     }
-    let Some(entry) = sizes.entry(error) else { return false };
-    numbers.push(Number::significant("blow", entry.closing_speed * pin_speed, 3, "mm/s"));
+    let Some(blow) = Number::of("blow", &design.blow(sizes)) else { return false };
+    numbers.push(blow);
     if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
         numbers.push(Number::significant("hardest", knock.drifted * pin_speed, 3, "mm/s"));
     }

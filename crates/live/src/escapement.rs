@@ -2,15 +2,13 @@
 
 use crate::answer::{Answer, Number, shown};
 use crate::control::{Control, Live, Preset, Quantity, Settings};
+use geneva_ask::escapement::rates;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::timer::Sensitivities;
 use geneva_dynamics::{Error, Inertias, Parameters};
 use geneva_figures::{Figure, escapement};
 use geneva_kinematics::Mechanism;
 
-/// Seconds of a day.
-const DAY: f64 = 86_400.0;
 /// The speed has been reached where an engagement begins so near it.
 const REACHED: f64 = 0.01;
 
@@ -92,9 +90,9 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         },
         settled => Number::new("engagements", settled.map_err(words)?.0 as f64, 0, ""),
     };
-    // The same number of turns takes longer by as much as the mean speed falls.
-    let slower = Sensitivities::new(&parameters).map_err(words)?.friction * 0.01 * DAY;
-    let rate = Number::new("rate", slower, 0, "s a day");
+    let rates = rates(&parameters).map_err(words)?;
+    let rate = rates.iter().find(|field| field.key == "friction_rate_s_a_day");
+    let rate = rate.and_then(|field| Number::of("rate", field)).ok_or("the friction has no rate")?;
     let speed = |name, speed| Number::significant(name, speed, 4, "rad/s");
     let numbers = [
         rate,

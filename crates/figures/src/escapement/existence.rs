@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Entry, Panel, Spot, of_mechanism};
 use crate::number::trimmed;
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
+use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::{critical_friction, critical_inertia_ratio};
 use geneva_kinematics::Mechanism;
 use std::ops::Range;
@@ -28,6 +29,12 @@ pub struct Design {
 }
 
 impl Design {
+    /// The point of an escapement.
+    pub fn of(parameters: &Parameters) -> Self {
+        let inertia_ratio = parameters.inertias().ratio();
+        Self { mechanism: parameters.mechanism(), inertia_ratio, friction: parameters.friction() }
+    }
+
     /// Whether the equation of motion has one solution wherever a pin is in its slot.
     pub fn is_sound(&self) -> bool {
         critical_friction(self.mechanism, self.inertia_ratio).is_ok_and(|critical| self.friction < critical.friction)

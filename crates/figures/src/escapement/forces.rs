@@ -1,6 +1,6 @@
 //! The forces at one instant: on the pin, at the contact, on the follower.
 
-use super::engagement::Instant;
+use super::engagement::{Instant, speed_at};
 use super::force_panels::{contact, follower, pin_and_driver};
 use super::pose::{Bodies, Margins};
 use crate::number::{degrees, short, shown, significant, without_noise};
@@ -10,6 +10,7 @@ use crate::theme::GRID;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::forces::Flank;
+use geneva_dynamics::steady::Engagement;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,6 +19,18 @@ const MARGINS: Margins = Margins { side: 46.0, above: 48.0, below: 30.0 };
 const LOWER: f64 = 330.0;
 const VALUES: f64 = 92.0;
 const LINE: f64 = 28.0;
+
+/// The forces in the steady motion, at this part (from above −1 to 1) of the half angle of the engagement from the line of
+/// centres.
+///
+/// # Errors
+///
+/// [`FigureError`] if there is no steady motion, or the part is beyond its limits.
+pub fn steady_forces(parameters: &Parameters, part: f64) -> Result<Figure, FigureError> {
+    let crank = part * parameters.mechanism().engagement_half_angle();
+    let entry_speed = Engagement::new(parameters)?.steady_state()?.entry_speed;
+    forces(parameters, crank, speed_at(parameters, entry_speed, crank)?)
+}
 
 /// The forces at a driver angle (θ in radians, within ±π/m) and a driver speed (θ' ≥ 0), in three panels.
 ///

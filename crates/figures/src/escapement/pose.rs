@@ -6,6 +6,7 @@ use crate::star::Star;
 use crate::svg::{Canvas, Label, Path, Pixels, Placing, Shape, View, heading};
 use crate::theme::{Colour, DRIVER, FOLLOWER};
 use geneva_kinematics::escapement::{Configuration, Mechanism};
+use geneva_kinematics::indexing::Indexing;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -5,7 +5,7 @@ use crate::number::{significant, trimmed};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Mechanism;
-use geneva_kinematics::wheel::peak_velocity;
+use geneva_kinematics::indexing::Indexing;
 use std::f64::consts::FRAC_PI_2;
 
 /// Steps from entry to exit; an even number.
@@ -18,7 +18,7 @@ const STEPS: u32 = 160;
 /// and its square.
 pub fn ratios(escapements: &[Mechanism]) -> Figure {
     let rows: Vec<Vec<f64>> = (0..=STEPS).map(|k| row(escapements, k)).collect();
-    let peak = |one: &Mechanism| peak_velocity(&one.wheel());
+    let peak = |one: &Mechanism| one.wheel().peak_velocity();
     let greatest = escapements.iter().map(peak).fold(1e-3, f64::max);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" / (π/").and_symbol("m").and("): entry −1, exit 1");
     let x = Axis { decimals: 1, ..Axis::whole(-1.0..1.0, [-1.0, -0.5, 0.0, 0.5, 1.0]) };
@@ -76,6 +76,6 @@ fn mean(one: &Mechanism) -> String {
 }
 
 fn said(one: &Mechanism) -> String {
-    let peak = significant(peak_velocity(&one.wheel()), 4);
+    let peak = significant(one.wheel().peak_velocity(), 4);
     format!("{} slots, {} pins: greatest {peak}, mean {}", one.slots(), one.pins(), mean(one))
 }

@@ -6,6 +6,7 @@ use crate::checks::{corners, depth};
 use crate::star::Star;
 use crate::svg::View;
 use geneva_kinematics::Turn;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;

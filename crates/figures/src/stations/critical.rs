@@ -6,6 +6,7 @@ use crate::parts::{self, WIDTH, arc, dimension, part, pin_circle, right_angle};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;

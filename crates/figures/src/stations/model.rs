@@ -7,6 +7,7 @@ use crate::svg::{Canvas, Kind, Label, Pixels, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::Turn;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{pin_from_pivot, slot_radius_squared};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;

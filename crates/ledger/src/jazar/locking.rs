@@ -4,6 +4,7 @@ use super::letters::SIZES_OF_FOUR;
 use super::text::{SIMPLE, VARIETIES};
 use super::*;
 use crate::vocabulary::equal_to;
+use geneva_kinematics::indexing::Indexing;
 use nalgebra::Vector2;
 
 pub(super) fn journal_bearing() -> Claim {

@@ -130,7 +130,7 @@ const ROUNDED_ANGLE: Slip = Slip {
     id: "pin.slot-point-speed",
     reason: "Four digits are printed, but they come from the sine of an angle that was rounded to three digits, so \
              the fourth digit is wrong.",
-    witness: "Differentiating the pin's position, which needs no angle, gives the corrected digits.",
+    witness: "Differentiating the pin's position needs no rounded angle and gives the corrected digits.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
     changes: "The fourth digit of this speed changes. The wheel's angular velocity, which is computed from this \

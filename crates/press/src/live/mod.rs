@@ -220,14 +220,13 @@ fn lever() -> anyhow::Result<Arguments> {
 
 /// The run that stands for all, its ratio of inertias to three digits.
 fn example() -> anyhow::Result<Arguments> {
-    let parameters = crate::rows::parameters(crate::rows::example()?)?;
-    let (follower, ratio) = (parameters.inertias().follower(), parameters.inertias().ratio());
-    let (friction, torque) = (parameters.friction(), parameters.torque());
+    let row = crate::rows::example()?;
+    let of = |key| crate::rows::number(row, key);
     Ok(Arguments::of([
-        ("follower", follower.to_string()),
-        ("ratio", format!("{ratio:.3}")),
-        ("friction", friction.to_string()),
-        ("torque", torque.to_string()),
+        ("follower", of("follower_inertia")?.to_string()),
+        ("ratio", format!("{:.3}", of("inertia_ratio")?)),
+        ("friction", of("friction")?.to_string()),
+        ("torque", of("torque")?.to_string()),
     ]))
 }
 

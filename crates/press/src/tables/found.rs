@@ -4,7 +4,7 @@ use crate::found::{Answer, Contact, Judgement, Run, contacts, flags, runs, unit_
 use crate::html::{Cells, Table, escape, table};
 use geneva_figures::with_minus_sign;
 
-/// The texts that nobody had looked at, with what became of their flags: the third round by text, the others in one row each.
+/// The texts that nobody had looked at, with what became of their flags: the third and fourth round by text, the others in one row each.
 pub fn texts() -> anyhow::Result<Table> {
     let contacts = contacts()?;
     let runs = runs()?;
@@ -28,14 +28,17 @@ pub fn texts() -> anyhow::Result<Table> {
         let of = of_round(name);
         rows.push(row(format!("{words}, {} texts", of.len()), name, "several", &of));
     }
-    let (with, without): (Vec<&Run>, Vec<&Run>) = of_round("third").into_iter().partition(|run| run.flags > 0);
-    rows.extend(with.iter().map(|run| row(run.text.clone(), "third", &run.format, &[run])));
-    rows.push(row(format!("{} more texts", without.len()), "third", "several", &without));
+    for name in ["third", "fourth"] {
+        let (with, without): (Vec<&Run>, Vec<&Run>) = of_round(name).into_iter().partition(|run| run.flags > 0);
+        rows.extend(with.iter().map(|run| row(run.text.clone(), name, &run.format, &[run])));
+        rows.push(row(format!("{} more texts of the {name} round", without.len()), name, "several", &without));
+    }
+    rows.extend(of_round("fifth").iter().map(|run| row(run.text.clone(), "fifth", &run.format, &[run])));
     table(
-        "Texts that we had not looked at before, those of the third round in the order in which they were run, and the flags on a \
+        "Texts that we had not looked at before, those from the third round on in the order in which they were run, and all flags on a \
          number",
         Cells::NamedNumbers,
-        &["Text", "Format", "Chains checked", "Flags", "Really wrong", "Rounding, convention", "Misread"],
+        &["Text", "Format", "Chains checked", "Flags", "Real errors", "Rounding, convention", "Misread"],
         rows.into_iter().map(Ok).collect::<Vec<_>>(),
     )
 }
