@@ -13,6 +13,7 @@ mod by_steps;
 mod combinations;
 mod concluded;
 mod conclusions;
+mod disc_letters;
 mod energy;
 mod friction;
 mod front;

@@ -5,18 +5,14 @@
 //! more.
 
 use super::instants::moments;
-use super::reading::{Letters, Moment, decide_multiple};
-use super::singularity_letters::{
-    Condition, nearest_on_the_axis, nearest_on_the_axis_by_cosine, on_the_axis, on_the_axis_by_cosine, ratio_of_one,
-    ratio_of_one_by_sine,
-};
+use super::reading::decide_multiple;
+use super::singularity_letters::*;
 use super::*;
 use crate::agreement::{joined, joined_numbers};
 use geneva_dynamics::existence::least_margin;
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
-use nalgebra::Complex;
 
 const FLAW: Place = at("Line after Eq. (1-18)");
 const END: Place = at("Paragraph before the substitutions of Eq. (1-19)");
@@ -387,73 +383,12 @@ fn bound(
     at(locator).equation(id, printed, meaning).decided(decide).read(ClosedForm, only_for_one)
 }
 
-/// An inequality as an equation of the lesser side and the greater one, in this order; none if it is no inequality.
-fn at_most(tex: &str) -> Option<String> {
-    let lesser_first = tex.split_once(r"\leq");
-    let [lesser, greater] = match tex.split_once(r"\geq") {
-        Some((greater, lesser)) => [lesser, greater],
-        None => lesser_first?.into(),
-    };
-    Some(format!("{lesser} = {greater}"))
-}
-
 fn named((name, value): (&str, f64)) -> (String, f64) {
     (name.to_owned(), value)
 }
 
-/// The least of these ratios that is greater than one.
+/// The least of the ratios that are tried that is greater than one.
 const NEXT_RATIO: f64 = 1.0625;
-
-/// Ratios of the axes' distance to the pins' radius, from 1/16 to 5.
-fn ratios() -> impl Iterator<Item = f64> {
-    (1..=80).map(|k| f64::from(k) / 16.0)
-}
-
-/// Whether an inequality allows a ratio; none if it cannot be read.
-fn allows(inequality: &str, ratio: f64) -> Option<bool> {
-    let letters: Letters = [named(("a", ratio))].into();
-    let sides = |relation: &str| {
-        let (left, right) = inequality.split_once(relation)?;
-        let values = [left, right].map(|side| reading::value(side, &letters));
-        values.iter().all(|value| value.is_finite()).then_some(values)
-    };
-    match (sides(r"\leq"), sides(r"\geq")) {
-        (Some([left, right]), _) => Some(left <= right),
-        (_, Some([left, right])) => Some(left >= right),
-        _ => None,
-    }
-}
-
-/// Whether an inequality allows the ratio one and no other.
-fn only_for_one(inequality: &str) -> Option<bool> {
-    let allowed: Vec<bool> = ratios().map(|ratio| allows(inequality, ratio)).collect::<Option<_>>()?;
-    Some(ratios().zip(allowed).all(|(ratio, allowed)| allowed == (ratio == 1.0)))
-}
-
-/// Whether a display of θ_∞ holds. The cosine of that angle is greater than one unless a = 1, so it is imaginary.
-fn with_imaginary_angles(tex: &str) -> Option<bool> {
-    let moments = [1.0, 1.25, 1.5, 2.0, 3.5].map(|ratio: f64| {
-        // cosh(ln a) = (a + 1/a)/2.
-        let letters = [("a", Complex::new(ratio, 0.0)), ("theta_infty", Complex::new(0.0, libm::log(ratio)))];
-        Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
-    });
-    reading::holds(tex, &moments)
-}
-
-/// For which numbers of slots, of 1 to 100, a display holds if the ratio is one; none if it cannot be read.
-fn slots_that_satisfy(display: &str) -> Option<Vec<u32>> {
-    let holds = |slots: u32| {
-        let letters = [("a", 1.0), ("n", f64::from(slots))].map(named).into();
-        reading::holds(display, &[Moment::of(letters)])
-    };
-    let found: Vec<(u32, bool)> = (1..=100).map(|slots| Some((slots, holds(slots)?))).collect::<Option<_>>()?;
-    Some(found.into_iter().filter(|(_, holds)| *holds).map(|(slots, _)| slots).collect())
-}
-
-/// Whether a display holds for two slots and for no other number, if the ratio is one.
-fn only_for_two(display: &str) -> Option<bool> {
-    slots_that_satisfy(display).map(|found| found == [2])
-}
 
 /// The factors of the equation of motion for a torque of one.
 fn factors(mechanism: Mechanism, inertia: f64, angle: f64, friction: f64) -> Coefficients<f64> {
