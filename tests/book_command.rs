@@ -30,6 +30,7 @@ fn a_place_where_nothing_can_be_written_leaves_the_old_book() {
     assert!(inside(&["book", "--output", "out"]).output().expect("the program runs").status.success());
     let page = workspace.path().join("out/index.html");
     let old = fs::read(&page).expect("the book is there");
+    assert!(!page.with_file_name("data").exists(), "data to which no page leads");
 
     // Permissions do not stop every user; a file where a folder should be does.
     fs::write(workspace.path().join("file"), "").expect("writable");

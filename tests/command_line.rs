@@ -445,12 +445,16 @@ fn a_copy_with_other_numbers_is_recorded_for_the_entries_to_be_filled_in() {
 #[test]
 fn without_arguments_the_verdicts_are_summed_up_and_the_book_is_built() {
     let workspace = small_workspace();
+    let leads_to_data = "# Only\n\nEvery [claim](data/claims.json).\n";
+    fs::write(workspace.path().join("book/src/only.md"), leads_to_data).expect("writable");
     let mut command = geneva(&[]);
     let output = command.current_dir(workspace.path()).output().expect("the program runs");
     let code = if verdicts().iter().all(geneva_ledger::Judged::holds) { 0 } else { 1 };
     assert_eq!(output.status.code(), Some(code), "{output:?}");
     assert!(output.stderr.is_empty(), "no progress is shown in a pipe: {output:?}");
-    assert!(workspace.path().join("target/book/index.html").is_file());
+    for file in ["index.html", "data/claims.json"] {
+        assert!(workspace.path().join("target/book").join(file).is_file(), "{file}");
+    }
     let here = workspace.path().canonicalize().expect("it exists");
     let page = String::from_utf8(output.stdout).expect("UTF-8").replace(&*here.to_string_lossy(), "[workspace]");
     settings().bind(|| insta::assert_snapshot!("summary", page));

@@ -23,15 +23,21 @@ fn signal(at: usize) -> (&'static str, i32) {
     signals().nth(at).unwrap_or(TERMINATE)
 }
 
-/// A workspace with so many chapters that a build takes a moment, and an old book in its folder `out`.
+/// A workspace whose book takes seconds, since it leads to the records for which every verdict is derived, and an old book in
+/// its folder `out`.
 fn workspace() -> TempDir {
+    workspace_of("Every [claim](data/claims.json).")
+}
+
+/// A workspace with so many chapters of this text that a build takes a moment, and an old book in its folder `out`.
+fn workspace_of(text: &str) -> TempDir {
     const CHAPTERS: usize = 60;
     let workspace = small_workspace();
     let (source, out) = (workspace.path().join("book/src"), workspace.path().join("out"));
     let summary: String = (0..CHAPTERS).map(|number| format!("- [Chapter {number}](c{number}.md)\n")).collect();
     fs::write(source.join("SUMMARY.md"), summary).expect("writable");
     for number in 0..CHAPTERS {
-        fs::write(source.join(format!("c{number}.md")), format!("# Chapter {number}\n\nText.\n")).expect("writable");
+        fs::write(source.join(format!("c{number}.md")), format!("# Chapter {number}\n\n{text}\n")).expect("writable");
     }
     fs::create_dir(&out).expect("writable");
     fs::write(out.join("index.html"), "old").expect("writable");
@@ -80,7 +86,8 @@ fn a_signal_ends_the_build_and_nothing_is_left() {
         let (child, _) = started(build(&workspace), workspace.path(), "lock");
         assert_is_ended(&workspace, child, signal);
     }
-    // Pages come late: one signal must do.
+    // Pages come late, where there is more to do before them: one signal must do.
+    let workspace = workspace_of("Text.");
     let (child, _) = started(build(&workspace), workspace.path(), "new/c3.html");
     assert_is_ended(&workspace, child, signal(1));
 }

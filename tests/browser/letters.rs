@@ -10,10 +10,8 @@ use serde_json::{Value, json};
 const PAGES: [&str; 5] = ["pin", "jazar", "quick-return", "escapement", "glossary"];
 const OF_THE_TRIANGLE: [&str; 5] = ["R", "r", "l", "θ", "φ"];
 
-fn open(browser: &mut Browser, page: &str) {
-    browser.show(WIDE, Medium::Light);
-    browser.open(&format!("{}/{page}.html", address(crate::book_pages::book())));
-}
+/// Where the mouse rests when no part of the page is touched.
+const AWAY: [i32; 2] = [-10, -10];
 
 fn strings(value: &Value) -> Vec<String> {
     value.as_array().into_iter().flatten().filter_map(|of| of.as_str().map(str::to_owned)).collect()
@@ -40,40 +38,51 @@ const LIT: &str = "(letter => { const lit = [...document.querySelectorAll('svg .
      of.dataset.letter), wrong: lit.filter(of => of.ownerSVGElement !== own).length, missing: all?.filter(of => \
      !of.matches('.lit')).length, shapes: lit.filter(of => of.localName !== 'text').length } })";
 
-#[test]
-fn touching_a_letter_lights_its_part_in_the_nearest_drawing_and_no_other() {
-    let Some(mut browser) = Browser::start() else { return };
-    for page in crate::book_pages::names().iter().filter_map(|name| name.strip_suffix(".html")) {
-        open(&mut browser, page);
-        // The first and the last place of each letter that is on the screen.
-        let count = browser.evaluate(
-            "globalThis.firsts = [...Map.groupBy([...document.querySelectorAll('main math [data-letter]')].filter(of => \
-             of.checkVisibility()), of => of.dataset.letter).values()].flatMap(all => [all[0], all.at(-1)]); firsts.length",
-        );
-        let mut names = Vec::new();
-        for number in 0..count.as_u64().expect("a number") as usize {
-            point(&mut browser, number);
-            let lit = browser.evaluate(&format!("{LIT}(firsts[{number}])"));
-            let name = lit["name"].as_str().expect("a letter").to_owned();
-            assert!(strings(&lit["lit"]).iter().all(|of| *of == name), "{page}: {lit}");
-            assert_eq!([&lit["wrong"], &lit["missing"]], [&json!(0), &json!(0)], "{page}: {lit}");
-            assert!(lit["shapes"].as_u64() > Some(0), "{page}: {name} lights nothing but words: {lit}");
-            names.push(name);
+/// Touches each letter of the open page: at which letters something is wrong, and what.
+pub(super) fn touch(browser: &mut Browser, page: &str) -> Vec<(String, String)> {
+    let mut wrong = Vec::new();
+    // The first and the last place of each letter that is on the screen.
+    let count = browser.evaluate(
+        "globalThis.firsts = [...Map.groupBy([...document.querySelectorAll('main math [data-letter]')].filter(of => \
+         of.checkVisibility()), of => of.dataset.letter).values()].flatMap(all => [all[0], all.at(-1)]); firsts.length",
+    );
+    let mut names = Vec::new();
+    for number in 0..count.as_u64().expect("a number") as usize {
+        point(browser, number);
+        let lit = browser.evaluate(&format!("{LIT}(firsts[{number}])"));
+        let name = lit["name"].as_str().expect("a letter").to_owned();
+        let is_own = strings(&lit["lit"]).iter().all(|of| *of == name);
+        if !is_own || [&lit["wrong"], &lit["missing"]] != [&json!(0), &json!(0)] {
+            wrong.push((name.clone(), format!("lights something else than its parts in the nearest drawing: {lit}")));
         }
-        browser.command("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": 2, "y": 2 }));
-        assert_eq!(browser.evaluate("document.querySelectorAll('.lit').length"), json!(0), "{page}: it stays lit");
-        if PAGES.contains(&page) {
-            let missing: Vec<&str> =
-                OF_THE_TRIANGLE.into_iter().filter(|letter| !names.iter().any(|name| name == letter)).collect();
-            assert!(missing.is_empty(), "{page}: no part of a drawing for {missing:?}");
+        if lit["shapes"].as_u64() < Some(1) {
+            wrong.push((name.clone(), format!("lights nothing but words: {lit}")));
+        }
+        names.push(name);
+    }
+    for at in [[2, 2], AWAY] {
+        browser.command("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": at[0], "y": at[1] }));
+        if browser.evaluate("document.querySelectorAll('.lit').length") != json!(0) {
+            wrong.push(("page".to_owned(), "a letter stays lit".to_owned()));
         }
     }
+    if PAGES.iter().any(|name| page.strip_suffix(".html") == Some(*name)) {
+        let missing = OF_THE_TRIANGLE.into_iter().filter(|letter| !names.iter().any(|name| name == letter));
+        wrong.extend(missing.map(|letter| (letter.to_owned(), "no part of a drawing is named by it".to_owned())));
+    }
+    wrong
+}
+
+#[test]
+fn touching_a_letter_lights_its_part_in_the_nearest_drawing_and_no_other() {
+    super::assert_none_of_the_book("letter");
 }
 
 #[test]
 fn the_row_of_letters_is_one_stop_of_the_tab_key_and_arrows_go_along_it() {
     let Some(mut browser) = Browser::start() else { return };
-    open(&mut browser, "pin");
+    browser.show(WIDE, Medium::Light);
+    browser.open(&format!("{}/pin.html", address(crate::book_pages::book())));
     let known =
         browser.evaluate("[...document.querySelectorAll('#fig-pin-position .letters input')].map(of => of.value)");
     let known = strings(&known);

@@ -8,7 +8,7 @@ use geneva_ledger::{Check, claim};
 #[track_caller]
 fn is_proven(id: &str, tex: &str) -> bool {
     match claim(id).map(|claim| &claim.check) {
-        Some(Check::Equation { decide: Some(decide), .. }) => decide(tex).holds,
+        Some(Check::Equation { first, .. }) => (first.run)(tex).holds,
         _ => panic!("{id}: its characters are not what is proven"),
     }
 }

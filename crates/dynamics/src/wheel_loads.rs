@@ -56,6 +56,7 @@ pub struct Peak {
 /// A load's greatest, and its least if it reverses: the greatest of the other sign.
 ///
 /// ```
+/// use geneva_kinematics::indexing::Indexing;
 /// use geneva_dynamics::wheel_loads::WheelLoads;
 /// use geneva_kinematics::wheel::Wheel;
 ///
@@ -78,6 +79,7 @@ pub struct Peaks {
 /// A wheel with what it carries, and its driver's speed.
 ///
 /// ```
+/// use geneva_kinematics::indexing::Indexing;
 /// use geneva_dynamics::wheel_loads::WheelLoads;
 /// use geneva_kinematics::wheel::Wheel;
 /// use std::f64::consts::PI;

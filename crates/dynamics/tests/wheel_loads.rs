@@ -146,7 +146,7 @@ fn without_inertia_the_load_is_the_friction_alone() {
     // The pin is nearest to the wheel's axis on the line of centres, and the wheel is fastest there.
     for (peaks, value) in [
         (loads.pin_moment(), 3.0 / (Wheel::centre_distance_ratio(&wheel) - 1.0)),
-        (loads.crank_torque(), 3.0 * Indexing::peak_velocity(&wheel)),
+        (loads.crank_torque(), 3.0 * wheel.peak_velocity()),
     ] {
         assert_abs_diff_eq!(peaks.driving.angle, 0.0, epsilon = 1e-6);
         assert_relative_eq!(peaks.driving.value, value, max_relative = 1e-12);

@@ -196,7 +196,7 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
             return Err(DelayError::Time(time));
         }
         let entry = |place: Option<usize>| place.and_then(|place| self.entries.get(place)).copied();
-        let later = self.entries.partition_point(|entry| entry.time <= asked);
+        let later = self.count_until(asked);
         let Some(before) = entry(later.checked_sub(1)) else {
             let forgotten = self.entries.front().filter(|_| self.forgotten);
             let forgotten = forgotten.map(|oldest| DelayError::Forgotten { asked, oldest: oldest.time });
@@ -209,6 +209,14 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
             }
             _ => before.value,
         })
+    }
+
+    /// How many entries are at or before a time. It is looked for among the oldest first: what no reading can need has made
+    /// room, so the time is there, whatever the number of entries.
+    fn count_until(&self, asked: f64) -> usize {
+        const OLDEST: usize = 4;
+        let later = self.entries.iter().take(OLDEST).position(|entry| entry.time > asked);
+        later.unwrap_or_else(|| self.entries.partition_point(|entry| entry.time <= asked))
     }
 }
 

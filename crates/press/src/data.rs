@@ -51,6 +51,11 @@ pub fn has_place(chapters: &Path) -> bool {
     chapters.join("SUMMARY.md").is_file()
 }
 
+/// Whether a page leads to a file of data.
+pub fn is_led_to(page: &str) -> bool {
+    page.contains(&format!("{FOLDER}/"))
+}
+
 /// Writes the files of all pages into the folder of the chapters, and removes what is there besides.
 ///
 /// A file that stands as it should is left alone, so that a builder that watches the chapters is not woken.
@@ -66,6 +71,9 @@ pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
         bail!("two figures or tables have the name `{}`: name one of them otherwise", twice[0]);
     }
     let folder = chapters.join(FOLDER);
+    if files.is_empty() && !folder.exists() {
+        return Ok(());
+    }
     let cannot =
         || format!("cannot write in {}: the book is built from a folder that can be written", folder.display());
     fs::create_dir_all(&folder).with_context(cannot)?;

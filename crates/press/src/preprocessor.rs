@@ -64,7 +64,8 @@ impl Preprocessor for Geneva {
             bail!("{}", errors.join("\n"));
         }
         let chapters = context.root.join(&context.config.book.src);
-        if data::has_place(&chapters) {
+        // Every verdict is derived for the records, so a book has them only if it leads to them.
+        if data::has_place(&chapters) && book.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
             files.extend(data::File::records()?);
         }
         let root = context.root.parent().unwrap_or(&context.root);

@@ -7,6 +7,7 @@ use super::design::Design;
 use crate::{Error, Field, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_at_yield};
 use geneva_kinematics::cam::modified_sine_peak;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Sizes;
 use std::f64::consts::TAU;
 

@@ -109,9 +109,19 @@ impl Engagement {
         None
     }
 
+    /// The subinterval divided at the switch of the motion from u at entry, if that comes before the end.
+    fn split(&self, entry: f64) -> Option<Split> {
+        if self.ends_before_centres { None } else { self.split_from(self.approach(entry)) }
+    }
+
     pub(super) fn pass(&self, entry: f64) -> Passage<'_> {
-        let split = if self.ends_before_centres { None } else { self.split_from(self.approach(entry)) };
-        self.pass_with(entry, split.as_ref())
+        self.pass_with(entry, self.split(entry).as_ref())
+    }
+
+    /// u at the end of that motion and how long it takes, in units of time: the numbers that its passage has.
+    pub(super) fn end_of(&self, entry: f64) -> (f64, f64) {
+        let march = March::new(self, entry).over(self.split(entry).as_ref());
+        (march.square, march.time / self.unit)
     }
 
     /// The motion from u at entry, of which it is known where it switches.

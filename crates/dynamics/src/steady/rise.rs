@@ -39,7 +39,8 @@ pub struct Cycle {
 /// assert_eq!(rise.cycles[0].entry_speed, 0.0); // from rest
 /// assert!(rise.cycles.windows(2).all(|two| two[0].entry_speed < two[1].entry_speed));
 /// assert!(rise.until_entry_speed(0.1) < rise.until_entry_speed(0.01)); // to within 10 % it takes less time
-/// assert_eq!(engagement.engagements_to_settle(0.001)?.0, rise.cycles.len());
+/// let last = rise.cycles.last().expect("a cycle");
+/// assert_eq!(engagement.engagements_to_settle(0.001)?, (rise.cycles.len(), last.end));
 /// # Ok::<(), geneva_dynamics::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -65,11 +66,16 @@ impl Engagement {
         self.rise_within(settled, MOST_CYCLES)
     }
 
-    fn rise_within(&self, settled: f64, most: usize) -> Result<Rise, Error> {
-        if !(settled > 0.0 && settled < 1.0) {
-            return Err(Error::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
+    /// The steady state to which a start settles.
+    fn settled_state(&self, settled: f64) -> Result<SteadyState, Error> {
+        if settled > 0.0 && settled < 1.0 {
+            return self.steady_state();
         }
-        let steady = self.steady_state()?;
+        Err(Error::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 })
+    }
+
+    fn rise_within(&self, settled: f64, most: usize) -> Result<Rise, Error> {
+        let steady = self.settled_state(settled)?;
         let (mut cycles, mut time, mut square) = (Vec::new(), 0.0, 0.0);
         while cycles.len() < most {
             let passage = self.pass(square);
@@ -109,8 +115,16 @@ impl Engagement {
     ///
     /// The errors of [`Engagement::rise`]; [`Error::TooMany`] if `most` engagements are not enough.
     pub fn engagements_to_settle_within(&self, settled: f64, most: usize) -> Result<(usize, f64), Error> {
-        let rise = self.rise_within(settled, most)?;
-        Ok((rise.cycles.len(), rise.cycles.last().map_or(0.0, |cycle| cycle.end)))
+        let steady = self.settled_state(settled)?.entry_speed;
+        let (mut time, mut square) = (0.0, 0.0);
+        for count in 1..=most {
+            let (end, duration) = self.end_of(square);
+            (square, time) = (end, time + duration);
+            if near(self.unit * square.sqrt(), steady, settled) {
+                return Ok((count, time));
+            }
+        }
+        Err(Error::TooMany { name: "engagements", limit: most })
     }
 }
 

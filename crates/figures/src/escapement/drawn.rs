@@ -6,6 +6,7 @@ use crate::checks::{Drawing, PIXELS, drawn, number, sound};
 use crate::{Figure, FigureError};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
+use geneva_kinematics::indexing::Indexing;
 use nalgebra::Vector2;
 
 fn parameters(mechanism: Mechanism, friction: f64) -> Parameters {

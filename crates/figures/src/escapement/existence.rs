@@ -73,8 +73,8 @@ pub fn existence(designs: &[Design]) -> Figure {
         .name(Label::words("below its curve:\none acceleration"), Spot::Free(below.collect()));
 
     let columns = [("I_D/I_f", "1"), ("mu* n=3", "1"), ("mu* n=4", "1"), ("mu* n=6", "1")];
-    let said: Vec<String> = designs.iter().map(|design| said(design)).collect();
-    let marked = if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) };
+    let marks: Vec<String> = designs.iter().map(|design| mark_words(design)).collect();
+    let marked = if marks.is_empty() { String::new() } else { format!(" Marked: {}.", marks.join("; ")) };
     let words = Words::new(
         "escapement-existence",
         "Friction that the equation of motion can bear, over the ratio of the inertias",
@@ -91,7 +91,7 @@ pub fn existence(designs: &[Design]) -> Figure {
     Chart::new([panel]).key(key).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
 }
 
-fn said(design: &Design) -> String {
+fn mark_words(design: &Design) -> String {
     let side = if design.is_sound() { "below" } else { "above" };
     format!(
         "{} slots at I_D / I_f = {}, μ = {}: {side} its curve",

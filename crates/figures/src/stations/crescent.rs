@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{DRIVER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Crescent, LockingDisc, Sizes};
 use std::f64::consts::FRAC_PI_4;
 

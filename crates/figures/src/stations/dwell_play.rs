@@ -5,6 +5,7 @@ use crate::number::fixed;
 use crate::svg::Label;
 use crate::theme::{DRIVER, RELATIVE};
 use crate::{Figure, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Sizes;
 use std::f64::consts::PI;
 

@@ -4,7 +4,8 @@ use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
-use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -79,15 +80,15 @@ fn crossing(rows: &[[f64; 9]]) -> String {
 }
 
 fn row(wheel: &Wheel) -> [f64; 9] {
-    let peak = acceleration_peak(wheel);
+    let peak = wheel.acceleration_peak();
     [
         f64::from(wheel.stations()),
         wheel.motion_fraction(),
         wheel.dwell_fraction(),
         wheel.centre_distance_ratio(),
         wheel.wheel_radius_ratio(),
-        peak_velocity(wheel),
-        entry_acceleration(wheel),
+        wheel.peak_velocity(),
+        wheel.entry_acceleration(),
         peak.ratio,
         peak.angle.to_degrees(),
     ]

@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Panel, Stroke, kind};
 use crate::number::fixed;
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Crescent, LockingDisc, Play, Scale, Sizes, Wheel};
 use std::f64::consts::FRAC_PI_4;
 use std::ops::RangeInclusive;

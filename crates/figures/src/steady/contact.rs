@@ -153,8 +153,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
         } else {
             "flank"
         }));
-        let words =
-            Label::words(if side > 0.0 { "leading flank" } else { "trailing flank" }).in_colour(FOLLOWER).on(FILL);
+        let words = Label::words(if side > 0.0 { "leading flank" } else { "trailing flank" }).in_colour(FOLLOWER);
         canvas.label(&place(-outward * 92.0, side * (PIN + WALL / 2.0)), &(right * -outward), 0.0, &words);
     }
     let line = [ENDS[0] + 8.0, ENDS[1]].map(|x| Vector2::new(x, centre.y));
@@ -185,7 +184,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     let from = touch + up * (at.side * WALL / 2.0);
     let end = from + right * (outward * FRICTION);
     arrow(canvas, &from, &end, CORIOLIS, 4.0, "friction");
-    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").in_colour(CORIOLIS).on(FILL);
+    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").in_colour(CORIOLIS);
     canvas.label(&end, &(right * outward), 8.0, &label);
 
     let values = [

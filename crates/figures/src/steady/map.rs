@@ -132,7 +132,7 @@ fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: 
         panel = panel.marks([(design.friction, design.inertia_ratio)], of_mechanism(mechanism.slots()).1.sized(10.0));
     }
     let corner = [0.05, 0.09, 0.13].map(|y| [0.79, y]).to_vec();
-    panel = panel.name(Label::words("no single solution").on(FILL).bare(), Spot::Free(corner));
+    panel = panel.name(Label::words("no single solution").bare(), Spot::Free(corner));
     for (value, points) in lines {
         panel = panel.name(Label::words(&trimmed(*value, 2)).in_colour(LINES[k].colour), Spot::On(points.clone()));
     }

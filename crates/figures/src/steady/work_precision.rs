@@ -105,7 +105,7 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
             best.join("; ")
         ),
         "The largest relative error in the speeds of all runs of all three mechanisms, plotted against the work done. \
-         A lower curve needs less work for the same error, and a steeper curve gains more from further work.",
+         A lower curve means less work for the same error. On a steeper curve, extra work reduces the error more.",
     );
     Chart::new(panels).figure(words, Series::new(columns, rows).to_decimals(DECIMALS))
 }

@@ -10,6 +10,7 @@ use super::crescent::Crescent;
 use super::fit::Remedy::{LessDepth, LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::{ShaftOf, SizesError};
 use crate::error::length;
+use crate::indexing::Indexing;
 
 /// The length that is given; it turns a wheel's ratios into millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,7 @@
 //! the play.
 
 use super::assembly::{Point, is_inside, marched_to_drifted, placed, sized};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, EntryContact, Loop, Play, Sizes};
 
 /// How far the chords of the polygons leave their arcs, in millimetres, for a centre distance of 100 mm.

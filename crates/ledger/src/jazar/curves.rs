@@ -3,6 +3,7 @@
 use super::*;
 use crate::Dimension as Exponents;
 use crate::agreement::joined_numbers;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::rational;
 
 const PLOT: Place = at("Paragraph on Fig. 5.30");

@@ -3,7 +3,8 @@
 use super::letters::PEAK_ANGLE;
 use super::peak::{both_roots, left_side, six_pair};
 use super::*;
-use geneva_kinematics::wheel::{acceleration_peak, acceleration_ratio};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::acceleration_ratio;
 use geneva_kinematics::{Expression, Field, Identity, Rational, prove, rational};
 
 pub fn claims() -> Vec<Claim> {
@@ -131,7 +132,7 @@ fn maximum() -> Claim {
         .by(ClosedForm, |stated| {
             for_all_stations(
                 |wheel| {
-                    let angle = acceleration_peak(wheel).angle;
+                    let angle = wheel.acceleration_peak().angle;
                     // The slope of what is greatest: from plus to minus.
                     let slope = |t: f64| {
                         let motion = wheel.engaged(t);
@@ -170,7 +171,7 @@ fn sign_of_the_angle() -> Claim {
             for_all_stations(
                 |wheel| {
                     let (plus, minus) = both_roots(libm::sin(wheel.half_pitch_angle()));
-                    let angle = acceleration_peak(wheel).angle;
+                    let angle = wheel.acceleration_peak().angle;
                     agrees(libm::cos(angle), plus) && agrees(libm::cos(-angle), stated.pick(plus, minus))
                 },
                 "the cosines of both angles are the positive root",

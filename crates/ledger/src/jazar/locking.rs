@@ -4,6 +4,7 @@ use super::letters::SIZES_OF_FOUR;
 use super::text::{SIMPLE, VARIETIES};
 use super::*;
 use crate::vocabulary::equal_to;
+use geneva_kinematics::indexing::Indexing;
 use nalgebra::Vector2;
 
 pub(super) fn journal_bearing() -> Claim {
@@ -91,7 +92,7 @@ pub(super) fn cutout_centres() -> Claim {
             r"\sqrt{2}r",
             "radius of the circle through the centres of the locking arcs, for four stations",
         )
-        .said_in_letters(SIZES_OF_FOUR, equal_to(r"\text{arcs}"))
+        .rewritten_and_proven(SIZES_OF_FOUR, equal_to(r"\text{arcs}"))
         .also_by(Vectors, || {
             // The arc for a journal as large as the pin's circle, in the wheel at rest, by three of its points: the
             // mouths of the two slots beside it, and on the line of centres the point of that circle next to the wheel.

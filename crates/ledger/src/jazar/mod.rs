@@ -24,6 +24,7 @@ use crate::agreement::{agrees, same, vanishes};
 use crate::by_id::{characters, decimal, printed, rounds};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::KinematicsError;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{STATIONS, Wheel};
 use geneva_kinematics::{Jet, Turn, angular_velocity};

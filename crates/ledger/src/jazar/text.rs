@@ -4,6 +4,7 @@ use super::letters::SIZES_OF_FOUR;
 use super::*;
 use crate::tolerance::CLOSURE;
 use crate::vocabulary::equal_to;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
 
@@ -205,7 +206,7 @@ fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
 fn centre_distance() -> Claim {
     SIMPLE
         .equation("jazar.centre-distance", r"\sqrt{2}r", "centre distance of the four-station wheel")
-        .said_in_letters(SIZES_OF_FOUR, equal_to("l"))
+        .rewritten_and_proven(SIZES_OF_FOUR, equal_to("l"))
 }
 
 fn wheel_radius() -> Claim {

@@ -2,6 +2,7 @@
 
 use super::hand_over_letters::{self, UNIT};
 use super::*;
+use geneva_kinematics::indexing::Indexing;
 
 /// What the appendix prints for one mechanism; each with its id.
 struct Printed {

@@ -218,12 +218,13 @@ fn spring() -> Vec<Claim> {
     vec![
         at("Eq. (1-15)")
             .equation("meyer.eq-1-15", r"\tau_1 = K", "the driving torque is constant")
-            .by(Evidence::Quadrature, || {
+            .proven_by(mechanism)
+            .read(Vectors, holds)
+            .also_by(Evidence::Quadrature, || {
                 let holds =
                     frictionless().all(|(of, advance)| agrees_in_steps(energy_gained(&of), of.drive() * advance));
                 Finding::new(holds, "the energy gained over an engagement without friction is K times its angle")
-            })
-            .read(Vectors, holds),
+            }),
         no_rate(
             "meyer.spring-rate",
             at("Line after Eq. (1-15)"),

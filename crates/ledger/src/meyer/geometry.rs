@@ -5,6 +5,7 @@ use super::hand_over_letters::{HALVES, RATIO, RIGHT_TRIANGLE};
 use super::*;
 use crate::agreement::joined_numbers;
 use geneva_kinematics::escapement::{AtHandOver, Continuous};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
 const USUAL: Place = at("Chapter I, 1st paragraph");

@@ -4,7 +4,6 @@ use super::friction::energy_gained;
 use super::instants::{equal, holds, moments};
 use super::letters::{mechanism, opposed};
 use super::*;
-use geneva_dynamics::energy::MomentArmIsSliding;
 use geneva_dynamics::{Inertias, Parameters, Sign};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Jet, angular_velocity, pin_slot};
@@ -133,7 +132,7 @@ fn forces() -> Vec<Claim> {
                 r"\delta W = Q_\theta \delta\theta = \tau \delta\theta",
                 "work of all torques on the driver in a small turn",
             )
-            .proven(MomentArmIsSliding)
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("3rd display after Eq. (1-9)")
             .equation(

@@ -2,7 +2,6 @@
 
 use super::instants::{holds, miscopied};
 use super::letters::mechanism;
-use super::reading::decide;
 use super::slips::{ARC, LOST_BARS, MISSING_SQUARE};
 use super::*;
 
@@ -214,16 +213,5 @@ fn arc(
     printed: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    at(locator)
-        .equation(id, printed, meaning)
-        .by(ClosedForm, move || reads_printed(id))
-        .corrected_form(move || decide(corrected, mechanism))
-        .read(ClosedForm, holds)
-        .corrected(corrected, ARC)
-}
-
-/// Whether the printed characters hold, of a display whose slip no identity can express.
-fn reads_printed(id: &str) -> Finding {
-    let holds = holds(characters(id)) == Some(true);
-    Finding::new(holds, "we read and evaluated it with an inverse cosine")
+    at(locator).equation(id, printed, meaning).proven_by(mechanism).read(ClosedForm, holds).corrected(corrected, ARC)
 }

@@ -157,9 +157,10 @@ fn at_entry() -> Vec<Claim> {
             })
             .but_not("the driver slows down all the way from the entry to the exit")
             .read_as(
-                "We test the sentence on the motion from the entry until the driver is slowest, to within 1 rad/s, the \
-                 unit of the tables. To within half a unit, the claim holds in 46 of 49 runs, and it holds exactly in \
-                 28. In the other runs, the driver goes on gaining speed past the entry, by up to 0.70 rad/s.",
+                "We test the sentence against the motion from the entry until the driver is slowest, to within 1 \
+                 rad/s, the unit of the tables. To within half a unit, the claim holds in 46 of 49 runs, and it holds \
+                 exactly in 28. In the other runs, the driver goes on gaining speed past the entry, by up to 0.70 \
+                 rad/s.",
             ),
     ]
 }
@@ -189,8 +190,8 @@ fn at_the_centres() -> Vec<Claim> {
                 extremes(stated, all.collect(), rows().len())
             })
             .read_as(
-                "We test the sentence on the steady motion of every run. An extreme counts as being on the line of \
-                 centres if the speed on the line is within 1 rad/s, the unit of the tables, of the extreme speed.",
+                "We test the sentence against the steady motion of every run. An extreme counts as being on the line \
+                 of centres if the speed on the line is within 1 rad/s, the unit of the tables, of the extreme speed.",
             )
             .corrected(
                 "the driver velocity is a minimum 0.48 to 5.8° before the line, and on the line it is up to 2.1 rad/s \
@@ -272,8 +273,8 @@ fn driver_increases() -> Claim {
         .by(Quadrature, |stated| increases(stated, all_peaks()))
         .by(RungeKutta, |stated| increases(stated, all_peaks_in_steps()))
         .read_as(
-            "We test the sentence on the steady motion of every run, all the way to the exit and to within 1 rad/s, \
-             the unit of the tables.",
+            "We test the sentence against the steady motion of every run, all the way to the exit and to within 1 \
+             rad/s, the unit of the tables.",
         )
         .corrected(
             "the driver velocity increases: in the runs with six pins (driver's inertia 0.6 of the follower's) except \
@@ -313,8 +314,8 @@ fn beside_the_hand_over(
         .by(Quadrature, move |stated| peaks(stated, all_peaks(), with_dip))
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
-            "We test the sentence on the steady motion of every run. A peak counts as being at entry or exit if the \
-             driver's speed there is within 1 rad/s, the unit of the tables, of the peak speed.",
+            "We test the sentence against the steady motion of every run. A peak counts as being at entry or exit if \
+             the driver's speed there is within 1 rad/s, the unit of the tables, of the peak speed.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }
@@ -451,9 +452,9 @@ fn extremes(stated: Stated, found: Vec<Middle>, count: usize) -> Finding {
     Finding::new(
         holds && found.len() == count,
         format!(
-            "the driver is slowest {:.2} to {:.2}° before the line of centres, and in {} of {count} runs its speed on \
-             the line exceeds this minimum by 1 rad/s at most. The follower is fastest {:.1} to {:.1}° past the line, \
-             and in {} runs its speed on the line is below this maximum by 1 rad/s at most",
+            "the driver is slowest {:.2} to {:.2}° before the line of centres, and its speed on the line is within 1 \
+             rad/s of this minimum in {} of {count} runs. The follower is fastest {:.1} to {:.1}° past the line, and \
+             its speed on the line is within 1 rad/s of this maximum in {} of {count} runs",
             before[0],
             before[1],
             there(0),

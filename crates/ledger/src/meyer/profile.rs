@@ -101,8 +101,8 @@ fn scales() -> Claim {
              friction and the two inertias, and nothing else, by a tenth up or down. Changes of this size count for \
              the shape too. The torque changes all three, and velocity and period change with each of the four. The \
              rise time does not always change. With six pins and a friction of .35, the driver's inertia changes the \
-             rise time, measured to the average, by 0.02 per cent. That is a few hundredths of a millisecond, while \
-             the tables' unit is one millisecond.",
+             rise time, measured to the average, by 0.02 per cent. That is a few hundredths of a millisecond, and the \
+             tables' unit is one millisecond.",
         )
 }
 
@@ -127,9 +127,9 @@ fn first_minimum() -> Claim {
         achieved(stated, &groups().iter().filter_map(lacks).collect::<Vec<_>>(), groups().len())
     })
     .read_as(
-        "We test the sentence on all runs, because the sentence before it in the thesis speaks of all runs. “Steady” \
-         means to within one per cent, as for the rise time. The claim also fails if it is meant only for the four-pin \
-         run of Fig. 8, whichever run of the tables that is.",
+        "We test the sentence against all runs, because the sentence before it in the thesis speaks of all runs. \
+         “Steady” means to within one per cent, as for the rise time. The claim also fails if it is meant only for the \
+         four-pin run of Fig. 8, whichever run of the tables that is.",
     )
     .corrected(
         "at the first minimum in velocity, the driver is still 1.8 to 28 per cent slower than at the minimum of its \

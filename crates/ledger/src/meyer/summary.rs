@@ -95,10 +95,10 @@ pub fn claims() -> Vec<Claim> {
                     witness: "We solved the equation of motion for the ideal mechanisms.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Conclusion,
-                    changes: "If you plan with the abstract's time, you allow too little. The longest rise in the \
-                              tables takes twice that time. In the ideal mechanisms, the longest rise also takes twice \
-                              that time if we go by the velocity at each angle, and nearly three times as long if we \
-                              go by the average of peak and minimum.",
+                    changes: "If you plan with the time given in the abstract, you allow too little time. The longest \
+                              rise in the tables takes twice that time. In the ideal mechanisms, the longest rise also \
+                              takes twice that time if we go by the velocity at each angle, and nearly three times as \
+                              long if we go by the average of peak and minimum.",
                 },
             ),
     ]

@@ -15,7 +15,7 @@ pub fn claims() -> Vec<Claim> {
                 r"2\omega_4 v_{P2/P4}",
                 "magnitude of the Coriolis acceleration, whose factors are at right angles",
             )
-            .said_in_letters(SIZES, equal_to(r"a_\mathrm{Cor}")),
+            .rewritten_and_proven(SIZES, equal_to(r"a_\mathrm{Cor}")),
         CORIOLIS
             .equation(
                 "quick-return.factor-two",

@@ -34,7 +34,7 @@ fn across() -> Vec<Claim> {
                 r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
                 "the pin's velocity across the lever, from an angle between crank and lever",
             )
-            .said_in_letters(SIZES, filled(&[r"\psi^\circ"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\psi^\circ"]))
             .also_by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine))
             .corrected(r"v_{P4} = v_{P2} \cos\beta", OTHER_ANGLE),
         ACROSS
@@ -63,7 +63,7 @@ fn along() -> Vec<Claim> {
                 r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
                 "the pin's velocity along the lever, from an angle between crank and lever",
             )
-            .said_in_letters(SIZES, filled(&[r"\psi^\circ"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\psi^\circ"]))
             .also_by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine))
             .corrected(r"v_{P2/P4} = v_{P2} \sin\beta", OTHER_ANGLE),
         ALONG

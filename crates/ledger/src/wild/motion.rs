@@ -5,8 +5,9 @@ use super::*;
 use crate::agreement::vanishes;
 use crate::duals::{Crank, Time};
 use crate::tex::Moment;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
-use geneva_kinematics::wheel::{Wheel, entry_acceleration};
+use geneva_kinematics::wheel::Wheel;
 use geneva_kinematics::{Jet, Turn, angular_velocity};
 
 const TWICE: &str =
@@ -100,8 +101,8 @@ fn formulas() -> Vec<Claim> {
                      factor.",
                     TWICE,
                     "The speed is too high by a factor of the centre distance over the crank radius: 1.4 times the \
-                     right speed at four slots, and twice the right speed at six. Loads that grow as the square of the \
-                     speed are four times too high at six slots.",
+                     right speed with four slots, and twice the right speed with six. Loads that grow as the square of \
+                     the speed are four times too high with six slots.",
                 )
             },
         ),
@@ -194,7 +195,7 @@ fn statements() -> Vec<Claim> {
                 "discontinuity in the acceleration",
                 "the wheel's acceleration jumps as the pin enters and leaves",
             )
-            .by(ClosedForm, |stated| jumps(stated, |wheel| [1.0, -1.0].map(|sign| sign * entry_acceleration(wheel))))
+            .by(ClosedForm, |stated| jumps(stated, |wheel| [1.0, -1.0].map(|sign| sign * wheel.entry_acceleration())))
             .by(Series, |stated| {
                 jumps(stated, |wheel| [-1.0, 1.0].map(|end| acceleration(wheel, end * wheel.engagement_half_angle())))
             })

@@ -94,7 +94,7 @@ fn wrong() -> Vec<Claim> {
                  sine gives the crank. For four slots the two sides are the same.",
                 TWICE,
                 "The formula puts the axes too far apart for more than four slots, and too close together for three. \
-                 At six slots the distance is 1.7 times what it should be.",
+                 With six slots the distance is 1.7 times what it should be.",
             ),
         ),
         formula(

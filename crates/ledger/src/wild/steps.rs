@@ -34,11 +34,11 @@ pub fn claims() -> Vec<Claim> {
                     consequence: Consequence::Remark,
                     origin: Origin::Misprint,
                     ..slip(
-                        "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
-                         of steps in a turn of the wheel. A turn of the driver makes one step for each pin. At most \
-                         six pins fit, and only with three slots. So there are 1 to 6 steps in a turn of the driver.",
-                        "Each move takes a certain part of a turn of the driver, so one turn has no room for as many \
-                         moves as the page says.",
+                        "One pin moves the wheel once in a turn of the driver, by one slot. So the 3 to 18 steps are \
+                         per turn of the wheel. A turn of the driver makes one step for each pin. At most six pins \
+                         fit, and only with three slots. So there are 1 to 6 steps in a turn of the driver.",
+                        "Each move takes a certain part of a turn of the driver, so one turn cannot hold as many moves \
+                         as the page says.",
                         "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
                     )
                 },
@@ -99,7 +99,7 @@ pub fn claims() -> Vec<Claim> {
                 Slip {
                     consequence: Consequence::Remark,
                     ..slip(
-                        "Wheels of three and of four slots work, and all formulas of the page hold for them.",
+                        "Wheels with three or four slots work, and all the formulas on the page hold for them.",
                         "Coordinates show that the pin enters a slot and leaves it again in a wheel with three slots, \
                          but never in a wheel with two.",
                         "The commonest wheel, which has four slots, is excluded by the page.",

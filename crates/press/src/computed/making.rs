@@ -48,6 +48,7 @@ mod tests {
     use crate::asked::{question, value};
     use geneva_ask::Field;
     use geneva_ask::wheel::{Design, Question};
+    use geneva_kinematics::indexing::Indexing;
     use geneva_kinematics::wheel::{Choices, EntryContact, Play, Scale};
     use geneva_live::Arguments;
 

@@ -14,7 +14,7 @@ pub fn how(judged: &Judged) -> String {
     let reading = reading.filter(|_| !judged.claim.check.evidence().is_empty());
     let all: Vec<_> = reading.into_iter().chain(sentences).collect();
     let all: Vec<_> = all.iter().map(|sentence| in_words(&ended(sentence))).collect();
-    all.join("<br>")
+    all.join("<br> ")
 }
 
 /// A sentence with a full stop at its end, or within the brackets around it.

@@ -22,10 +22,10 @@ const COMPARED: [(f64, f64, f64); 9] = [
 
 /// The change of the mean speed of the three mechanisms with such joints.
 pub fn speeds() -> anyhow::Result<Table> {
-    let caption = "Change of the mean speed compared with ideal joints. The first column gives the radius of the pin, \
-                   and the radius and friction of both journals. All radii are in crank radii. Inertias are as in the \
-                   runs of the thesis, and the friction in the slot is μ = 1/4. Values in brackets exist on paper \
-                   only, because the slots would run into one another";
+    let caption = "Change of the mean speed compared with ideal joints. Each row is named by the radius of the pin, \
+                   and by the radius and friction of both journals. All radii are given in units of the crank radius. \
+                   Inertias are as in the runs of the thesis, and the friction in the slot is μ = 1/4. Values in \
+                   brackets exist on paper only, because the slots would run into one another";
     compared(caption, CHANGE, |change| signed(100.0 * change, 1) + "&nbsp;%")
 }
 

@@ -85,9 +85,9 @@ pub fn weighings() -> anyhow::Result<Table> {
         "Another reset or <br>inertias, normal",
         "Another reset or <br>inertias, exponential",
     ];
-    let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of the \
-                other combinations. The third and the fourth line keep the conditions of the line above, and the fourth \
-                takes the rows with the smallest lead";
+    let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
+                the other combinations. The last two lines each keep the conditions of the line above them. The last \
+                line shows the smallest difference among the choices of rows that we tried";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 
@@ -171,8 +171,8 @@ pub fn by_column() -> anyhow::Result<Table> {
         Ok(row)
     });
     let head = ["No.", "Peaks", "worst, <br>%", "Minima", "worst, <br>%", "Periods", "worst, <br>%"];
-    let says = "The ten hypotheses column by column: how many of the 49 cells are right to the printed digit / to one unit, and \
-                the worst deviation, which is the printed number divided by the computed one, minus one";
+    let says = "The ten hypotheses column by column: how many of the 49 cells agree to the printed digit / to within \
+                one unit, and the worst relative deviation (printed/computed − 1)";
     table(says, Cells::Numbers, &head, rows)
 }
 
@@ -196,8 +196,8 @@ pub fn delays() -> anyhow::Result<Table> {
         "Minima",
         "Periods",
     ];
-    let says = "The program as listed, with other lags: cells right to the printed digit / to one unit, and the mean \
-                deviation of the peaks, where a deviation is the printed number divided by the computed one, minus one";
+    let says = "The program as listed except for the lag: number of cells that agree to the printed digit / to within \
+                one unit, and the mean relative deviation of the peaks (printed/computed − 1)";
     table(says, Cells::Numbers, &head, rows)
 }
 

@@ -108,7 +108,7 @@ pub fn accelerations() -> anyhow::Result<Table> {
     let caption = "Accelerations of the greatest magnitude, in 1000 rad/s², each with the driver's angle from the line \
                    of centres. Then follow the jump of the follower's acceleration when the next pin takes over, and \
                    the greatest force on the pin, divided by the spring's force at the crank radius. The mechanisms \
-                   are ideal. For each friction the table shows the run of the thesis with the strongest spring";
+                   are ideal. For each friction value, the table shows the thesis's run with the strongest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -130,7 +130,7 @@ pub fn mean_speed() -> anyhow::Result<Table> {
     let caption = "Two meanings of an average speed, in rad/s. One is the mean of peak and minimum, from the numbers \
                    that the thesis prints and from the right numbers. The other is the mean over a revolution. The \
                    factor is the right mean of peak and minimum divided by the mean over a revolution. For each \
-                   mechanism and friction the table shows the run with the weakest spring";
+                   mechanism and friction value, the table shows the run with the weakest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

@@ -96,7 +96,7 @@ fn lines() -> Vec<Claim> {
             })
             .by(Vectors, |stated| {
                 let line = program::ACCELERATION.replace('S', stated.pick("S", "1"));
-                let holds = program::holds(&line);
+                let holds = program_letters::holds(&line);
                 Finding::new(
                     holds == Some(true),
                     "we read and evaluated the equation and compared it with the mechanism computed in coordinates",

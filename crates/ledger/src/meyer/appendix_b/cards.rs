@@ -86,7 +86,7 @@ fn letter<const N: usize>(
         .by(Vectors, move |stated| {
             let holds = lines.iter().all(|line| {
                 let (name, formula) = read(line, stated);
-                program::holds(&format!("{name} = {formula}")) == Some(true)
+                program_letters::holds(&format!("{name} = {formula}")) == Some(true)
             });
             Finding::new(
                 holds,

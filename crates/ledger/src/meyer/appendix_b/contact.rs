@@ -264,7 +264,8 @@ fn described() -> Vec<Claim> {
                         "D" => "C",
                         other => other,
                     };
-                    program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
+                    program_letters::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged)))
+                        == Some(true)
                 });
                 Finding::new(
                     holds,

@@ -1,8 +1,8 @@
 //! The method of integration: Runge and Kutta's of order four, with the step chosen by taking it twice.
 
 use super::stages::{
-    STEP, Slope, halvings, holds_in_a_step, of_order, power_of_two, printed_places, printed_step, step_of_mimic,
-    thirty_second,
+    STEP, Slope, halvings, holds_in_a_step, is_of_fifth_order, of_order, power_of_two, printed_places, printed_step,
+    step_of_mimic,
 };
 use super::*;
 use crate::agreement::joined_numbers;
@@ -199,8 +199,7 @@ fn formulas() -> Vec<Claim> {
                 "the next value, from four slopes",
             )
             .evaluated(ClosedForm, |tex| Finding::of_reading(holds_in_a_step(tex)))
-            .by(LimitCase, thirty_second)
-            .read_by(holds_in_a_step),
+            .read(LimitCase, |tex| is_of_fifth_order("meyer.app-b.method.step", tex)),
         stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, taken at the beginning"),
         stage(
             "meyer.app-b.method.f2",
@@ -350,6 +349,5 @@ fn stage(id: &'static str, printed: &'static str, meaning: &'static str) -> Clai
     at("Appendix B, displays of the four slopes")
         .equation(id, printed, meaning)
         .evaluated(ClosedForm, |tex| Finding::of_reading(holds_in_a_step(tex)))
-        .by(LimitCase, thirty_second)
-        .read_by(holds_in_a_step)
+        .read(LimitCase, move |tex| is_of_fifth_order(id, tex))
 }
