@@ -136,6 +136,29 @@ fn every_question_is_asked_in_some_chapter_and_typed_as_it_is_asked() {
     assert!(words(&all).contains(&words(&worked)), "no chapter has the command {worked}");
 }
 
+/// Questions to which every further field has a number.
+const ASKED_FOR_ALL: [&str; 2] = [
+    "wheel --stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --thickness 10 --density 7800 \
+     --pin-material steel --wheel-material steel --pin-friction 0.15 --before-entry 20",
+    "escapement --slots 4 --friction 0.2 --torque 2 --driver-inertia 4e-6 --follower-inertia 4e-5 --units in-lb-s \
+     --crank-radius 5 --play 0.01 --set-friction 0.3 --pin-radius 0.1",
+];
+
+#[test]
+fn every_further_field_is_said_in_some_chapter_or_by_some_table_or_figure() {
+    let sources = ["crates/press/src", "crates/live/src"].map(|folder| crate::files(folder, &[".rs"]));
+    let sources: String = sources.into_iter().flatten().map(|(_, text)| text).collect();
+    let chapters: String = chapters().into_iter().map(|(_, text)| text).collect();
+    for question in ASKED_FOR_ALL {
+        for field in geneva_ask::further(question).expect("further fields") {
+            let key = field.key;
+            assert!(field.number().is_some(), "`{key}` has no number: ask more");
+            let is_asked = chapters.contains(&format!(".{key}:")) || chapters.contains(&format!(".{key}}}}}"));
+            assert!(is_asked || sources.contains(&format!("\"{key}\"")), "nothing says `{key}`");
+        }
+    }
+}
+
 #[test]
 fn every_work_on_the_list_is_cited_and_every_citation_is_on_it() {
     let chapters = chapters();

@@ -37,6 +37,9 @@ const TARGET: u32 = 24;
 const SMALLEST: u32 = 11;
 const TOUCHING: u32 = 2;
 
+/// Units that begin no line, without the number before them.
+const UNITS: [&str; 15] = ["mm", "m", "s", "ms", "rad/s", "m/s", "mm/s", "rpm", "N", "kg", "%", "kB", "MB", "V", "Hz"];
+
 /// What is left as it is: kind of fault, page (or none for every page), beginning of the place, and why.
 type Exception = (&'static str, Option<&'static str>, &'static str, &'static str);
 
@@ -61,6 +64,7 @@ const FAULTS: &[&str] = &[
     "cut #cut: Light 390 768 1280 1920, Paper 673",
     "cut #outside: Light 390 768 1280 1920",
     "error page: Dark 1280",
+    "halo #halo: Dark 1280",
     "keyboard #unreached: Light 1280",
     "keyboard #unseen: Light 1280",
     "letter R: Dark 1280",
@@ -68,6 +72,8 @@ const FAULTS: &[&str] = &[
     "note #unseen-note: Light 390 768 1280 1920",
     "overlap #overlap: Light 390 768 1280 1920",
     "overlap #turned: Light 390 768 1280 1920",
+    "parted #alone: Light 390 768 1280 1920",
+    "parted #unit: Light 390 768 1280 1920",
     "policy page: Light 1280",
     "request page: Light 1280",
     "scheme #dark-right: Dark 1280",
@@ -204,6 +210,7 @@ impl Look<'_> {
         let mut checks = vec![format!("tooWide({})", json!(scrolling))];
         if self.view.1 != Medium::Paper {
             checks.extend(["drawings()".to_owned(), format!("labels({SMALLEST}, {TOUCHING})"), "notes()".to_owned()]);
+            checks.push(format!("parted({})", json!(UNITS)));
         }
         checks
     }
@@ -219,7 +226,7 @@ impl Look<'_> {
         }
         self.unfold();
         self.browser.evaluate(&format!("geneva.load({})", json!(address(&crate::path(AXE)))));
-        self.check(&[self.boxes(), vec!["contrast()".to_owned(), "schemes()".to_owned()]].concat());
+        self.check(&[self.boxes(), ["contrast()", "schemes()", "halos()"].map(str::to_owned).to_vec()].concat());
         self.turn(SHEET, Medium::Paper);
         self.check(&self.boxes());
         let mut read = Value::Null;

@@ -150,7 +150,7 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
 #[test]
 fn every_page_says_at_its_foot_which_version_and_commit_it_is() {
     let edition = Edition::of(&crate::path("book"));
-    let expected = format!("{TITLE}, {}.", edition.said());
+    let expected = format!("{TITLE}, {}.", edition.words());
     for (name, page) in crate::book_pages::pages() {
         let foot: Vec<_> = crate::book_pages::within(page, "footer").into_iter().map(crate::book_pages::text).collect();
         assert_eq!(foot.len(), 1, "{name} has {} feet", foot.len());
@@ -165,7 +165,7 @@ fn the_page_of_sources_says_how_to_cite_the_book_and_a_claim() {
     let edition = Edition::of(&crate::path("book"));
     for part in [
         &*citing::bibtex(&edition, address::known()),
-        &format!("{AUTHORS}: {TITLE}. {}. {}.", citing::SUBTITLE, edition.said()),
+        &format!("{AUTHORS}: {TITLE}. {}. {}.", citing::SUBTITLE, edition.words()),
         "Claim pin.slot-point-speed. In: ",
         "ledger.html#pin.slot-point-speed",
     ] {

@@ -1,4 +1,4 @@
-//! What the program refuses of files, threads and terminals, whatever the command: it ends soon, with a message, and leaves
+//! Which files, threads and terminals the program refuses, whatever the command: it ends soon, with a message, and leaves
 //! everything as it was.
 
 use crate::{errata, geneva, refusal, refused, run, stdout};

@@ -1,5 +1,5 @@
-//! Is what a reader moves the same as what is tested? The module in the page against the library on this machine, and the
-//! controls by keyboard, pointer and address.
+//! Is what a reader moves the same as what is tested? Compares the module in the page with the library on this machine, and
+//! moves the controls by keyboard, pointer and address.
 
 mod addresses;
 mod covered;

@@ -1,4 +1,4 @@
-//! Truths between the crates: one file, one question.
+//! What must hold between the crates: one file for each question.
 //!
 //! The files in this folder make two test programs. This one has what can be asked of the libraries, the book and the
 //! repository. The other belongs to `crates/geneva`, starts in `command_line.rs` and has the files that run the command

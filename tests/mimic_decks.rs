@@ -1,6 +1,6 @@
 //! Does the escapement's deck, in the language of 1973, give the results of the thesis?
 //!
-//! The deck is of this project: the mechanics of the thesis in other variables, and with the mechanism's own reset angle.
+//! The deck is this project's own: the mechanics of the thesis in other variables, and with the mechanism's own reset angle.
 //! With the angle, π and the inertias of the thesis it must give what the thesis prints, and what the program that was
 //! translated by hand gives.
 

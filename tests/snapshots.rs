@@ -1,4 +1,4 @@
-//! What numbers stand behind the figures and the verdicts? Pinned as text, the drawings beside them.
+//! Which numbers are behind the figures and the verdicts? They are pinned as text, with the drawings beside them.
 
 use geneva_ledger::verdicts;
 use geneva_press::figures;

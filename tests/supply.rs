@@ -1,4 +1,4 @@
-//! Are the packages that the project uses under licences that it allows, and from where they should be?
+//! Do the packages that the project uses have licences that it allows, and do they come from where they should?
 //!
 //! `deny.toml` says what is allowed, in the words of `cargo deny`, which needs a database and the network for the rest.
 

@@ -1,4 +1,4 @@
-//! Does `geneva sweep` write what the dynamics say, in the same order whatever computes it?
+//! Does `geneva sweep` write what the dynamics say, always in the same order?
 
 mod destination;
 mod refusals;

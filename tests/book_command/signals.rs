@@ -1,4 +1,4 @@
-//! A build that a signal ends leaves nothing behind, and the old book as it was.
+//! A build that is ended by a signal leaves nothing behind, and leaves the old book as it was.
 
 use super::{inside, names};
 use crate::{is_ignored, refusal, small_workspace};

@@ -167,9 +167,49 @@ const geneva = (() => {
         return found;
     };
 
-    /** Whether a declaration changes the colours of what is shown, and nothing of its size or place. */
+    /** Where a character is shown, by its text and its place there. */
+    const shownAt = (node, at) => {
+        const range = document.createRange();
+        range.setStart(node, at);
+        range.setEnd(node, at + 1);
+        return range.getBoundingClientRect();
+    };
+
+    /** Marks that begin a line, without the word that they mark, and numbers that end one, without their unit. */
+    const parted = units => {
+        const found = [];
+        const isUnit = new RegExp(`(?<=[0-9])[ \\n\u00a0]+(?=(?:${units.join('|')})(?![\\p{L}\\p{N}/]))`, 'gu');
+        const block = element => element.closest('p, li, td, th, dt, dd, figcaption, summary, h1, h2, h3, h4, main');
+        const texts = document.createTreeWalker(main(), NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
+        let before;
+        while (texts.nextNode()) {
+            const node = texts.currentNode;
+            if (node instanceof Element) {
+                const isMark = node.matches('.mark') && isShown(node) && before && block(node) === block(before[0].parentElement);
+                if (isMark && node.getBoundingClientRect().bottom - 6 > shownAt(...before).bottom + 6) {
+                    found.push(fault('parted', node, `a mark begins a line, without “${words(before[0].data.slice(-12))}”`));
+                }
+                continue;
+            }
+            if (!isShown(node.parentElement) || node.parentElement.closest('pre, code, svg, form, .mark, .note')) {
+                continue;
+            }
+            const last = node.data.replace(/[\s\u2060]+$/, '').length - 1;
+            before = last < 0 ? before : [node, last];
+            for (const { index, 0: blanks } of node.data.matchAll(isUnit)) {
+                const [number, unit] = [index - 1, index + blanks.length].map(at => shownAt(node, at));
+                if (unit.top > number.bottom - 2) {
+                    found.push(fault('parted', node.parentElement, `“${words(node.data.slice(Math.max(0, index - 8), index + 8))}” breaks before its unit`));
+                }
+            }
+        }
+        return found;
+    };
+
+    /** Whether a declaration changes the colours of what is shown, or how much of one covers another, and nothing of its size
+     * or place. */
     const isOfColours = (name, value) => /^(?:color|color-scheme|background-[a-z-]+|fill|stroke|filter|opacity|box-shadow)$|-color$/.test(name)
-        || name.startsWith('--') && (CSS.supports('color', value) || CSS.supports('filter', value) || /^(?:light|dark)$/.test(value));
+        || /^--[\w-]+-share$/.test(name) && /^\d+%$/.test(value) || name.startsWith('--') && (CSS.supports('color', value) || CSS.supports('filter', value) || /^(?:light|dark)$/.test(value));
 
     /**
      * What a style changes, besides colours, between light and dark: the names of mdBook's themes are classes. So boxes that are
@@ -431,6 +471,55 @@ const geneva = (() => {
         return found;
     };
 
+    /** A colour that a style sheet mixes, as `colour` reads it. */
+    const mixed = text => {
+        const parts = /^color\(srgb ([^)]*)\)$/.exec(text)?.[1].split(/[ /]+/).map(Number);
+        return parts ? [...parts.slice(0, 3).map(part => 255 * part), parts[3] ?? 1] : colour(text);
+    };
+
+    /** The faces of a drawing that are seen through or are of the page's colour, and how much each covers. */
+    const faces = svg => [...svg.querySelectorAll('path, circle')].flatMap(face => {
+        const { fill, fillOpacity } = getComputedStyle(face);
+        let share = mixed(fill)?.[3] * fillOpacity;
+        for (let at = face; at !== svg; at = at.parentElement) {
+            share *= getComputedStyle(at).opacity;
+        }
+        return share > 0 ? [{ face, parts: [...mixed(fill).slice(0, 3), share], inverse: face.getScreenCTM().inverse() }] : [];
+    });
+
+    /** The colour of the page behind an element: the nearest that covers all. */
+    const behind = element => {
+        const own = mixed(getComputedStyle(element).backgroundColor);
+        return own?.[3] === 1 ? own.slice(0, 3) : element.parentElement ? behind(element.parentElement) : [255, 255, 255];
+    };
+
+    /** Labels of figures whose halo has another colour than what is below most of the label. */
+    const halos = () => {
+        const found = [];
+        for (const svg of main().querySelectorAll('svg')) {
+            const texts = isShown(svg) ? [...svg.querySelectorAll('text')].filter(of => getComputedStyle(of).stroke !== 'none') : [];
+            const [page, below] = [behind(svg), texts.length > 0 ? faces(svg) : []];
+            for (const text of texts) {
+                const halo = mixed(getComputedStyle(text).stroke);
+                const box = text.getBoundingClientRect();
+                const grounds = new Map();
+                for (let k = 0; halo && k < 35; k += 1) {
+                    const [x, y] = [box.left + box.width * (k % 7) / 6, box.top + box.height * (0.2 + 0.6 * Math.floor(k / 7) / 4)];
+                    const isIn = ({ face, inverse }) => face.isPointInFill(new DOMPoint(x, y).matrixTransform(inverse));
+                    const key = below.filter(isIn).reduce((ground, { parts }) => over(parts, ground), page).map(Math.round).join();
+                    grounds.set(key, (grounds.get(key) ?? 0) + 1);
+                }
+                const [most, count] = [...grounds].sort(([, a], [, b]) => b - a)[0] ?? ['', 0];
+                const ground = most.split(',').map(Number);
+                const off = halo && count > 21 && Math.max(...over(halo, ground).map((part, k) => Math.abs(part - ground[k])));
+                if (off > 3) {
+                    found.push(fault('halo', svg, `“${words(text.textContent)}” has a halo unlike what is below it`));
+                }
+            }
+        }
+        return found;
+    };
+
     /** What a reader can read: how many formulas, drawings, tables are shown, and the words. What moves a figure or lights up a
      * part of it, what filters, and what is asked for, which has its test, are no reading. */
     const content = () => {
@@ -443,5 +532,5 @@ const geneva = (() => {
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 
-    return { unfold, show, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, keyboard, load, accessibility, contrast, content };
+    return { unfold, show, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, halos, parted, keyboard, load, accessibility, contrast, content };
 })();

@@ -38,7 +38,8 @@ pub(super) fn holes(browser: &mut Browser) -> Vec<String> {
     );
     let asks = |event: &Value| {
         let url = event["params"]["request"]["url"].as_str().unwrap_or_default();
-        event["method"] == "Network.requestWillBeSent" && !["file:", "data:", "blob:"].iter().any(|own| url.starts_with(own))
+        event["method"] == "Network.requestWillBeSent"
+            && !["file:", "data:", "blob:"].iter().any(|own| url.starts_with(own))
     };
     holes.extend(browser.events().iter().find(|event| asks(event)).map(|asked| format!("asks: {asked}")));
     holes

@@ -6,6 +6,7 @@
 use super::book::{entering, states_of};
 use super::mechanisms::pin;
 use super::{Misprints, escapement};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use geneva_ledger::tex::{Display, Moment, changed_part, letters_in};
 use std::f64::consts::PI;

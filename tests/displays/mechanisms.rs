@@ -7,9 +7,7 @@ use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::series::polar_rates;
 use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
 use geneva_kinematics::wheel::{Choices, Scale, Sizes};
-use geneva_kinematics::wheel::{
-    Wheel, acceleration_peak, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration,
-};
+use geneva_kinematics::wheel::{Wheel, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration};
 use geneva_kinematics::{Turn, pin_slot, pin_triangle, pin_vectors};
 use geneva_ledger::tex::{By, Moment, Value};
 use geneva_mimic::runge_kutta_step;
@@ -118,8 +116,8 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
     let wheel = Wheel::new(stations.unwrap_or(3 + number as u32 % 16)).expect("a wheel");
     let half = wheel.engagement_half_angle();
     let angle = match when {
-        When::AtPeak if number.is_multiple_of(2) => acceleration_peak(&wheel).angle,
-        When::AtPeak => -acceleration_peak(&wheel).angle,
+        When::AtPeak if number.is_multiple_of(2) => wheel.acceleration_peak().angle,
+        When::AtPeak => -wheel.acceleration_peak().angle,
         When::Steady | When::Unsteady => half * between(number, 0, -0.98, 0.98),
     };
     let angular_acceleration = if when == When::Unsteady { between(number, 3, -4.0, 4.0) } else { 0.0 };

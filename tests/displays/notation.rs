@@ -241,7 +241,7 @@ fn every_letter_of_a_source_has_a_line_in_the_table_of_its_chapter() {
         let mut missing = BTreeMap::new();
         let mut read = 0;
         for claim in claims().iter().filter(|claim| claim.work == *work && claim.kind == Kind::Equation) {
-            // These are lines of a program, whose names have a table of their own in its chapter.
+            // These are lines of programs. What each of their names is, the claim of its line says.
             if ["meyer.listing.", "meyer.app-b.example."].iter().any(|cards| claim.id.starts_with(cards)) {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Is each slip of a display noticed by itself, where it is the characters that are proven?
+//! Is each slip in a display noticed by itself, where the printed characters themselves are proven?
 //!
 //! The verdicts say that a display put right is proven and that the printed one, with all its slips, is refuted.
 
@@ -8,7 +8,7 @@ use geneva_ledger::{Check, claim};
 #[track_caller]
 fn is_proven(id: &str, tex: &str) -> bool {
     match claim(id).map(|claim| &claim.check) {
-        Some(Check::Equation { decide: Some(decide), .. }) => decide(tex).holds,
+        Some(Check::Equation { first, .. }) => (first.run)(tex).holds,
         _ => panic!("{id}: its characters are not what is proven"),
     }
 }

@@ -1,4 +1,4 @@
-//! The run from rest: its lines are those of the dynamics, and they end near the steady state.
+//! The run from rest: its lines agree with the dynamics, and they end near the steady state.
 
 use super::{DESIGNS, Design, FOUR, command, object};
 use crate::{number, stdout};

@@ -1,4 +1,4 @@
-//! An address is anybody's: it moves controls within their ranges, and does nothing else.
+//! Anybody can write an address: it moves controls within their ranges, and does nothing else.
 
 use super::{PAGES, SETTLED, browser, of, open};
 use crate::browser::devtools::{Browser, Medium};

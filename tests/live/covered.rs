@@ -1,4 +1,4 @@
-//! Does a drawing that stays while the controls go by hide what a reader has scrolled to?
+//! Does a drawing that stays in view while the controls scroll by hide what a reader has scrolled to?
 
 use super::{PAGES, browser, of, open};
 use crate::browser::devtools::{Browser, Medium};

@@ -1,4 +1,4 @@
-//! What cannot be computed is refused with exit code 2, with what was typed, what is possible and what to give.
+//! What cannot be computed is refused with exit code 2 and a message: what was typed, what is possible and what to give.
 
 use super::{SLOW, command, object};
 use crate::{answered, assert_is_plain, number, pin, stdout};

@@ -1,4 +1,4 @@
-//! A file is complete, or it is as it was: also when the program is ended in the middle of its work.
+//! A file is either complete or as it was, even if the program is ended in the middle of its work.
 
 use super::SMALL;
 use crate::{geneva, is_ignored, refusal, run, written};

@@ -1,4 +1,4 @@
-//! What cannot be swept is refused with exit code 2, with what was typed, why, and what to give.
+//! What cannot be swept is refused with exit code 2 and a message: what was typed, why it fails, and what to give.
 
 use crate::{geneva, pin, refusal};
 

@@ -1,4 +1,4 @@
-//! Does the code use the field's words? Names in it are not made of words that were given up for the field's.
+//! Does the code use the field's words? No name in it contains a word that was given up for a word of the field.
 
 /// Words that no name has as a part: the word, the crates, and what the field says. Comments and texts are free.
 const GIVEN_UP: &[(&str, &[&str], &str)] = &[

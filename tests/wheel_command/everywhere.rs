@@ -1,4 +1,4 @@
-//! Does each quantity of a wheel, which one file states, appear wherever a wheel is reported?
+//! Each quantity of a wheel is stated in one file. Does it appear wherever a wheel is reported?
 
 use crate::{number, object, stdout};
 use geneva_ask::wheel::{Design, Question};

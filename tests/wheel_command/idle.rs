@@ -1,4 +1,4 @@
-//! Is every option that would change nothing refused, with what would make it count?
+//! Is every option that would change nothing refused, and does the message say what would make it count?
 
 use crate::{refused, stdout};
 

@@ -1,4 +1,4 @@
-//! Are the loads that `geneva wheel` tells those of the dynamics, in the units it says?
+//! Does `geneva wheel` report the same loads as the dynamics, in the units that it states?
 
 use super::kinds;
 use crate::{assert_is_plain, number, object, on_sheet, pin, stdout};

@@ -1,4 +1,4 @@
-//! Do the wheels that are proposed for wanted times have the times that they are said to have?
+//! Do the wheels that are proposed for given times really have the times stated for them?
 
 use crate::{assert_is_plain, number, object, pin, stdout};
 use serde_json::Value;

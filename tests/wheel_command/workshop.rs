@@ -1,4 +1,4 @@
-//! Are the files that `geneva wheel` writes those of the workshop, and does it say what they need?
+//! Does `geneva wheel` write the same files as the workshop, and does it say what they need?
 
 use crate::{assert_is_drawn, refused, stdout};
 use geneva_figures::stations::dimensions;

@@ -120,6 +120,17 @@ impl Field {
             _ => None,
         }
     }
+
+    /// The direction of its vector in degrees; none if it is something else, or a vector that is zero.
+    pub fn direction(&self) -> Option<f64> {
+        match &self.value {
+            Value::Object(Row(vector)) => match vector.get(1) {
+                Some(("direction_deg", Value::Number(degrees))) => Some(*degrees),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
 }
 
 /// What a question gets: a title, what all numbers have in common, sections of fields, a list, and a closing note. A section
@@ -150,7 +161,7 @@ pub struct Item {
 }
 
 impl Answer {
-    /// All fields but those of the list.
+    /// All fields of the sections.
     pub fn fields(&self) -> impl Iterator<Item = &Field> {
         self.sections.iter().flat_map(|(_, fields)| fields)
     }

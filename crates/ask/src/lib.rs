@@ -20,6 +20,7 @@ macro_rules! refused {
     ($($words:tt)*) => { $crate::Error::Argument(format!($($words)*)) };
 }
 
+mod compared;
 mod data;
 pub mod escapement;
 mod field;
@@ -73,7 +74,25 @@ pub fn answer(question: &str) -> Result<Answer, Error> {
     match mechanism {
         "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.answer(),
         "quick-return" => quick_return::Design::new(&quick_return::Question::parse(arguments)?)?.answer(),
-        other => Err(refused!("no mechanism {other}; there are wheel and quick-return")),
+        "escapement" => escapement::Design::new(escapement::Question::parse(arguments)?)?.answer(),
+        "runaway" => compared::runaway(arguments),
+        "governor" => compared::governor(arguments),
+        other => Err(refused!("no mechanism {other}; there are wheel, quick-return, escapement, runaway and governor")),
+    }
+}
+
+/// Further fields to a question: what a chapter or a figure shows, and neither a sheet nor the data have. They may take much longer
+/// than the answer.
+///
+/// # Errors
+///
+/// As for [`answer`].
+pub fn further(question: &str) -> Result<Vec<Field>, Error> {
+    let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
+    match mechanism {
+        "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.further(),
+        "escapement" => escapement::Design::new(escapement::Question::parse(arguments)?)?.further(),
+        _ => Ok(Vec::new()),
     }
 }
 

@@ -43,6 +43,25 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Optio
     Run::read_off(&Printout { lines, work: printed.work }, reset)
 }
 
+/// What part of the steps of each row's run is longer than the delay, dimensionless, with the numbers of the thesis's program.
+/// None if a run comes to no end.
+pub fn longer_than_delay(rows: &[Row]) -> Option<Vec<f64>> {
+    let program = Program::new(&deck(&as_listed(&rows.first()?.given.listing))?).ok()?;
+    let part = |row| {
+        let run = program.run(&data(&program, row), &Choices::default()).ok()?;
+        Some(run.longer_than_delay as f64 / run.work.accepted as f64)
+    };
+    rows.iter().map(part).collect()
+}
+
+/// How far the driver has turned, in radians, in the first printed line of a row's run in which the follower runs backwards, with
+/// some names of the deck set to other numbers. None if it never does.
+pub fn turned_when_backwards(row: &Row, set: &[(&str, f64)]) -> Option<f64> {
+    let program = Program::new(&deck(set)?).ok()?;
+    let printed = program.run(&data(&program, row), &Choices::default()).ok()?.rows;
+    printed.iter().find(|line| line.last().is_some_and(|speed| *speed < 0.0))?.get(1).copied()
+}
+
 /// All rows by the deck. None if one of them comes to no end.
 ///
 /// The deck runs as it is, with the angle between two pins for the reset, or with the π of the thesis's program and its

@@ -52,7 +52,7 @@ pub mod weighing;
 pub mod witness;
 
 pub use hypothesis::{Constants, Hypothesis, Lag, Reading, Reset, SixPin, fitting_interval};
-pub use row::{Column, EXPLAINED, Given, Listing, Row, Unreadable, series, slug};
+pub use row::{Column, EXPLAINED, Given, Listing, Row, Unreadable, obeys, series, slug};
 pub use run::Run;
 pub use scores::{Cell, Fit, Score, compared, delays, within_one};
 pub use weighing::Weighing;

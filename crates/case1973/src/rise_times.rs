@@ -3,6 +3,7 @@
 use crate::chance::expected_rises;
 use crate::{Column, Hypothesis, Row, series};
 use geneva_dynamics::steady::{Engagement, Extreme, Printed, Rise};
+use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
 /// A time that a start from rest has, if so large a part of a velocity may be missing.
@@ -163,6 +164,34 @@ pub fn explained(rows: &[Row], missing: f64) -> Vec<Tried> {
     };
     let of_parts = OF_A_PART.iter().flat_map(|definition| parts(missing).map(|part| tried(definition, Some(part))));
     of_parts.chain(EVENTS.iter().map(|definition| tried(definition, None))).collect()
+}
+
+/// The greatest relative change, dimensionless and without its sign, of the time until the velocity is the steady one at every angle, but for a
+/// part `missing`, by so many times the friction or one of the inertias of a row as a mechanism. None if there is no such motion.
+pub fn change(row: &Row, missing: f64, times: f64) -> Option<f64> {
+    let own = Hypothesis::IDEAL.parameters(row)?;
+    let until = |friction: f64, driver: f64, follower: f64| {
+        let inertias = Inertias::new(own.inertias().driver() * driver, own.inertias().follower() * follower).ok()?;
+        let of = Parameters::new(own.mechanism(), inertias, own.torque(), own.friction() * friction).ok()?;
+        Engagement::new(&of).ok()?.until_profile(missing).ok()
+    };
+    let before = until(1.0, 1.0, 1.0)?;
+    let changed = [until(times, 1.0, 1.0)?, until(1.0, times, 1.0)?, until(1.0, 1.0, times)?];
+    changed.map(|after| (after / before - 1.0).abs()).into_iter().reduce(f64::max)
+}
+
+/// Whether a row's first minimum as a mechanism, its first peak and all later extremes and entry speeds are within a unit of the
+/// last place of the steady ones. None if there is no such motion.
+pub fn is_steady_from_the_first_minimum(row: &Row) -> Option<bool> {
+    let (rise, first) = (Hypothesis::IDEAL.rise(row)?, Hypothesis::IDEAL.engagement(row)?.first_minimum().ok()??);
+    let steady = &rise.steady;
+    let later = rise.cycles.iter().skip(1).flat_map(|cycle| {
+        let entry = cycle.entry_speed - steady.entry_speed;
+        [cycle.minimum.speed - steady.minimum.speed, entry, cycle.peak.speed - steady.peak.speed]
+    });
+    let peak = rise.cycles.first()?.peak.speed - steady.peak.speed;
+    let mut off = [first.speed - steady.minimum.speed, peak].into_iter().chain(later);
+    Some(off.all(|off| off.abs() < Column::Minimum.unit()))
 }
 
 /// Pairs of neighbouring rows that differ in one value only, by whether the printed rise time goes up with that value.

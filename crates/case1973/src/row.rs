@@ -1,7 +1,8 @@
 //! A printed run, and what the source gives besides its table. Both come in as arguments: no number of it is written
 //! here.
 
-use geneva_kinematics::Mechanism;
+use geneva_kinematics::pin_slot::velocity_ratio;
+use geneva_kinematics::{Mechanism, Turn};
 use geneva_mimic::AtSmallestStep;
 
 /// The columns of a table, in their order.
@@ -58,6 +59,13 @@ pub struct Listing {
 }
 
 impl Listing {
+    /// The follower's speed over the driver's where the program resets the angle, dimensionless; positive in the sense in which a
+    /// pin drives the follower.
+    pub fn velocity_ratio_at_reset(&self, mechanism: Mechanism) -> f64 {
+        let angle = self.reset - mechanism.engagement_half_angle();
+        velocity_ratio(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle))
+    }
+
     /// The integrator as far as the listing tells, with the defaults for the rest.
     ///
     /// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.
@@ -160,6 +168,16 @@ impl Row {
 /// A mechanism's name; the thesis names mechanisms by the pins.
 pub fn slug(mechanism: Mechanism) -> String {
     format!("{}-pin", mechanism.pins())
+}
+
+/// Whether the printed numbers of a column go as this power of the torque, 1/2 or −1/2, each to one unit of its last place.
+pub fn obeys(rows: &[Row], column: Column, power: f64) -> bool {
+    let [low, high] = rows.iter().fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], row| {
+        let scale = if power > 0.0 { 1.0 / row.torque().sqrt() } else { row.torque().sqrt() };
+        let [least, most] = [-1.0, 1.0].map(|off| (row.number(column) + off * column.unit()) * scale);
+        [low.max(least), high.min(most)]
+    });
+    low <= high
 }
 
 /// The rows of one mechanism and one friction, by rising torque, of rows in the order of their tables; nothing else

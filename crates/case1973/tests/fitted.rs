@@ -1,4 +1,4 @@
-//! Are the data found with which the tables were made, by both routes?
+//! Do both routes find the data with which the tables were made?
 
 use crate::rows::tables;
 use geneva_case1973::choice::rows_of;

@@ -1,4 +1,4 @@
-//! Tables that the program made are explained by the program, and by no other hypothesis as well.
+//! Tables that the program made are explained by the program, and by no other hypothesis equally well.
 
 use crate::rows::{LISTING, given, printed, tables};
 use geneva_case1973::likelihood::Law;

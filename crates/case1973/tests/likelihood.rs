@@ -1,4 +1,4 @@
-//! Do the chances add to one, and is the spread that is found the spread of the errors?
+//! Do the chances add up to one, and is the spread of the errors found?
 
 use geneva_case1973::likelihood::Law;
 

@@ -1,4 +1,4 @@
-//! The program against itself and against the mechanism.
+//! Compares the program with itself and with the mechanism.
 
 use geneva_case1973::program::{Contact, Error, Program};
 use geneva_dynamics::{Inertias, Parameters};

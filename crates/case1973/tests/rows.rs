@@ -1,4 +1,4 @@
-//! Tables of no source: their rows are runs of the program, rounded as a source would print them.
+//! Tables that are from no source: their rows are runs of the program, rounded as a source would print them.
 
 use geneva_case1973::{Column, Given, Hypothesis, Listing, Row, series};
 use geneva_kinematics::Mechanism;

@@ -1,4 +1,4 @@
-//! The second routes against the first, on tables of no source.
+//! Compares the second routes with the first, on tables that are from no source.
 
 use crate::rows::{LISTING, tables};
 use geneva_case1973::witness::{lagged, lagged_by, steps};

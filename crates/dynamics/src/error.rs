@@ -54,7 +54,7 @@ pub enum Error {
     #[error(
         "friction coefficient {asked} is too high for this mechanism: from about {} on it may jam, because the motion is \
          not determined {:.1}° from the line of centres; give less friction or a driver with more inertia",
-        told(*.limit),
+        four_digits(*.limit),
         .angle.to_degrees()
     )]
     TooMuchFriction {
@@ -69,8 +69,8 @@ pub enum Error {
     #[error(
         "A = {} is not more than |D| = {}, so the motion is not determined; lower the friction or raise the driver's \
          inertia",
-        told(*.a),
-        told(*.d)
+        four_digits(*.a),
+        four_digits(*.d)
     )]
     NotUnique {
         /// A, dimensionless.
@@ -82,7 +82,7 @@ pub enum Error {
     #[error(
         "reset angle {asked} rad: the driver's angle must be reset after more than 0 and less than {} rad, where the pin \
          is farthest from the follower; give 2π over the number of pins, or another angle in this range",
-        told(*.limit)
+        four_digits(*.limit)
     )]
     Reset {
         /// What was asked for, in radians.
@@ -106,7 +106,7 @@ pub enum Error {
     #[error(
         "there is no terminal speed, because a difference of speeds doesn't shrink from one engagement to the next (the \
          multiplier is {}); give friction that grows with the load, in the slot or in the bearings",
-        told(*.multiplier)
+        four_digits(*.multiplier)
     )]
     NoTerminalSpeed {
         /// Multiplier of the return map, dimensionless; one, or within rounding of it.
@@ -143,8 +143,8 @@ pub enum Error {
     #[error(
         "the mechanism locks itself: the friction of pin and follower's journal has an arm of {} crank radii, but on the \
          line of centres the normal force has only {}; give a thinner pin, a thinner journal or less friction",
-        told(*.taken),
-        told(*.lever)
+        four_digits(*.taken),
+        four_digits(*.lever)
     )]
     SelfLocking {
         /// μ ρ + μ_b r_b √(1 + μ²), the arm of the friction in crank radii.
@@ -157,7 +157,7 @@ pub enum Error {
         "the mechanism may jam {:.1}° from the line of centres: the motion is determined only where the factor of the \
          acceleration is positive, but there it is {}; give less friction, thinner joints or a driver with more inertia",
         .angle.to_degrees(),
-        told(*.margin)
+        four_digits(*.margin)
     )]
     Jams {
         /// The factor of θ'' over I_f there, dimensionless; not positive.
@@ -189,8 +189,8 @@ pub enum Error {
     #[error(
         "no steady speed was found: an engagement entered at {} is left at {}; give more steps, less drag torque or more \
          friction that grows with the load",
-        told(*.entry),
-        told(*.exit)
+        four_digits(*.entry),
+        four_digits(*.exit)
     )]
     NotRepeated {
         /// Speed at the last entry that was tried, in radians per unit of time.
@@ -212,7 +212,7 @@ pub enum Error {
 }
 
 /// A number in a message, to four significant digits.
-fn told(value: f64) -> String {
+fn four_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     rounded.to_string()
 }

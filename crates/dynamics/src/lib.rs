@@ -5,6 +5,7 @@
 //! friction.
 //!
 //! ```
+//! use geneva_kinematics::indexing::Indexing;
 //! use geneva_dynamics::steady::Engagement;
 //! use geneva_dynamics::wheel_loads::WheelLoads;
 //! use geneva_dynamics::{Inertias, Parameters};

@@ -101,6 +101,15 @@ impl Parameters {
         Ok(Self { mechanism, inertias, torque, friction })
     }
 
+    /// The escapement with another friction.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Parameters::new`].
+    pub fn with_friction(&self, friction: f64) -> Result<Self, Error> {
+        Self::new(self.mechanism, self.inertias, self.torque, friction)
+    }
+
     /// Pins, slots and centre distance.
     pub fn mechanism(&self) -> Mechanism {
         self.mechanism

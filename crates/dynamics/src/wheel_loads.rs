@@ -56,6 +56,7 @@ pub struct Peak {
 /// A load's greatest, and its least if it reverses: the greatest of the other sign.
 ///
 /// ```
+/// use geneva_kinematics::indexing::Indexing;
 /// use geneva_dynamics::wheel_loads::WheelLoads;
 /// use geneva_kinematics::wheel::Wheel;
 ///
@@ -78,6 +79,7 @@ pub struct Peaks {
 /// A wheel with what it carries, and its driver's speed.
 ///
 /// ```
+/// use geneva_kinematics::indexing::Indexing;
 /// use geneva_dynamics::wheel_loads::WheelLoads;
 /// use geneva_kinematics::wheel::Wheel;
 /// use std::f64::consts::PI;
@@ -203,6 +205,28 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
     /// [`rms_crank_torque`](Self::rms_crank_torque).
     pub fn work(&self) -> f64 {
         self.integral(|load| load.crank_torque)
+    }
+
+    /// The torque at the crank with a pin that rubs in its slot with this coefficient of friction (zero or more): the greatest, and
+    /// the mean over the driver's turn, in N m, at two thousand equal steps of the index.
+    ///
+    /// The power of the friction, the force of the pin times its speed along the slot, comes on top.
+    ///
+    /// # Errors
+    ///
+    /// None for the angles of an index.
+    pub fn rubbing_crank_torque(&self, friction: f64) -> Result<(f64, f64), KinematicsError> {
+        const STEPS: u32 = 2000;
+        let end = self.wheel.engagement_half_angle();
+        let (mut peak, mut sum) = (0.0_f64, 0.0);
+        for step in 0..STEPS {
+            let crank = end * (2.0 * (f64::from(step) + 0.5) / f64::from(STEPS) - 1.0);
+            let (load, pin) = (self.at(crank)?, self.wheel.pin_in_slot(crank)?);
+            let torque = load.crank_torque + friction * (load.pin_moment * pin.radius_rate).abs();
+            peak = peak.max(torque);
+            sum += torque * 2.0 * end / f64::from(STEPS);
+        }
+        Ok((peak, sum * f64::from(self.wheel.pins()) / TAU))
     }
 
     /// The greatest in the first half, and the least where the pin holds the wheel back.

@@ -1,4 +1,4 @@
-//! Is there one acceleration where A exceeds |D|, and does floating point take the same side?
+//! Is there one acceleration where A exceeds |D|, and does floating point agree?
 
 use geneva_dynamics::{Coefficients, Error, Sign};
 use geneva_kinematics::{Field, Rational, rational};

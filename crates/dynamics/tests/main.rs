@@ -1,4 +1,4 @@
-//! The equation of motion, the steady state and the loads, against exact proofs, other routes and laws of mechanics. The
+//! Compares the equation of motion, the steady state and the loads with exact proofs, other routes and laws of mechanics. The
 //! files and folders are named after the modules that they test.
 
 #![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]

@@ -1,4 +1,4 @@
-//! Are impossible values named, and has every pose of a sound escapement one acceleration?
+//! Are impossible values named, and does every pose of a sound escapement have one acceleration?
 
 use geneva_dynamics::{Error, Inertias, Parameters, existence};
 use geneva_kinematics::Mechanism;

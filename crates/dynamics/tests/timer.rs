@@ -1,4 +1,4 @@
-//! What is said of the timer against differences, energies and starts near the steady speed.
+//! Compares what we say of the timer with differences, energies and starts near the steady speed.
 
 use approx::assert_relative_eq;
 use geneva_dynamics::steady::Engagement;

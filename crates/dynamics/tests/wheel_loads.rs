@@ -1,4 +1,4 @@
-//! The loads against a fine scan, against laws of mechanics, and at their limits.
+//! The loads, compared with a fine scan and with laws of mechanics, and at their limits.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use geneva_dynamics::Error;
@@ -146,7 +146,7 @@ fn without_inertia_the_load_is_the_friction_alone() {
     // The pin is nearest to the wheel's axis on the line of centres, and the wheel is fastest there.
     for (peaks, value) in [
         (loads.pin_moment(), 3.0 / (Wheel::centre_distance_ratio(&wheel) - 1.0)),
-        (loads.crank_torque(), 3.0 * Indexing::peak_velocity(&wheel)),
+        (loads.crank_torque(), 3.0 * wheel.peak_velocity()),
     ] {
         assert_abs_diff_eq!(peaks.driving.angle, 0.0, epsilon = 1e-6);
         assert_relative_eq!(peaks.driving.value, value, max_relative = 1e-12);
@@ -166,6 +166,31 @@ fn loads_grow_with_the_square_of_the_speed_and_with_the_inertia() {
     for (one, many) in of(1.0, 2.0).into_iter().zip(of(3.0, 10.0)) {
         assert_relative_eq!(75.0 * one, many, max_relative = 1e-12);
     }
+}
+
+#[test]
+fn without_friction_the_mean_square_is_the_same_part_of_the_peak_at_any_inertia_and_speed() {
+    for stations in [3, 6, 8, 12] {
+        let wheel = Wheel::new(stations).unwrap();
+        let share = |inertia: f64, speed: f64| {
+            let loads = WheelLoads::new(&wheel, inertia, 0.0, speed).unwrap();
+            loads.rms_crank_torque() / loads.crank_torque().driving.value
+        };
+        assert_relative_eq!(share(0.37, 21.0), share(1.0, 1.0), max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn a_pin_that_rubs_needs_more_torque_by_the_work_along_its_slot() {
+    let wheel = Wheel::with_pins(6, 2).unwrap();
+    let loads = WheelLoads::new(&wheel, 2e-3, 0.1, 6.0).unwrap();
+    let (peak, mean) = loads.rubbing_crank_torque(0.0).unwrap();
+    assert_relative_eq!(peak, loads.crank_torque().driving.value, max_relative = 1e-6);
+    assert_relative_eq!(mean, loads.mean_crank_torque(), max_relative = 1e-5);
+    // Twice the friction, twice the work on top.
+    let [little, much] = [0.15, 0.3].map(|friction| loads.rubbing_crank_torque(friction).unwrap());
+    assert!(little.0 > peak);
+    assert_relative_eq!(much.1 - mean, 2.0 * (little.1 - mean), max_relative = 1e-12);
 }
 
 #[test]

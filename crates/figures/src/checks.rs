@@ -132,7 +132,8 @@ fn well_formed(figure: &Figure) {
         assert!(name.bytes().all(|b| b.is_ascii_lowercase()) && name != "script", "{name}");
         for attribute in ["fill", "stroke"] {
             let colour = node.attribute(attribute).unwrap_or("none");
-            let known = colour == "none" || colour == "currentColor" || colour.starts_with("var(--fig-");
+            let is_mixed = attribute == "stroke" && colour.starts_with("color-mix(in srgb, ");
+            let known = colour == "none" || colour == "currentColor" || colour.starts_with("var(--fig-") || is_mixed;
             assert!(known, "{}: {attribute} {colour}", figure.id);
         }
     }

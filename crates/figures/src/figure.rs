@@ -48,7 +48,29 @@ fn with_fixed_colours(svg: &str) -> String {
             None => fixed.extend(["var(--", part]),
         }
     }
-    fixed
+    with_mixed_colours(fixed)
+}
+
+/// Each mixture of two fixed colours, which other programs than browsers don't know, as one colour.
+fn with_mixed_colours(mut svg: String) -> String {
+    const MIXTURE: &str = "color-mix(in srgb, ";
+    // A mixture may hold another one: the last that begins is the innermost.
+    while let Some(start) = svg.rfind(MIXTURE) {
+        let Some(length) = svg[start..].find(')') else { return svg };
+        let Some(colour) = mixed(&svg[start + MIXTURE.len()..start + length]) else { return svg };
+        svg.replace_range(start..=start + length, &colour);
+    }
+    svg
+}
+
+/// The colour that so many per cent of one and the rest of another make: `#ff0000 25%, #ffffff`.
+fn mixed(parts: &str) -> Option<String> {
+    let (first, below) = parts.split_once(", ")?;
+    let (colour, percent) = first.strip_suffix('%')?.split_once(' ')?;
+    let share = percent.parse::<f64>().ok()? / 100.0;
+    let channel = |colour: &str, at: usize| Some(f64::from(u8::from_str_radix(colour.get(at..at + 2)?, 16).ok()?));
+    let mixed = |at| Some((share * channel(colour, at)? + (1.0 - share) * channel(below, at)?).round() as u8);
+    Some(format!("#{:02x}{:02x}{:02x}", mixed(1)?, mixed(3)?, mixed(5)?))
 }
 
 /// The words of a figure, before it is drawn.
@@ -91,5 +113,9 @@ mod tests {
         let svg = "<g fill=\"var(--a, #111)\" stroke=\"var(--b)\"><path stroke=\"var(--c, #222)\"/></g>";
         assert_eq!(with_fixed_colours(svg), "<g fill=\"#111\" stroke=\"var(--b)\"><path stroke=\"#222\"/></g>");
         assert_eq!(with_fixed_colours("<g/>"), "<g/>");
+        let svg = "<text stroke=\"color-mix(in srgb, var(--a, #ff0000) 25%, color-mix(in srgb, var(--b, #000000) \
+                   var(--c, 50%), var(--d, #ffffff)))\">";
+        assert_eq!(with_fixed_colours(svg), "<text stroke=\"#a06060\">");
+        assert_eq!(with_fixed_colours("color-mix(in srgb, red 5%, blue)"), "color-mix(in srgb, red 5%, blue)");
     }
 }

@@ -4,8 +4,9 @@
 //! drawn is computed by `geneva-kinematics` from the arguments: this crate holds no number that a source prints,
 //! knows nothing of claims or books, and does no input or output. The same arguments give the same bytes.
 //!
-//! Colours are `currentColor` and the custom properties `--fig-1` to `--fig-4`, `--fig-grid`, `--fig-fill` and
-//! `--fig-paper`, each with a fallback, so that a page may restyle a figure for a dark background.
+//! Colours are `currentColor` and the custom properties `--fig-1` to `--fig-4`, `--fig-grid`, `--fig-fill`
+//! (of which `--fig-face` is the colour and `--fig-share` how much of it covers) and `--fig-paper`, each with a fallback, so
+//! that a page may restyle a figure for a dark background.
 
 #[cfg(test)]
 mod checks;

@@ -3,6 +3,7 @@
 use crate::svg::{Path, Pixels, Sense, Shape, View};
 use crate::theme::{FILL, FOLLOWER};
 use geneva_kinematics::Turn;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;

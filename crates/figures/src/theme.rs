@@ -18,5 +18,8 @@ pub const RELATIVE: Colour = Colour("var(--fig-3, #2a7a3b)");
 pub const CORIOLIS: Colour = Colour("var(--fig-4, #8f3b7a)");
 /// Faces of bodies.
 pub const FILL: Colour = Colour("var(--fig-fill, #e9eff6)");
+/// The colour of faces of bodies where it covers all, and how much of the ground it covers as [`FILL`].
+pub const FACE: Colour = Colour("var(--fig-face, #e9eff6)");
+pub const FACE_SHARE: &str = "var(--fig-share, 100%)";
 /// The ground the figure stands on; halos of labels.
 pub const PAPER: Colour = Colour("var(--fig-paper, #ffffff)");

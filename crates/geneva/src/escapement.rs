@@ -4,7 +4,7 @@ use crate::arguments::{Format, Output, formats, name_of};
 use crate::fields;
 use crate::typed::{self, as_typed};
 use clap::{Args, ValueEnum};
-use geneva_ask::escapement::{Design, Drawing, Question, Units};
+use geneva_ask::escapement::{Design, Drawing, Further, Question, Units};
 
 /// Options of `geneva escapement`.
 #[derive(Args, Debug)]
@@ -92,6 +92,7 @@ impl EscapementArguments {
             follower_inertia: self.follower_inertia,
             units: self.units.map(units),
             reset_deg: self.reset_deg,
+            further: Further::default(),
         }
     }
 }

@@ -11,23 +11,26 @@ pub fn page(verdicts: &[Judged]) -> String {
 
 /// How many statements and examples on pages elsewhere are right and wrong, if all match the record.
 fn elsewhere(verdicts: &[Judged]) -> String {
-    let said = |of: &dyn Fn(&Judged) -> bool| -> usize {
-        verdicts.iter().filter(|judged| !judged.claim.work.is_document() && of(judged)).count()
+    let tally = |name: &str, examples: bool| {
+        let of_kind =
+            |judged: &&Judged| !judged.claim.work.is_document() && (judged.claim.kind == Kind::Example) == examples;
+        let number = |of: &dyn Fn(&Judged) -> bool| verdicts.iter().filter(of_kind).filter(|judged| of(judged)).count();
+        let truths = Truth::ALL
+            .iter()
+            .map(|truth| (number(&|judged| judged.truth() == *truth && !judged.is_miscopied()), truth.to_string()));
+        let parts = truths.chain([(number(&Judged::is_miscopied), "wrong only in our copy".to_owned())]);
+        let parts: Vec<_> =
+            parts.filter(|(number, _)| *number > 0).map(|(number, what)| format!("{number} {what}")).collect();
+        let all = number(&|_| true);
+        (all > 0).then(|| format!("{} ({})", count(all, name), parts.join(", ")))
     };
-    let is_example = |judged: &Judged| judged.claim.kind == Kind::Example;
-    let told = |name: &str, examples: bool| {
-        let all = said(&|judged| is_example(judged) == examples);
-        let of = |truth| said(&|judged| is_example(judged) == examples && judged.truth() == truth);
-        let parts = Truth::ALL.iter().filter(|truth| of(**truth) > 0).map(|truth| format!("{} {truth}", of(*truth)));
-        (all > 0).then(|| format!("{} ({})", count(all, name), parts.collect::<Vec<_>>().join(", ")))
-    };
-    let told: Vec<_> = [told("statement", false), told("example", true)].into_iter().flatten().collect();
-    if told.is_empty() {
+    let tallies: Vec<_> = [tally("statement", false), tally("example", true)].into_iter().flatten().collect();
+    if tallies.is_empty() {
         return String::new();
     }
     wrapped(
         "",
-        &format!("Elsewhere {}: all verdicts match the record. See geneva claims --source wild", told.join(" and ")),
+        &format!("Elsewhere {}: all verdicts match the record. See geneva claims --source wild", tallies.join(" and ")),
     )
 }
 

@@ -4,6 +4,7 @@
 //! neighbours in time share it.
 
 use divan::{Bencher, black_box};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::time::{Duration, Instant};
 

@@ -4,6 +4,7 @@
 #[path = "../tests/oracle/mod.rs"]
 mod oracle;
 
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{STATIONS, Wheel};
 use oracle::{MOTION, Oracle};
 use std::collections::BTreeMap;

@@ -49,6 +49,7 @@
 //! | all three kinds by one name | [`indexing`] |
 //! | an escapement: which numbers of pins and slots, and where everything is | [`escapement`] |
 //! | a quick-return lever | [`quick_return`] |
+//! | a cam to compare a wheel with | [`cam`] |
 //! | a pin in a slot, for lengths of any ratio | [`pin_slot`], [`pin_triangle`], [`pin_vectors`], [`relative_motion`] |
 //! | why the formulas are right | the modules whose names end in `proofs`, for [`prove`] |
 //!
@@ -67,6 +68,7 @@ mod error;
 mod proofs;
 mod scalars;
 
+pub mod cam;
 pub mod escapement;
 pub mod indexing;
 pub mod internal_wheel;

@@ -3,6 +3,7 @@
 //! `cargo run --release --example accuracy` does the same over a grid three hundred times as fine.
 
 use crate::oracle::{MOTION, Oracle};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Phase, Wheel};
 
 /// Units in the last place; what is reached is 1.5 for the velocity and 0.5 for the rest.
@@ -27,7 +28,7 @@ fn angles(most: f64) -> Vec<f64> {
 fn the_motion_is_that_of_240_bits() {
     for stations in [3, 4, 5, 6, 7, 8, 12, 18, 37, 60, 1000] {
         let (wheel, oracle) = (Wheel::new(stations).unwrap(), Oracle::new(stations));
-        let peak = geneva_kinematics::wheel::acceleration_peak(&wheel).angle;
+        let peak = wheel.acceleration_peak().angle;
         let mut angles = angles(wheel.engagement_half_angle());
         angles.extend([peak * 0.999_999, peak * 1.000_001]);
         for (index, size) in angles.into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What holds of a wheel of any kind: rest at both ends, peaks, rates, one station a pin.
+//! What holds for any kind of wheel: rest at both ends, peaks, rates, one station for each pin.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use geneva_kinematics::KinematicsError;

@@ -1,4 +1,4 @@
-//! Is every step to the internal wheel's ratios proven, and a neighbour refuted?
+//! Is every step to the internal wheel's ratios proven, and a false one close to it refuted?
 
 use geneva_kinematics::internal_wheel::velocity_ratio;
 use geneva_kinematics::internal_wheel_proofs::{BracesArePositive, EntryAcceleration, Implemented, JerkRate, JerkRoot};

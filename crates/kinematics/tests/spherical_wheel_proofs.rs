@@ -1,4 +1,4 @@
-//! Is every step to the spherical wheel's ratios proven, and a neighbour refuted?
+//! Is every step to the spherical wheel's ratios proven, and a false one close to it refuted?
 
 use geneva_kinematics::spherical_wheel::acceleration_ratio;
 use geneva_kinematics::spherical_wheel_proofs::{BracesAtEntry, BracesRoot, EntryAcceleration, Implemented, JerkBound};

@@ -1,4 +1,4 @@
-//! Is it proven where the root of the quadratic for the peak lies?
+//! Is it proven where the root of the quadratic for the peak is?
 
 use geneva_kinematics::prove;
 use geneva_kinematics::wheel_peak_proofs::{BelowOne, InsideTheEngagement};

@@ -25,11 +25,6 @@ pub(crate) fn same(a: f64, b: f64) -> Finding {
     Finding::new(agrees(a, b), pair("number", &short(a), &short(b)))
 }
 
-/// Compares two numbers whose last bits are not the same on every machine, and says six places of both.
-pub(crate) fn meets(a: f64, b: f64) -> Finding {
-    Finding::new(agrees(a, b), pair("number", &format!("{a:.6}"), &format!("{b:.6}")))
-}
-
 /// A number to ten digits, which routes that agree have in common.
 pub(crate) fn short(number: f64) -> String {
     format!("{number:.9e}").parse().map_or_else(|_| number.to_string(), |number: f64| number.to_string())

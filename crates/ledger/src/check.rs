@@ -1,7 +1,7 @@
 //! How a claim is checked: two routes that share no code, and what each of them must refuse.
 
+use crate::Stated;
 use crate::slugs::slugs;
-use crate::{Claim, Stated};
 use geneva_kinematics::{Proof, Refutation};
 use std::fmt;
 use std::sync::Arc;
@@ -9,13 +9,10 @@ use std::sync::Arc;
 /// A way to a number.
 pub type Number = dyn Fn() -> f64 + Send + Sync;
 
-/// A way to find whether an equation holds.
+/// A way to find whether something holds that needs no characters.
 pub type Test = dyn Fn() -> Finding + Send + Sync;
 
-/// A second way to find whether the right equation holds, which is told the claim with its characters.
-pub type Witness = dyn Fn(&Claim) -> Finding + Send + Sync;
-
-/// Whether characters hold in the place of those of an equation.
+/// Whether characters hold in the place of those of an equation, and how that was found.
 pub type Decision = dyn Fn(&str) -> Finding + Send + Sync;
 
 /// A way to find whether a statement holds, which is tried on the right statement and on its neighbour.
@@ -40,18 +37,17 @@ pub enum Check {
         /// The right value by two routes, if there is a slip in what the source did.
         right: Option<[Route<Number>; 2]>,
     },
-    /// An equation that holds or fails. Each route must refuse misprints of its characters, which a program makes.
+    /// An equation that holds or fails. Both routes read its characters, so each can be tried on misprints of them, which a
+    /// program makes. What the letters stand for comes from two places.
     Equation {
-        /// The equation as printed.
-        printed: Route<Test>,
-        /// The corrected equation, if the printed one fails.
-        corrected: Option<Arc<Test>>,
-        /// What decides on the characters of both equations, if the characters themselves are proven.
-        decide: Option<Arc<Decision>>,
-        /// Another route to the right equation, which is the corrected one if there is one and the printed one if not.
-        witness: Route<Witness>,
-        /// How its characters are read, if the ledger itself reads them.
-        reader: Option<Reader>,
+        /// Decides on the characters, as printed and as corrected.
+        first: Route<Decision>,
+        /// Reads and evaluates the right characters, with other values of their letters.
+        witness: Route<Reading>,
+        /// What the characters say in the letters of mathematics, if the source's own are not ours to print.
+        said: Option<&'static str>,
+        /// Something else that shows which equation is right, beside the witness.
+        also: Option<Route<Test>>,
     },
     /// A statement or a figure. Each route is tried twice, on what is right and on a neighbour that is wrong.
     Statement {
@@ -67,15 +63,6 @@ pub enum Check {
         /// Which value is missing, and why nothing in the source replaces it.
         reason: &'static str,
     },
-}
-
-/// How the characters of an equation are read and evaluated.
-#[derive(Clone)]
-pub struct Reader {
-    /// The characters in the letters of mathematics, if the source's own are not ours to print.
-    pub said: Option<&'static str>,
-    /// Whether these characters would hold in the place of the right ones; none if they cannot be read.
-    pub holds: Arc<Reading>,
 }
 
 /// A way to a result, with the kind of evidence that it is.
@@ -126,19 +113,13 @@ pub struct Finding {
 }
 
 impl Check {
-    /// How the characters of the equation are read, if it is one and the ledger reads it.
-    pub fn reader(&self) -> Option<&Reader> {
-        match self {
-            Self::Equation { reader, .. } => reader.as_ref(),
-            _ => None,
-        }
-    }
-
-    /// The kinds of evidence used, the first route's first.
+    /// The kinds of evidence used, the first route's first; of a witness that has something beside it, the other kind.
     pub fn evidence(&self) -> Vec<Evidence> {
         match self {
             Self::Number { computed, witness, .. } => vec![computed.evidence, witness.evidence],
-            Self::Equation { printed, witness, .. } => vec![printed.evidence, witness.evidence],
+            Self::Equation { first, witness, also, .. } => {
+                vec![first.evidence, also.as_ref().map_or(witness.evidence, |also| also.evidence)]
+            }
             Self::Statement { first, witness, .. } => vec![first.evidence, witness.evidence],
             Self::Missing { .. } => Vec::new(),
         }

@@ -4,10 +4,9 @@ use crate::by_id::in_display;
 use crate::slugs::slugs;
 use crate::tex::{Exact, decide, holds};
 use crate::{
-    Check, Choice, Decision, Erratum, Evidence, Finding, Number, Reader, Route, Slip, Stated, Test, Verdict,
-    Vocabulary, Witness, Work,
+    Check, Choice, Decision, Erratum, Evidence, Finding, Number, Reading, Route, Slip, Stated, Verdict, Vocabulary,
+    Work,
 };
-use geneva_kinematics::{Identity, prove};
 use std::marker::PhantomData;
 use std::panic::Location;
 use std::sync::Arc;
@@ -74,8 +73,6 @@ pub struct Unchecked<R: ?Sized> {
 pub struct Unwitnessed<R: ?Sized> {
     claim: Claim,
     first: Route<R>,
-    corrected: Option<Arc<R>>,
-    decide: Option<Arc<Decision>>,
 }
 
 impl Place {
@@ -104,13 +101,7 @@ impl Place {
 
     /// An equation or a formula.
     #[track_caller]
-    pub fn equation(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Test> {
-        self.claim(Kind::Equation, id, printed, meaning)
-    }
-
-    /// A formula about which the claim is a sentence: that it is of a kind, has a sign or means a quantity.
-    #[track_caller]
-    pub fn formula(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
+    pub fn equation(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Decision> {
         self.claim(Kind::Equation, id, printed, meaning)
     }
 
@@ -165,7 +156,7 @@ impl<R: ?Sized> Unchecked<R> {
     }
 
     fn first(self, evidence: Evidence, run: Arc<R>) -> Unwitnessed<R> {
-        Unwitnessed { claim: self.claim, first: Route { evidence, run }, corrected: None, decide: None }
+        Unwitnessed { claim: self.claim, first: Route { evidence, run } }
     }
 }
 
@@ -185,17 +176,7 @@ impl Unwitnessed<Number> {
     }
 }
 
-impl Unchecked<Test> {
-    /// Whether the printed equation holds.
-    pub fn by(self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Unwitnessed<Test> {
-        self.first(evidence, Arc::new(run))
-    }
-
-    /// The printed equation is this identity.
-    pub fn proven<const V: usize>(self, identity: impl Identity<V> + Send + Sync + 'static) -> Unwitnessed<Test> {
-        self.by(Evidence::ExactIdentity, move || prove(&identity).into())
-    }
-
+impl Unchecked<Decision> {
     /// Both routes read the printed characters: the proof with the exact meaning of the letters, the witness with their
     /// numbers.
     pub fn in_letters(self, vocabulary: Vocabulary) -> Claim {
@@ -205,7 +186,7 @@ impl Unchecked<Test> {
 
     /// Reads an equation whose characters leave something out, as [`Unchecked::in_letters`] does. `whole` says the characters
     /// in full.
-    pub fn said_in_letters(
+    pub fn rewritten_and_proven(
         self,
         vocabulary: Vocabulary,
         whole: impl Fn(&str) -> String + Clone + Send + Sync + 'static,
@@ -217,19 +198,19 @@ impl Unchecked<Test> {
 
     /// The printed characters are proven with these letters. If they are corrected, they are refuted, and the corrected
     /// ones are proven.
-    pub fn proven_by(self, letters: Exact) -> Unwitnessed<Test> {
+    pub fn proven_by(self, letters: Exact) -> Unwitnessed<Decision> {
         self.decided(move |tex| decide(tex, letters))
     }
 
     /// Proves the characters in a display that is cut into lines, each a claim of its own. The other lines have their
     /// right characters.
-    pub fn proven_in(self, lines: &'static [&'static str], letters: Exact) -> Unwitnessed<Test> {
+    pub fn proven_in(self, lines: &'static [&'static str], letters: Exact) -> Unwitnessed<Decision> {
         let own = self.claim.id;
         self.decided(move |tex| decide(&in_display(lines, own, tex), letters))
     }
 
     /// Decides on the equation by a function that proves or refutes characters in the place of the printed ones.
-    pub fn decided(self, decide: impl Fn(&str) -> Finding + Send + Sync + 'static) -> Unwitnessed<Test> {
+    pub fn decided(self, decide: impl Fn(&str) -> Finding + Send + Sync + 'static) -> Unwitnessed<Decision> {
         self.evaluated(Evidence::ExactIdentity, decide)
     }
 
@@ -238,35 +219,17 @@ impl Unchecked<Test> {
         self,
         evidence: Evidence,
         decide: impl Fn(&str) -> Finding + Send + Sync + 'static,
-    ) -> Unwitnessed<Test> {
-        let (printed, decide) = (self.claim.printed, Arc::new(decide));
-        let first = Arc::clone(&decide);
-        Unwitnessed { decide: Some(decide), ..self.by(evidence, move || first(printed)) }
+    ) -> Unwitnessed<Decision> {
+        self.first(evidence, Arc::new(decide))
     }
 }
 
-impl Unwitnessed<Test> {
-    /// Whether the corrected equation holds, if the printed one fails.
-    #[must_use]
-    pub fn corrected_form(self, run: impl Fn() -> Finding + Send + Sync + 'static) -> Self {
-        Self { corrected: Some(Arc::new(run)), ..self }
-    }
-
-    /// Whether the right equation holds, by a route that shares no code with the first.
-    pub fn by(self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Claim {
-        self.witnessed(evidence, move |_| run())
-    }
-
-    /// Adds a witness that is told the claim.
-    fn witnessed(self, evidence: Evidence, run: impl Fn(&Claim) -> Finding + Send + Sync + 'static) -> Claim {
-        let witness = Route { evidence, run: Arc::new(run) as Arc<Witness> };
-        let Self { claim, first: printed, corrected, decide } = self;
-        Claim { check: Check::Equation { printed, corrected, decide, witness, reader: None }, ..claim }
-    }
-
+impl Unwitnessed<Decision> {
     /// The right characters hold wherever they are read and evaluated, and the printed ones do not if they are corrected.
     pub fn read(self, evidence: Evidence, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Claim {
-        self.witnessed(evidence, Claim::reads).with_reader(holds)
+        let witness = Route { evidence, run: Arc::new(holds) as Arc<Reading> };
+        let check = Check::Equation { first: self.first, witness, said: None, also: None };
+        Claim { check, ..self.claim }
     }
 
     /// Reads the characters in a display that is cut into lines, each a claim of its own. The other lines have their
@@ -279,11 +242,6 @@ impl Unwitnessed<Test> {
     ) -> Claim {
         let own = self.claim.id;
         self.read(evidence, move |tex| holds(&in_display(lines, own, tex)))
-    }
-
-    /// The right equation is this identity.
-    pub fn proven<const V: usize>(self, identity: impl Identity<V> + Send + Sync + 'static) -> Claim {
-        self.by(Evidence::ExactIdentity, move || prove(&identity).into())
     }
 }
 
@@ -339,67 +297,58 @@ impl Claim {
         self
     }
 
-    /// The characters of the equation are read and evaluated, beside what the witness finds without them.
-    #[must_use]
-    pub fn read_by(mut self, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Self {
-        let Check::Equation { witness, .. } = &mut self.check else { self.has_no("a reader") };
-        let own = Arc::clone(&witness.run);
-        witness.run = Arc::new(move |claim| own(claim).and(claim.reads()));
-        self.with_reader(holds)
-    }
-
-    /// Whether given characters hold in the place of those of the equation, if they can be read.
-    fn with_reader(mut self, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Self {
-        let Check::Equation { reader, .. } = &mut self.check else { self.has_no("a reader") };
-        *reader = Some(Reader { said: None, holds: Arc::new(holds) });
-        self
-    }
-
-    /// Adds a witness beside the one that reads the characters: something else that shows which equation is right.
+    /// Adds something else that shows which equation is right, beside the witness that reads the characters.
     #[must_use]
     pub fn also_by(mut self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Self {
-        let Check::Equation { witness, .. } = &mut self.check else { self.has_no("another witness") };
-        let read = Arc::clone(&witness.run);
-        *witness = Route { evidence, run: Arc::new(move |claim| read(claim).and(run())) };
+        let Check::Equation { also, .. } = &mut self.check else { self.has_no("another witness") };
+        *also = Some(Route { evidence, run: Arc::new(run) });
         self
+    }
+
+    /// Whether characters would hold in the place of the right ones of an equation, by the first route and by the witness;
+    /// none of what a route cannot read. None at all if it is no equation.
+    pub fn read_with(&self, tex: &str) -> Option<[Option<bool>; 2]> {
+        let Check::Equation { first, witness, .. } = &self.check else { return None };
+        let found = (first.run)(tex);
+        Some([found.evaluated.then_some(found.holds), (witness.run)(tex)])
     }
 
     /// Whether the claim of an equation would stand with other characters in the place of the right ones, by both routes.
-    /// None if a route cannot read them and none refuses them, and if no route reads the claim's characters.
+    /// None if a route cannot read them and none refuses them.
     pub fn stands_with(&self, tex: &str) -> Option<bool> {
-        let Check::Equation { decide, reader, .. } = &self.check else { return None };
-        let first = decide.as_ref().map(|decide| decide(tex)).map(|found| found.evaluated.then_some(found.holds));
-        if first == Some(Some(false)) {
-            return Some(false);
-        }
-        match (first, reader.as_ref().map(|reader| (reader.holds)(tex))) {
-            (_, Some(Some(false))) => Some(false),
-            (Some(first), Some(second)) => first.and(second),
-            (one, other) => one.or(other).flatten(),
+        match self.read_with(tex)? {
+            [Some(false), _] | [_, Some(false)] => Some(false),
+            [first, witness] => first.and(witness),
         }
     }
 
-    /// Whether the right characters of the claim hold, read and evaluated, and the printed ones do not, if they are
-    /// corrected.
-    pub(crate) fn reads(&self) -> Finding {
-        let Some(reader) = self.check.reader() else {
-            return Finding::not_evaluated("the ledger has no reader for the characters");
+    /// What the witness of an equation finds: the right characters hold, read and evaluated, and the printed ones do not,
+    /// if they are corrected. Characters that are said in the letters of mathematics hold as they are printed too.
+    pub fn witnessed(&self) -> Finding {
+        let Check::Equation { witness, said, also, .. } = &self.check else {
+            return Finding::not_evaluated("the claim is no equation");
         };
-        match ((reader.holds)(self.right_characters()), &self.erratum) {
+        let holds = &witness.run;
+        let read = match (holds(self.right_characters()), &self.erratum) {
+            (Some(true), None) if said.is_some() => Finding::of_reading(holds(self.printed)),
             (found @ None, _) | (found, None) => Finding::of_reading(found),
             (Some(right), Some(_)) => Finding::new(
-                right && (reader.holds)(self.printed) != Some(true),
-                "we evaluated both forms wherever they must hold, and the corrected characters are right there, but \
-                 the printed ones are wrong",
+                right && holds(self.printed) != Some(true),
+                "we evaluated both forms wherever they must hold, and found the corrected characters right and the \
+                 printed ones wrong",
             ),
+        };
+        match also {
+            Some(also) => read.and((also.run)()),
+            None => read,
         }
     }
 
-    /// What characters that are not ours to print say, in the letters of mathematics; these are read.
+    /// What characters that are not ours to print say, in the letters of mathematics; both are read.
     #[must_use]
-    pub fn saying(mut self, said: &'static str) -> Self {
-        let Check::Equation { reader: Some(reader), .. } = &mut self.check else { self.has_no("what is read") };
-        reader.said = Some(said);
+    pub fn saying(mut self, what: &'static str) -> Self {
+        let Check::Equation { said, .. } = &mut self.check else { self.has_no("what is read") };
+        *said = Some(what);
         self
     }
 
@@ -426,12 +375,7 @@ impl Claim {
     /// Records that what is printed is wrong, and what it should be.
     #[must_use]
     pub fn corrected(self, corrected: &'static str, slip: Slip) -> Self {
-        let mut claim = self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, places: 1, slip });
-        if let Check::Equation { corrected: form, decide: Some(decide), .. } = &mut claim.check {
-            let decide = Arc::clone(decide);
-            *form = Some(Arc::new(move || decide(corrected)));
-        }
-        claim
+        self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, places: 1, slip })
     }
 
     /// In how many places a correction of an equation changes its characters, if not in one.
@@ -475,10 +419,10 @@ impl Claim {
 
     /// The characters that are right: those of the correction, if there is one; what they say, if they are not printed.
     pub fn right_characters(&self) -> &'static str {
-        match (self.check.reader().and_then(|reader| reader.said), &self.erratum) {
-            (Some(said), _) => said,
-            (None, Some(erratum)) => erratum.corrected,
-            (None, None) => self.printed,
+        match (&self.check, &self.erratum) {
+            (Check::Equation { said: Some(said), .. }, _) => said,
+            (_, Some(erratum)) => erratum.corrected,
+            (_, None) => self.printed,
         }
     }
 }

@@ -3,8 +3,8 @@
 use crate::tex::places_changed;
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
 use crate::{
-    Check, Choice, Claim, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Test, Truth, Verdict,
-    Witness,
+    Check, Choice, Claim, Consequence, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Truth,
+    Verdict,
 };
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -53,6 +53,12 @@ impl Judged {
     /// Whether what is printed is right.
     pub fn truth(&self) -> Truth {
         self.verdict.truth()
+    }
+
+    /// Whether the source itself is right for all we know: what is wrong is only in the copy of it that was read.
+    pub fn is_miscopied(&self) -> bool {
+        let miscopied = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
+        self.truth() == Truth::Wrong && self.claim.erratum.as_ref().is_some_and(miscopied)
     }
 
     /// The printed number, if the claim is one.
@@ -111,8 +117,9 @@ fn derived(claim: &'static Claim) -> Judged {
                 judged.right_value = judged.computed;
             }
         }
-        Check::Equation { printed, corrected, decide, witness, .. } => {
-            equation(&mut judged, [Some(&*printed.run), corrected.as_deref()], decide.as_deref(), witness)
+        Check::Equation { first, witness, also, .. } => {
+            let kind = also.as_ref().map_or(witness.evidence, |also| also.evidence);
+            equation(&mut judged, &*first.run, kind);
         }
         Check::Statement { first, witness, neighbour } => statement(&mut judged, first, witness, *neighbour),
         Check::Missing { .. } => {}
@@ -206,16 +213,12 @@ fn correction_passes(erratum: &Erratum, value: f64) -> bool {
     erratum.corrected.parse::<Decimal>().is_ok_and(|corrected| corrected.is_rounding_of(value))
 }
 
-/// An equation as printed and as corrected. Where its characters decide, they are those of the claim at hand.
-fn equation(judged: &mut Judged, forms: [Option<&Test>; 2], decide: Option<&Decision>, witness: &Route<Witness>) {
+/// An equation as printed and as corrected, of which the characters decide.
+fn equation(judged: &mut Judged, decide: &Decision, witness: Evidence) {
     let claim = judged.claim;
-    let characters = [Some(claim.printed), claim.erratum.as_ref().map(|erratum| erratum.corrected)];
-    let [as_printed, correction] = [0, 1].map(|form| match (forms[form], decide, characters[form]) {
-        (Some(_), Some(decide), Some(characters)) => Some(decide(characters)),
-        (run, ..) => run.map(|run| run()),
-    });
-    let as_printed = as_printed.unwrap_or_else(|| Finding::not_evaluated("there is no check of it"));
-    let witnessed = (witness.run)(claim);
+    let as_printed = decide(claim.printed);
+    let correction = claim.erratum.as_ref().map(|erratum| decide(erratum.corrected));
+    let witnessed = claim.witnessed();
     judged.verdict = verdict(as_printed.holds, correction.as_ref().map(|finding| finding.holds));
     if as_printed.holds && correction.is_some() {
         judged.faults.push("a correction is on record, but the printed form holds".to_owned());
@@ -233,7 +236,7 @@ fn equation(judged: &mut Judged, forms: [Option<&Test>; 2], decide: Option<&Deci
         }
     }
     if !witnessed.holds {
-        judged.faults.push(format!("the witness ({}) disagrees: {}", witness.evidence, witnessed.how));
+        judged.faults.push(format!("the witness ({witness}) disagrees: {}", witnessed.how));
     }
     judged.findings.push(("as printed", as_printed));
     judged.findings.extend(correction.map(|finding| ("corrected", finding)));

@@ -35,7 +35,7 @@ pub mod tex;
 pub mod wild;
 
 pub use by_id::looked_up_by;
-pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reader, Reading, Route, Test, Witness};
+pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reading, Route, Test};
 pub use claim::{Claim, Kind, Place};
 pub use dimension::Dimension;
 pub use inventory::{Entry, Line, Symbol, in_full, listed, numeric_tokens};

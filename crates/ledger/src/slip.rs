@@ -102,7 +102,7 @@ impl Consequence {
     /// What it means, for readers.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Result => "an answer, a number in a table or a curve is wrong, by half a per cent or more",
+            Self::Result => "an answer, a tabulated number or a curve is wrong, by half a per cent or more",
             Self::Conclusion => "something that the source concludes is false",
             Self::Remark => {
                 "a sentence that describes something is false, but the source concludes nothing false from it"

@@ -53,8 +53,7 @@ impl Truth {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Right => {
-                "what is printed is right, to the printed digits or, if it was read off, as finely as that could be \
-                 done"
+                "what is printed is right, to the printed digits or, if it was read off, as finely as it could be read"
             }
             Self::Wrong => "what is printed is wrong, and we give the right form or number",
             Self::Open => "we cannot tell",
@@ -79,8 +78,8 @@ impl Verdict {
             }
             Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
             Self::ReproducedInError => {
-                "the source's own way gives the printed digits, but there is a mistake in it, so the right number is \
-                 a different one"
+                "the source's own method gives the printed digits, but the method contains a mistake, so the right \
+                 number is a different one"
             }
             Self::Corrected => "the printed form fails, but a corrected form passes, and a second witness agrees",
             Self::NotReproduced => "the printed form fails, and no corrected form is known",

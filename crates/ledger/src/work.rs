@@ -62,8 +62,8 @@ impl Work {
                  of Engineering, May 1973. Equations (1-1) to (1-19), program and tables; figures 1 to 15 as captions only."
             }
             Self::Wild => {
-                "Statements on public pages and in public programs, each with its address and the day on which a stored \
-                 copy of it was read."
+                "Statements on public pages and in public programs, each with the address of its source and the day on \
+                 which a stored copy was read."
             }
         }
     }

@@ -1,9 +1,9 @@
-//! Does every claim stand as recorded, and would it be noticed if it did not?
+//! Does every claim still have its recorded verdict, and would a change be noticed?
 
 use geneva_ledger::meyer::runs::data::inputs;
 use geneva_ledger::{
-    Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Judged, Kind, Number, Place, Route, Stated, Test,
-    Verdict, Witness, Work, another, claim, claims, judge, looked_up_by, numbers_in, slips, verdicts,
+    Check, Choice, Claim, Decimal, Decision, Erratum, Evidence, Finding, Judged, Kind, Number, Place, Reading, Route,
+    Stated, Test, Verdict, Work, another, claim, claims, judge, looked_up_by, numbers_in, slips, verdicts,
 };
 use std::collections::{BTreeSet, HashSet};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -193,19 +193,15 @@ fn a_wrong_route_is_noticed() {
                     broken.push(with(&computed, &witness, Some([one, number(other.evidence)])));
                 }
             }
-            Check::Equation { printed, corrected, witness, reader, .. } => {
-                let with = |printed: &Route<Test>, corrected, witness: &Route<Witness>| {
-                    let (printed, witness) = (printed.clone(), witness.clone());
-                    Check::Equation { printed, corrected, decide: None, witness, reader: reader.clone() }
+            Check::Equation { first, witness, said, also } => {
+                let with = |first: &Route<Decision>, witness: &Route<Reading>, also: Option<Route<Test>>| {
+                    Check::Equation { first: first.clone(), witness: witness.clone(), said, also }
                 };
-                let first = fails(printed.evidence);
-                let failing: Arc<Witness> = Arc::new(|_| Finding::new(false, "made to fail"));
-                let second = Route { evidence: witness.evidence, run: failing };
-                broken.push(with(&printed, corrected.clone(), &second));
-                broken.push(match corrected {
-                    None => with(&first, None, &witness),
-                    Some(_) => with(&printed, Some(first.run), &witness),
-                });
+                let refuses: Arc<Decision> = Arc::new(|_| Finding::new(false, "made to fail"));
+                let reads_wrong: Arc<Reading> = Arc::new(|_| Some(false));
+                broken.push(with(&Route { evidence: first.evidence, run: refuses }, &witness, also.clone()));
+                broken.push(with(&first, &Route { evidence: witness.evidence, run: reads_wrong }, also.clone()));
+                broken.extend(also.map(|also| with(&first, &witness, Some(fails(also.evidence)))));
             }
             Check::Statement { first, witness, neighbour } => {
                 let with = |first: &Route<Choice>, witness: &Route<Choice>| {
@@ -241,13 +237,11 @@ fn spoils(formula: &str) -> [String; 6] {
 fn a_formula_that_cannot_be_evaluated_is_a_fault_of_its_own_claim_and_ends_nothing() {
     let (mut not_evaluated, mut judged) = (0, 0);
     for claim in claims() {
-        let Check::Equation { decide, reader, .. } = &claim.check else { continue };
+        let Check::Equation { first: decide, witness, .. } = &claim.check else { continue };
         let mut first = true;
         for spoiled in spoils(claim.right_characters()) {
-            if let Some(reader) = reader {
-                assert_ne!((reader.holds)(&spoiled), Some(true), "{}: {spoiled}", claim.id);
-            }
-            let Some(finding) = decide.as_ref().map(|decide| decide(&spoiled)) else { continue };
+            assert_ne!((witness.run)(&spoiled), Some(true), "{}: {spoiled}", claim.id);
+            let finding = (decide.run)(&spoiled);
             assert!(!finding.holds, "{}: {spoiled}", claim.id);
             // A line of a longer display may be empty, and the display is only false then.
             if finding.evaluated {
@@ -331,8 +325,8 @@ fn remembered(check: Check) -> Check {
             resolution: resolution.map(number),
             right: right.map(|both| both.map(|one| route(one, number))),
         },
-        Check::Equation { printed, corrected, decide, witness, reader } => {
-            Check::Equation { printed: route(printed, test), corrected: corrected.map(test), decide, witness, reader }
+        Check::Equation { first, witness, said, also } => {
+            Check::Equation { first, witness, said, also: also.map(|also| route(also, test)) }
         }
         Check::Statement { first, witness, neighbour } => {
             Check::Statement { first: route(first, choice), witness: route(witness, choice), neighbour }
@@ -356,10 +350,13 @@ fn what_routes_rest_on(claim: &Claim) -> Option<[(Evidence, BTreeSet<&'static st
         Check::Number { computed, witness, .. } => {
             [computed, witness].map(|route| (route.evidence, looked_up_by(|| (route.run)()).1))
         }
-        Check::Equation { printed, witness, .. } => [
-            (printed.evidence, looked_up_by(|| (printed.run)()).1),
-            (witness.evidence, looked_up_by(|| (witness.run)(claim)).1),
-        ],
+        Check::Equation { first, .. } => {
+            let kinds = claim.check.evidence();
+            [
+                (kinds[0], looked_up_by(|| (first.run)(claim.printed)).1),
+                (kinds[1], looked_up_by(|| claim.witnessed()).1),
+            ]
+        }
         Check::Statement { first, witness, .. } => {
             [first, witness].map(|route| (route.evidence, looked_up_by(|| (route.run)(stated)).1))
         }

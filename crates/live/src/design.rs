@@ -12,9 +12,10 @@ use geneva_kinematics::wheel::{Contact, Sizes, Wheel};
 pub const LIVE: Live = Live {
     name: "design",
     figure: "wheel-dimensions",
-    hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by hand. Make the pin thicker until it \
-           no longer fits. Double the speed: without friction the force of the pin grows fourfold. Move the axes apart by 0.02 \
-           mm, and the pin knocks less. At 0.06 mm it meets a corner of its slot.",
+    hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by \
+           hand. Make the pin thicker until it no longer fits. Double the speed: without friction the force of the pin \
+           grows fourfold. Move the axes apart by 0.02 mm, and the pin knocks less hard. At 0.06 mm it meets a corner \
+           of its slot.",
     controls: &[
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
         Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
@@ -29,7 +30,7 @@ pub const LIVE: Live = Live {
             .typed([0.001, 10_000.0]),
         Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).typed([0.0, 1000.0]),
         Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0).typed([0.001, 10_000.0]),
-        Control::choice("material", "the wheel is of", &OF, 3),
+        Control::choice("material", "the wheel is made of", &OF, 3),
     ],
     presets: &[
         Preset {
@@ -52,7 +53,7 @@ pub const LIVE: Live = Live {
     quantities: &[
         Quantity { name: "centres", label: "centre distance" },
         Quantity { name: "clearance", label: "least clearance" },
-        Quantity { name: "nearer", label: "axes may be too close by" },
+        Quantity { name: "nearer", label: "axes may be too close together by" },
         Quantity { name: "farther", label: "axes may be too far apart by" },
         Quantity { name: "index", label: "indexing time" },
         Quantity { name: "dwell", label: "dwell time" },
@@ -199,7 +200,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
     }
     numbers.extend(loads(&design, &sizes.wheel).map_err(words)?);
-    let is_met = play(sizes, error, design.pin_speed().unwrap_or(f64::NAN), &mut numbers);
+    let is_met = play(&design, sizes, &mut numbers);
     let figure = stations::dimensions_on_a_page(sizes);
     numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
     let more = design.on_pages(&sizes.wheel).map_err(words)?;
@@ -254,8 +255,9 @@ fn loads(design: &Design, wheel: &Wheel) -> Result<Vec<Number>, Error> {
     Ok(all.into_iter().filter_map(number).collect())
 }
 
-/// Backlash and blows of a pin of this speed in mm/s; whether the pin meets the slot at all.
-fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) -> bool {
+/// Backlash and blows; whether the pin meets the slot at all.
+fn play(design: &Design, sizes: &Sizes, numbers: &mut Vec<Number>) -> bool {
+    let (error, pin_speed) = (design.question.centre_error, design.pin_speed().unwrap_or(f64::NAN));
     // With the axes apart the play is another.
     if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
         let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
@@ -266,8 +268,8 @@ fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) ->
         let before = Number::new("before", play.until_entry.to_degrees(), 1, "°");
         numbers.push(Number { text: format!("{} of the crank", before.text), ..before });
     }
-    let Some(entry) = sizes.entry(error) else { return false };
-    numbers.push(Number::significant("blow", entry.closing_speed * pin_speed, 3, "mm/s"));
+    let Some(blow) = Number::of("blow", &design.blow(sizes)) else { return false };
+    numbers.push(blow);
     if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
         numbers.push(Number::significant("hardest", knock.drifted * pin_speed, 3, "mm/s"));
     }
@@ -278,20 +280,22 @@ fn play(sizes: &Sizes, error: f64, pin_speed: f64, numbers: &mut Vec<Number>) ->
 fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
     if depth.is_some_and(|depth| depth < 0.0) {
         return Some(
-            "With these axes, driver and wheel are in each other. A clearance below zero says how deep.".to_owned(),
+            "With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much."
+                .to_owned(),
         );
     }
     if !is_met {
-        return Some("With this distance of the axes the pin does not meet the slot.".to_owned());
+        return Some("With the axes at this distance the pin does not meet the slot.".to_owned());
     }
     let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
     let moved = (error != 0.0).then(|| {
-        "Clearance and knock are for the axes as moved. Sizes, times and loads are for the right distance, and the \
-         backlash is known only there."
+        "Clearance and knock are for the axes as you moved them. Sizes, times and loads are for the right distance, \
+         and we know the backlash only there."
             .to_owned()
     });
     let late = is_late.then(|| {
-        "With so little play, some of the clearances take too long to find in a page. The command geneva wheel finds them."
+        "With so little play, some of the clearances take too long to compute in a page. The command geneva wheel \
+         computes them."
             .to_owned()
     });
     let all: Vec<String> = warnings.chain(moved).chain(late).collect();

@@ -2,15 +2,13 @@
 
 use crate::answer::{Answer, Number, shown};
 use crate::control::{Control, Live, Preset, Quantity, Settings};
+use geneva_ask::escapement::rates;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::timer::Sensitivities;
 use geneva_dynamics::{Error, Inertias, Parameters};
 use geneva_figures::{Figure, escapement};
 use geneva_kinematics::Mechanism;
 
-/// Seconds of a day.
-const DAY: f64 = 86_400.0;
 /// The speed has been reached where an engagement begins so near it.
 const REACHED: f64 = 0.01;
 
@@ -20,10 +18,11 @@ const MOST_ENGAGEMENTS: usize = 5_000;
 pub const LIVE: Live = Live {
     name: "escapement",
     figure: "live-escapement",
-    hint: "Take the friction away bit by bit: the start takes longer and longer, and without any there is no steady speed. Add \
-           friction until it jams. Twice the torque makes it faster by the root of two, and nothing else.",
+    hint: "Reduce the friction bit by bit: the start takes longer and longer, and without friction there is no steady \
+           speed. Add friction until the mechanism jams. Twice the torque makes it √2 times as fast, and changes \
+           nothing else.",
     controls: &[
-        Control::slider("share", "time, of what is shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
+        Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
         Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).typed([0.0, 10.0]),
         Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1)
@@ -91,9 +90,9 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         },
         settled => Number::new("engagements", settled.map_err(words)?.0 as f64, 0, ""),
     };
-    // The same number of turns takes longer by as much as the mean speed falls.
-    let slower = Sensitivities::new(&parameters).map_err(words)?.friction * 0.01 * DAY;
-    let rate = Number::new("rate", slower, 0, "s a day");
+    let rates = rates(&parameters).map_err(words)?;
+    let rate = rates.iter().find(|field| field.key == "friction_rate_s_a_day");
+    let rate = rate.and_then(|field| Number::of("rate", field)).ok_or("the friction has no rate")?;
     let speed = |name, speed| Number::significant(name, speed, 4, "rad/s");
     let numbers = [
         rate,

@@ -15,8 +15,9 @@ const AT_ONCE: usize = 2;
 pub const LIVE: Live = Live {
     name: "mistake",
     figure: "live-mistake",
-    hint: "Move the reset angle away from 90°: the dots leave the line, three pins to one side, six to the other. Only at \
-           90° do nearly all dots of four pins stay on it. Then let the program choose the sign of friction late, as it did.",
+    hint: "Move the reset angle away from 90°: the dots for three pins leave the line to one side, and the dots for six \
+           pins to the other. Only at 90° do nearly all dots for four pins stay on the line. Then set the sign of \
+           friction to “late, as in the program”.",
     controls: &[
         Control::slider("reset", "angle after which the program starts again", "°", [60.0, 120.0], 0.5, 90.0)
             .typed([30.0, 170.0])
@@ -35,9 +36,9 @@ pub const LIVE: Live = Live {
     given: &["rows", "inertias", "headed", "duration", "delay", "pi"],
     quantities: &[
         Quantity { name: "agree", label: "numbers within one unit of the printed ones" },
-        Quantity { name: "six-pins", label: "of six pins" },
-        Quantity { name: "four-pins", label: "of four pins" },
-        Quantity { name: "three-pins", label: "of three pins" },
+        Quantity { name: "six-pins", label: "with six pins" },
+        Quantity { name: "four-pins", label: "with four pins" },
+        Quantity { name: "three-pins", label: "with three pins" },
         Quantity { name: "normal", label: "ln L, normal errors" },
         Quantity { name: "exponential", label: "ln L, exponential errors" },
     ],

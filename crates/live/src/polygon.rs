@@ -11,8 +11,8 @@ const UNITS: &[&str] = &["m", "mm", "in"];
 pub const LIVE: Live = Live {
     name: "polygon",
     figure: "live-polygon",
-    hint: "Count the Coriolis acceleration once, or three times: the polygon stays open, except where this acceleration \
-           is zero. With two it closes at every angle.",
+    hint: "Set the factor of φ̇ vᵣₑₗ to 1 or 3: the polygon stays open, except where the Coriolis acceleration is \
+           zero. With the factor 2 it closes at every angle.",
     controls: &[
         Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0).typed(TURNS).playing(30.0),
         Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),

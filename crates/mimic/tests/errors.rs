@@ -1,4 +1,4 @@
-//! What cannot be integrated: is it said, with the place, and never with a panic?
+//! What cannot be integrated: is it reported, with the place, and without a panic?
 
 use geneva_mimic::{
     Allowed, AtSmallestStep, Cause, IntegrationError, MOST_STEPS, Outcome, ParameterError, Parameters, Quantity,

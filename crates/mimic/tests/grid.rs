@@ -1,4 +1,4 @@
-//! Are results printed at the times that were asked for, to the bit?
+//! Are results printed at exactly the times that were asked for, to the last bit?
 
 use crate::problems::{LOGISTIC, SPRING, run};
 use geneva_mimic::{Kept, Parameters, integrate};

@@ -1,4 +1,4 @@
-//! Is the step halved and doubled by the rule, is what is kept what the rule says, and what does a run cost?
+//! Does the step halve and double by the rule, is the right result kept, and what does a run cost?
 
 use crate::problems::{KEPT, LOGISTIC, Points, Problem, SMOOTH, SPRING, run};
 use geneva_mimic::{AtSmallestStep, Kept, Parameters, System, Work, integrate, runge_kutta_step};

@@ -1,12 +1,12 @@
 //! Questions that the chapters ask of mechanisms, each stated once, and numbers of the answers as a sentence says them.
 
-use crate::computed::with_unit;
 use crate::lookup::{claim, unknown};
-use crate::numbers::fixed;
-use anyhow::{Context, anyhow};
+use crate::numbers::{fixed, significant};
+use anyhow::Context;
 use geneva_ask::wheel::{Design, Question};
 use geneva_ask::{Answer, Field, Rounding};
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The worked design of *Make a wheel*, without what other questions ask otherwise.
 macro_rules! worked {
@@ -34,9 +34,16 @@ macro_rules! lever {
 }
 
 /// Names and questions, as they are typed at the command line. In braces is the claim whose printed characters are typed.
-const QUESTIONS: [(&str, &str); 20] = [
+const QUESTIONS: &[(&str, &str)] = &[
     ("example", "wheel --stations {jazar.ex.stations} --centre-distance 100 --rpm {jazar.ex.rpm} --inertia 0.002"),
     ("worked", worked!("25", "60", "--pin-material steel --wheel-material phosphor-bronze")),
+    // With a pin that rubs, and with the axes a little too far apart and so far that the pin meets a corner.
+    ("worked-rubbing", worked!("25", "60", "--pin-friction 0.15")),
+    ("worked-little-apart", worked!("25", "60", "--centre-error 0.02")),
+    ("worked-apart", worked!("25", "60", "--centre-error 0.1")),
+    // So many degrees of the crank before a pin enters.
+    ("worked-thirty-before", worked!("25", "60", "--before-entry 30")),
+    ("worked-ten-before", worked!("25", "60", "--before-entry 10")),
     ("worked-twice-as-fast", worked!("25", "120", "")),
     // A wheel of steel adds its own inertia.
     ("worked-in-steel", worked!("25", "60", "--density 7800")),
@@ -53,9 +60,19 @@ const QUESTIONS: [(&str, &str); 20] = [
     ("loaded", "wheel --stations 4 --centre-distance 150 --rpm 120 --inertia 0.01"),
     ("second", "wheel --stations 4 --centre-distance 80 --rpm 30 --inertia 0.02"),
     ("eight", "wheel --stations 8 --rpm 25"),
+    // Without friction, and of no size.
+    ("free-three", "wheel --stations 3 --rpm 60 --inertia 1"),
+    ("free-four", "wheel --stations 4 --rpm 60 --inertia 1"),
+    ("free-five", "wheel --stations 5 --rpm 60 --inertia 1"),
+    ("free-six", "wheel --stations 6 --rpm 60 --inertia 1"),
+    ("free-eight", "wheel --stations 8 --rpm 60 --inertia 1"),
+    ("free-ten", "wheel --stations 10 --rpm 60 --inertia 1"),
+    ("free-twelve", "wheel --stations 12 --rpm 60 --inertia 1"),
     ("lever", lever!("{quick-return.lever-angle}")),
     ("lever-at-ten", lever!("10")),
     ("lever-near", lever!("{quick-return.lever-angle} --branch near")),
+    // Where the brake has been touching for a tenth of the speed.
+    ("governor", "governor --beyond 1.1"),
 ];
 
 /// The names of all questions; each is asked in some chapter.
@@ -81,32 +98,58 @@ pub fn design(name: &str) -> anyhow::Result<Design> {
     Ok(Design::new(Question::parse(arguments)?)?)
 }
 
-/// The answer to the question of this name.
-pub fn answer(name: &str) -> anyhow::Result<&'static Answer> {
-    static ANSWERS: [OnceLock<Result<Answer, String>>; QUESTIONS.len()] = [const { OnceLock::new() }; QUESTIONS.len()];
-    let at = names().position(|known| known == name).ok_or_else(|| unknown("question", name, names()))?;
-    let asked =
-        || question(name).and_then(|asked| Ok(geneva_ask::answer(&asked)?)).map_err(|error| format!("{error:#}"));
-    ANSWERS[at].get_or_init(asked).as_ref().map_err(|error| anyhow!("question `{name}`: {error}"))
+/// The field with this key of the answer to a question as it is typed behind `geneva`, or of its further fields. Each question is
+/// asked once.
+pub fn field(question: &str, key: &str) -> anyhow::Result<Field> {
+    static ANSWERS: Asked<Answer> = Asked::new(BTreeMap::new());
+    static FURTHER: Asked<Vec<Field>> = Asked::new(BTreeMap::new());
+    let answer = once(&ANSWERS, question, geneva_ask::answer)?;
+    if let Some(field) = answer.field(key) {
+        return Ok(field.clone());
+    }
+    let further = once(&FURTHER, question, geneva_ask::further)?;
+    let known = || answer.fields().chain(further.iter());
+    known().find(|field| field.key == key).cloned().ok_or_else(|| unknown("key", key, known().map(|field| field.key)))
+}
+
+/// What was asked, by the questions.
+type Asked<T> = Mutex<BTreeMap<String, Arc<T>>>;
+
+/// What a question gives, found at the first time.
+fn once<T>(asked: &Asked<T>, question: &str, ask: fn(&str) -> Result<T, geneva_ask::Error>) -> anyhow::Result<Arc<T>> {
+    let known = || asked.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = known().get(question) {
+        return Ok(Arc::clone(found));
+    }
+    let found = Arc::new(ask(question).with_context(|| format!("`{question}`"))?);
+    known().insert(question.to_owned(), Arc::clone(&found));
+    Ok(found)
+}
+
+/// A number of the answer to a question as it is typed behind `geneva`.
+pub fn value(question: &str, key: &str) -> anyhow::Result<f64> {
+    field(question, key)?.number().with_context(|| format!("`{key}` has no number: `{question}` gives too little"))
 }
 
 /// A number of an answer, `QUESTION.KEY` or `QUESTION.KEY:DIGITS`.
 ///
-/// The digits are those that count, or with a point before them those after it; `size` before them drops the sign, and `limit`
-/// rounds down to three decimals. Without digits a number is rounded as its answer says, and a length has no zeros at its end.
+/// The digits are those that count, or with a point before them those after it; `size` before them drops the sign, `limit` rounds
+/// down to three decimals, and `limit4` to four. Without digits a number is rounded as its answer says, and a length has no zeros at its end.
 pub fn number(asked: &str) -> anyhow::Result<String> {
     let (path, digits) = asked.split_once(':').unwrap_or((asked, ""));
     let (name, key) = path.split_once('.').with_context(|| format!("`{asked}`: give QUESTION.KEY"))?;
-    let answer = answer(name)?;
-    let field = answer.field(key).ok_or_else(|| unknown("key", key, answer.fields().map(|field| field.key)))?;
-    let value = field.number().with_context(|| format!("`{path}` has no number: its question gives too little"))?;
+    let question = question(name)?;
+    let (field, value) = (field(&question, key)?, value(&question, key)?);
     let unsized_digits = digits.strip_prefix("size");
     let (value, digits) =
         (if unsized_digits.is_some() { value.abs() } else { value }, unsized_digits.unwrap_or(digits));
     if digits == "limit" {
-        return Ok(as_drawn((value * 1000.0).floor() / 1000.0, field));
+        return Ok(as_drawn((value * 1000.0).floor() / 1000.0, &field));
     }
-    let wrong = || format!("`{asked}`: give digits such as 3 or .3, `size` before them, or `limit`");
+    if digits == "limit4" {
+        return Ok(fixed((value * 1e4).floor() / 1e4, 4) + &unit(&field));
+    }
+    let wrong = || format!("`{asked}`: give digits such as 3 or .3, `size` before them, `limit` or `limit4`");
     let count = |text: &str| text.parse::<usize>().with_context(wrong);
     let rounding = match (digits.strip_prefix('.'), digits) {
         (None, "") => field.rounding,
@@ -115,9 +158,9 @@ pub fn number(asked: &str) -> anyhow::Result<String> {
     };
     Ok(match rounding {
         Rounding::Percent(decimals) => fixed(100.0 * value, decimals) + "&nbsp;%",
-        Rounding::Decimals(_) if digits.is_empty() => as_drawn(value, field),
-        Rounding::Decimals(decimals) => fixed(value, decimals) + &unit(field),
-        Rounding::Significant(digits) => with_unit(value, digits as i32, "").replace("&nbsp;", "") + &unit(field),
+        Rounding::Decimals(_) if digits.is_empty() => as_drawn(value, &field),
+        Rounding::Decimals(decimals) => fixed(value, decimals) + &unit(&field),
+        Rounding::Significant(digits) => significant(value, digits) + &unit(&field),
     })
 }
 
@@ -165,8 +208,8 @@ mod tests {
             ("worked.pin_diametre_mm", "`pin_diametre_mm`; the nearest is `pin_diameter_mm`"),
             ("worked", "give QUESTION.KEY"),
             ("worked.pin_diameter_mm:x", "give digits such as 3 or .3"),
-            ("internal.pin_diameter_mm", "its question gives too little"),
-            ("worked.type", "has no number"),
+            ("internal.pin_diameter_mm", "gives too little"),
+            ("worked.type", "`type` has no number"),
         ] {
             let error = format!("{:#}", number(asked).expect_err(asked));
             assert!(error.contains(words), "{asked}: {error}");

@@ -17,10 +17,10 @@ pub fn take(name: &str, title: &str, content: &mut String) -> String {
     let tests = content[behind..].trim();
     let link = format!("({PAGE}.md#{name})");
     let led = match tests.matches("```rust\n").count() {
-        1 => format!("A [short program]{link} checks a statement of this chapter."),
+        1 => format!("A [short program]{link} checks a statement in this chapter."),
         count => {
             let many = IN_WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned());
-            format!("[{many} short programs]{link} check statements of this chapter.")
+            format!("[{many} short programs]{link} check statements in this chapter.")
         }
     };
     let section = format!("## {} {{#{name}}}\n\n[To the chapter]({name}.md)\n\n{tests}\n\n", escape(title));
@@ -45,7 +45,7 @@ mod tests {
     fn a_chapter_keeps_a_link_and_the_page_gets_the_program() {
         let mut chapter = format!("# A\n\nText.\n\n{HEADING}\n\n{TEST}\n");
         let section = take("a", "A", &mut chapter);
-        let link = "A [short program](tests.md#a) checks a statement of this chapter.";
+        let link = "A [short program](tests.md#a) checks a statement in this chapter.";
         assert_eq!(chapter, format!("# A\n\nText.\n\n{HEADING}\n\n{link}\n"));
 
         let mut page = format!("# Tests\n\n{PLACE}\n");
@@ -59,7 +59,7 @@ mod tests {
     fn several_programs_are_counted_and_a_chapter_without_any_stays() {
         let mut chapter = format!("# A\n\n{HEADING}\n\n{TEST}\n\n{TEST}\n");
         take("a", "A", &mut chapter);
-        assert!(chapter.ends_with("[Two short programs](tests.md#a) check statements of this chapter.\n"));
+        assert!(chapter.ends_with("[Two short programs](tests.md#a) check statements in this chapter.\n"));
         let mut other = "# B\n\nNo tests.\n".to_owned();
         assert_eq!((take("b", "B", &mut other), &*other), (String::new(), "# B\n\nNo tests.\n"));
     }

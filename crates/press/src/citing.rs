@@ -64,7 +64,13 @@ pub fn bibtex(edition: &Edition, address: Option<&Address>) -> String {
 /// The book in words, as HTML.
 pub fn in_words(edition: &Edition, address: Option<&Address>) -> String {
     let read = address.map_or_else(String::new, |address| format!(" <a href=\"{0}\">{0}</a>.", escape(&address.book)));
-    format!("{}: <em>{}. {}.</em> {}.{read}", escape(AUTHORS), escape(TITLE), escape(SUBTITLE), escape(&edition.said()))
+    format!(
+        "{}: <em>{}. {}.</em> {}.{read}",
+        escape(AUTHORS),
+        escape(TITLE),
+        escape(SUBTITLE),
+        escape(&edition.words())
+    )
 }
 
 /// One claim in words, as HTML, with the address of its row in the ledger.
@@ -76,7 +82,7 @@ pub fn claim(id: &str, edition: &Edition, address: Option<&Address>) -> anyhow::
         escape(AUTHORS),
         escape(id),
         escape(TITLE),
-        escape(&edition.said()),
+        escape(&edition.words()),
         escape(&place)
     ))
 }
@@ -121,6 +127,6 @@ mod tests {
         let bare = Edition::default();
         assert!(!bibtex(&bare, None).contains("year") && !bibtex(&bare, None).contains("commit"));
         assert!(bibtex(&edition(), None).contains("year = \"2026\""));
-        assert_eq!(bare.said(), format!("version {VERSION}"));
+        assert_eq!(bare.words(), format!("version {VERSION}"));
     }
 }

@@ -25,18 +25,18 @@ impl Edition {
         git.args(["--no-pager", "-c", "core.abbrev=7", "-c", "log.showSignature=false", "-c", "color.ui=false", "-C"]);
         git.arg(book).args(["log", "-1", "--abbrev=7", "--no-show-signature", "--no-color", "--no-patch"]);
         let answered = git.arg("--format=%h %cs").output().ok().filter(|git| git.status.success());
-        let said = answered.and_then(|git| String::from_utf8(git.stdout).ok()).unwrap_or_default();
-        let (commit, date) = said.trim().split_once(' ').unzip();
+        let words = answered.and_then(|git| String::from_utf8(git.stdout).ok()).unwrap_or_default();
+        let (commit, date) = words.trim().split_once(' ').unzip();
         Self { commit: commit.map(str::to_owned), date: date.map(str::to_owned) }
     }
 
     /// Version, and commit with its date if there is one.
-    pub fn said(&self) -> String {
-        let mut said = format!("version {VERSION}");
+    pub fn words(&self) -> String {
+        let mut words = format!("version {VERSION}");
         if let (Some(commit), Some(date)) = (&self.commit, &self.date) {
-            said.push_str(&format!(", commit {commit} of {date}"));
+            words.push_str(&format!(", commit {commit} of {date}"));
         }
-        said
+        words
     }
 
     /// The foot of every page.
@@ -46,7 +46,7 @@ impl Edition {
         format!(
             "\n<footer class=\"edition\">{}, {}.{read} <a href=\"about.html\">Sources, data, how to cite</a>.</footer>\n",
             escape(TITLE),
-            escape(&self.said())
+            escape(&self.words())
         )
     }
 }
@@ -91,7 +91,7 @@ mod tests {
         git(folder, &["update-ref", "HEAD", &id], "");
         let expected = Edition { commit: Some(id[..7].to_owned()), date: Some("2023-11-14".to_owned()) };
         assert_eq!(Edition::of(folder), expected);
-        assert_eq!(expected.said(), format!("version {VERSION}, commit {} of 2023-11-14", &id[..7]));
+        assert_eq!(expected.words(), format!("version {VERSION}, commit {} of 2023-11-14", &id[..7]));
 
         let checker = folder.join("checker");
         fs::write(&checker, "#!/bin/sh\necho 'no such key' >&2\nexit 1\n").unwrap();

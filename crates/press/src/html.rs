@@ -173,13 +173,25 @@ impl Table {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in std::iter::once(&self.head).chain(&self.rows) {
             writer.write_record(row.iter().map(|cell| {
-                let text = plain(&cell.replace("<sup>", "^"));
+                let text = plain(&with_texts(cell).replace("<sup>", "^"));
                 let number = text.replace('−', "-");
                 if number.parse::<f64>().is_ok() { number } else { text }
             }))?;
         }
         Ok(String::from_utf8(writer.into_inner()?)?)
     }
+}
+
+/// Markup in which each formula that says its text gives way to it: a `span` with an attribute `data-text`.
+fn with_texts(html: &str) -> String {
+    let mut pieces = html.split("<span data-text=\"");
+    let mut out = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (text, markup) = piece.split_once('"').unwrap_or((piece, ""));
+        out += text;
+        out += markup.split_once("</span>").map_or("", |(_, behind)| behind);
+    }
+    out
 }
 
 /// The text of a piece of HTML, without its tags.
@@ -230,7 +242,8 @@ mod tests {
         let rows = [Ok(vec![escape("a_1 & b"), "<a href=\"x\">2.5</a>&nbsp;mm".to_owned()])];
         let table = table("Two", Cells::NamedNumbers, &["What", "Size, mm"], rows).expect("a table");
         assert_eq!(table.csv().expect("data"), "What,\"Size, mm\"\na_1 & b,2.5 mm\n");
-        let rows = [Ok(vec!["−31.5".to_owned(), "3 × 10<sup>−25</sup> m".to_owned()])];
+        let formula = "<span data-text=\"3 × 10&#94;−25 m\"><math></math></span>";
+        let rows = [Ok(vec!["−31.5".to_owned(), formula.to_owned()])];
         let table = super::table("Three", Cells::Numbers, &["Less", "Small"], rows).expect("a table");
         assert_eq!(table.csv().expect("data"), "Less,Small\n-31.5,3 × 10^−25 m\n");
     }

@@ -23,6 +23,7 @@ mod chapter_tests;
 pub mod fences;
 mod formula;
 pub mod maths;
+mod options;
 pub mod placeholders;
 mod preprocessor;
 
@@ -49,5 +50,6 @@ mod lookup;
 mod measurements;
 mod numbers;
 mod rows;
+mod units;
 
 pub use preprocessor::Geneva;

@@ -7,7 +7,10 @@ use crate::data::File;
 use crate::edition::Edition;
 use crate::html::{Table, code, escape};
 use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
-use crate::{address, asked, bibliography, citing, computed, figures, live, maths, measurements, proofread, tables};
+use crate::{
+    address, asked, bibliography, citing, computed, figures, live, maths, measurements, options, proofread, tables,
+    units,
+};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -78,7 +81,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     (
         "recorded",
         "what the record of the benchmarks says of its making: processor, cores, compiler, date",
-        Of(|name| Ok(escape(measurements::said(name)?))),
+        Of(|name| Ok(escape(measurements::condition(name)?))),
     ),
     ("records", "what the list of pages puts on this page: claims, slips or lines of sources", Of(records::page)),
     ("ref", "the number of a figure or a table, as a link", Put::Reference),
@@ -197,7 +200,7 @@ pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(S
     for id in marked {
         page.push_str(&format!("\n{}\n", inline::note(id)?));
     }
-    Ok((page, files))
+    Ok((options::in_one_piece(&units::tied(&page)), files))
 }
 
 /// The placeholders of our keys.

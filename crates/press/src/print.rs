@@ -132,7 +132,7 @@ fn document(styles: &str, chapters: &[Chapter], edition: &Edition, address: Opti
         title = escape(TITLE),
         subtitle = escape(SUBTITLE),
         authors = escape(AUTHORS),
-        said = escape(&edition.said()),
+        said = escape(&edition.words()),
         style = STYLE.0,
     )
 }

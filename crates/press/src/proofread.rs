@@ -61,8 +61,8 @@ pub fn form() -> anyhow::Result<String> {
         "<section class=\"proofread\" data-proofread=\"{MOST_BYTES}\" data-proofread-refusal=\"{}\" aria-label=\"Proofread a \
          text\">\n<form autocomplete=\"off\">\n<div class=\"text\"><label for=\"proofread-text\">Your text, or a file dropped \
          here</label><textarea id=\"proofread-text\" spellcheck=\"false\" autocapitalize=\"off\" readonly>{}</textarea></div>\n\
-         <p class=\"from\" role=\"status\"></p>\n<p class=\"without\">You can only read the example here, because this page has no \
-         scripts or no WebAssembly to work with. Use the command below.</p>\n<div class=\"controls\" hidden><label \
+         <p class=\"from\" role=\"status\"></p>\n<p class=\"without\">You can only read the example here, because scripts \
+         or WebAssembly are not available on this page. Use the command below.</p>\n<div class=\"controls\" hidden><label \
          for=\"proofread-format\">Format</label><select id=\"proofread-format\" name=\"format\">{}{formats}</select><label \
          for=\"proofread-bindings\">Use values of names</label><select id=\"proofread-bindings\" \
          name=\"bindings\">{bindings}</select><span class=\"check\"><input type=\"checkbox\" id=\"proofread-units\" \

@@ -29,7 +29,8 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("unit", "The unit of the printed number, as printed. Empty if there is none."),
     (
         "computed",
-        "The number that follows from what the source says it did, in the printed unit and with all its digits. Null if the claim is no number.",
+        "The number that follows from what the source says it did, in the printed unit and with all its digits. Null \
+         if the claim is not a number.",
     ),
     ("witnessed", "The same number by the second route, which shares no formula with the first."),
     ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
@@ -37,7 +38,8 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("expected", "The verdict on record. It is written down by hand, and a test compares the two."),
     (
         "holds",
-        "Whether the derived verdict is the one on record and nothing contradicts it. It is true of every claim in a released version.",
+        "Whether the derived verdict is the one on record and nothing contradicts it. It is true for every claim in a \
+         released version.",
     ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
     ("evidence", "The kinds of the two routes, in their order. The list is empty if a claim cannot be decided."),
@@ -116,8 +118,8 @@ pub const OF_AN_ENTRY: &[Field] = &[
     ("id", "The claim, the label, or the exception's own name."),
     (
         "numbers",
-        "The printed numbers that the entry accounts for. Strung together, the entries of a line have all numbers of \
-         the line in their order.",
+        "The printed numbers that the entry accounts for. Together, the entries of a line contain all numbers of the \
+         line, in their order.",
     ),
     ("reason", "Why there is nothing to check. Only exceptions have it."),
 ];

@@ -1,22 +1,37 @@
-//! A row of the thesis's tables as an escapement, or why it is none.
+//! A row of the thesis's tables as an ideal escapement: what it is asked, and what it answers.
 
+use crate::asked;
 use anyhow::Context;
-use geneva_dynamics::Parameters;
-use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::least_braked;
-use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, scores};
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, Score, scores};
 
-const NONE: &str = "a run's data make no escapement";
+/// Why a row has no such motion.
+pub const NONE: &str = "a run's data make no escapement";
 
-/// The escapement of a row, as an ideal mechanism.
-pub fn parameters(row: &Row) -> anyhow::Result<Parameters> {
-    Hypothesis::IDEAL.parameters(row).context(NONE)
+/// The question about the escapement of a row, as it is typed behind `geneva`.
+pub fn question(row: &Row) -> String {
+    let [driver, follower] = Hypothesis::IDEAL.inertias(row);
+    let (slots, friction, torque) = (row.mechanism.slots(), row.printed(Column::Friction), row.printed(Column::Torque));
+    format!(
+        "escapement --slots {slots} --friction {friction} --torque {torque} --driver-inertia {driver} \
+         --follower-inertia {follower} --units in-lb-s"
+    )
 }
 
-/// The motion of a row.
-pub fn engagement(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Engagement> {
-    hypothesis.engagement(row).context(NONE)
+/// A number of the answer about a row.
+pub fn number(row: &Row, key: &str) -> anyhow::Result<f64> {
+    number_with(row, "", key)
+}
+
+/// A number of the answer about a row, with further arguments or with others.
+pub fn number_with(row: &Row, arguments: &str, key: &str) -> anyhow::Result<f64> {
+    asked::value(&format!("{} {arguments}", question(row)), key)
+}
+
+/// A number of the answer about each row.
+pub fn numbers<'a>(rows: impl Iterator<Item = &'a Row>, key: &str) -> anyhow::Result<Vec<f64>> {
+    rows.map(|row| number(row, key)).collect()
 }
 
 /// The four-pin run that brakes least, with the weakest spring: the example wherever one run stands for all.

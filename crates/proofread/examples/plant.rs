@@ -1,15 +1,28 @@
 //! Plants errors of one digit in documents and counts how many are noticed: `plant FILE…`.
 //!
 //! Each pair of sides that agrees is tried twice: once with one digit of its result changed, once with one digit of an
-//! operand. The digit is changed in the text itself, so the readers are tried, too. `SEED` chooses other digits, and `SHOW` lists
-//! what stays unseen.
+//! operand. The digit is changed in the text itself, so the readers are tried, too. An error is invisible if the side with the
+//! changed digit still gives the printed digits of the result, with all numbers as printed: nobody who has only these digits can
+//! see it. Each pair has its own dice, so that the digits don't depend on what happens to other pairs. `SEED` chooses other digits,
+//! and `SHOW` lists what stays unseen.
 
-use proofread::{Follow, Format, List, Options, Span, proofread};
+use proofread::{Follow, Format, List, Options, Span, Verdict, proofread};
 
 /// Numbers that look random and are the same each time.
 struct Dice(u64);
 
 impl Dice {
+    /// The dice of one side.
+    fn of(seed: u64, path: &str, side: Span) -> Self {
+        let bytes = path.rsplit("modules/").next().unwrap_or(path).bytes().map(u64::from);
+        let mut dice = Self(seed);
+        for part in bytes.chain([side.start.into(), side.end.into()]) {
+            dice.0 ^= part;
+            dice.below(1);
+        }
+        dice
+    }
+
     fn below(&mut self, n: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % n.max(1)
@@ -32,9 +45,8 @@ fn digits(text: &str, span: Span) -> Vec<usize> {
 
 fn main() {
     let options = Options { follow: Follow::Never, agreeing: true, hints: 0 };
-    let seed = std::env::var("SEED").ok().and_then(|seed| seed.parse().ok());
-    let mut dice = Dice(seed.unwrap_or(11));
-    let mut counts = [[0usize; 2]; 2];
+    let seed = std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(11);
+    let mut counts = [[0usize; 3]; 2];
     for path in std::env::args().skip(1) {
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
         let Some(format) = path.rsplit('.').next().and_then(Format::of_extension) else { continue };
@@ -49,6 +61,7 @@ fn main() {
                 if places.is_empty() {
                     continue;
                 }
+                let mut dice = Dice::of(seed, &path, side);
                 let at = places[dice.below(places.len())];
                 let old = text.as_bytes()[at] - b'0';
                 let leading = !text[..at].ends_with(|c: char| c.is_ascii_digit() || c == '.');
@@ -59,33 +72,36 @@ fn main() {
                 let mut changed = text.clone();
                 changed.replace_range(at..=at, &new.to_string());
                 let Ok(after) = proofread(&changed, format, options) else { continue };
-                let seen = after.findings.iter().any(|of| {
-                    let here = of.left_span == pair.left_span && of.right_span == pair.right_span;
-                    here && of.list != List::Agreeing
-                });
+                let here =
+                    |of: &&proofread::Finding| of.left_span == pair.left_span && of.right_span == pair.right_span;
+                let seen = after.findings.iter().any(|of| here(&of) && of.list != List::Agreeing);
+                let found = after.findings.iter().find(here);
+                let invisible =
+                    !seen && found.is_some_and(|of| of.verdict == Verdict::Consistent && of.reading == pair.reading);
                 if !seen && std::env::var_os("SHOW").is_some() {
-                    let found = after
-                        .findings
-                        .iter()
-                        .find(|of| of.left_span == pair.left_span && of.right_span == pair.right_span);
                     let [a, b] = [pair.left.as_str(), pair.right.as_str()];
+                    let name = ["result", "operand"][which];
                     match found {
-                        None => println!("unread: {a} = {b} -> {new}"),
-                        Some(of) => println!(
-                            "{}: {a} = {b} -> {} = {} ({:?})",
-                            of.verdict.name(),
-                            of.left,
-                            of.right,
-                            of.recomputed
-                        ),
+                        None => println!("{name}, unread: {a} = {b} -> {new}"),
+                        Some(of) => {
+                            let class = if invisible { "invisible" } else { of.verdict.name() };
+                            println!("{name}, {class}: {a} = {b} -> {} = {} ({:?})", of.left, of.right, of.recomputed);
+                        }
                     }
                 }
                 counts[which][0] += 1;
                 counts[which][1] += usize::from(seen);
+                counts[which][2] += usize::from(invisible);
             }
         }
     }
-    for (name, [tried, seen]) in ["results", "operands"].iter().zip(counts) {
-        println!("{name}: {seen} of {tried} noticed ({:.1} %)", 100.0 * seen as f64 / tried.max(1) as f64);
+    for (name, [tried, seen, invisible]) in ["results", "operands"].iter().zip(counts) {
+        let share = |of: usize| 100.0 * seen as f64 / of.max(1) as f64;
+        let visible = tried - invisible;
+        println!(
+            "{name}: {seen} of {tried} noticed ({:.1} %), of {visible} visible ones ({:.1} %)",
+            share(tried),
+            share(visible)
+        );
     }
 }

@@ -4,7 +4,7 @@ use crate::evaluate::{Cursor, Evaluator};
 use crate::interval::Interval;
 use crate::printed::{Mode, Printed, power_of_ten};
 use crate::reading::Reading;
-use crate::token::{Kind, Token};
+use crate::token::{Kind, Token, any};
 use crate::unit::{is_ambiguous, unit};
 use crate::value::{Evaluated, Literal, Obstacle, Value};
 
@@ -37,6 +37,19 @@ impl Evaluator<'_> {
             printed = Printed::read("1").ok_or(Obstacle::NoNumber)?;
             scale = Some(power);
             cursor.at += 1;
+        }
+        // The decimals of an exponent of ten are as open as those of any result.
+        if scale.is_none()
+            && text == "10"
+            && let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here()
+            && plain_exponent(exponent).is_ok_and(|power| power.fract() != 0.0)
+            && any(exponent, &|kind| matches!(kind, Kind::Number(digits) if digits.contains('.')))
+        {
+            cursor.at += 1;
+            let power = self.whole(exponent)?.number()?;
+            let mut value = Value::of(power.through(power_of_ten));
+            value.literal = Literal::Number;
+            return self.with_unit(value, cursor, true);
         }
         if scale.is_none() && cursor.here().is_some_and(|token| matches!(token.kind, Kind::Power(_)) || token.is('!')) {
             let half = if printed.decimals.is_some() { printed.open(self.mode, false).0 } else { 0.0 };
@@ -73,7 +86,13 @@ impl Evaluator<'_> {
 
     /// A letter with a value, π, a power of e, or a unit alone.
     pub fn name(&mut self, token: &Token, name: &str, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
-        let is_word = token.word().is_some();
+        let power = match cursor.tokens.get(cursor.at + 1) {
+            Some(Token { kind: Kind::Power(exponent), .. }) => plain_exponent(exponent).ok(),
+            _ => None,
+        };
+        // An upright e to such a power is the base of the logarithms, not a charge.
+        let is_base = name == "e" && power.is_some_and(|power| power < 0.0 || power.fract() != 0.0);
+        let is_word = token.word().is_some() && !is_base;
         if let Some((local, value)) = &self.local
             && local == name
         {

@@ -69,6 +69,8 @@ struct Splitter {
     side: Vec<Token>,
     relation: Option<Relation>,
     at_row: bool,
+    /// Whether a comma stands before the piece at hand.
+    listed: bool,
 }
 
 impl Splitter {
@@ -89,6 +91,13 @@ impl Splitter {
         self.at_row = row_follows;
     }
 
+    /// Whether the piece at hand is a number at the end of a list: `i = 0, 1`.
+    fn ends_list(&self) -> bool {
+        let mut tokens = self.side.iter().filter(|token| !token.is_space());
+        let is_number = tokens.next().is_some_and(|token| token.number().is_some()) && tokens.next().is_none();
+        self.listed && self.sides.is_empty() && is_number
+    }
+
     fn last(&self) -> Option<&Token> {
         self.side.iter().rev().find(|token| !token.is_space())
     }
@@ -106,8 +115,16 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
         following[at] = if is_gap { following[at + 1] } else { at };
     }
     let mut previous_is_line = false;
+    let (mut in_remark, mut in_row) = (false, false);
     for (at, token) in tokens.iter().enumerate() {
         let next = tokens.get(following[at + 1]);
+        // Behind the signs of because and for all, the row says why or where it holds.
+        let for_all = token.is('∀') && next.is_some_and(|next| !matches!(next.kind, Kind::Operator(_)));
+        in_remark = (in_remark || (in_row && (token.is('∵') || for_all))) && token.kind != Kind::Line;
+        in_row = (in_row || !token.is_space()) && token.kind != Kind::Line;
+        if in_remark {
+            continue;
+        }
         if token.is_one_of("([{") {
             depth += 1;
         } else if token.is_one_of(")]}") {
@@ -123,6 +140,9 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
         }
         if line || wide {
             let continues = next.is_some_and(|next| next.is_one_of("=≈≅≃") || (line && next.is_one_of("+-×·")));
+            if continues && line && splitter.ends_list() {
+                splitter.side.push(Token::new(Kind::Unknown("the end of a list".to_owned()), token.span));
+            }
             if continues {
                 splitter.side.push(Token::new(Kind::Space(2), token.span));
                 continue;
@@ -171,6 +191,7 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     continue;
                 }
                 splitter.end_chain(token.is('?'), false);
+                splitter.listed = token.is(',');
                 // A sum that goes on in the next row behind a comma: its terms are not all here.
                 let row_ends = tokens[at + 1..following[at + 1]].iter().any(ends_row);
                 if token.is(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {

@@ -9,7 +9,8 @@ use crate::join::has_letters;
 use crate::reader::{self, Format, Formula, Unreadable, Written};
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, has_number};
-use crate::value::Literal;
+use crate::unrounded::Results;
+use crate::value::{Evaluated, Literal, Obstacle, Value};
 use crate::verdict::{Judgement, Verdict, evaluated, judge};
 
 /// What to look for.
@@ -95,6 +96,7 @@ pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report,
         report: Report::default(),
         known: Known::default(),
         before: None,
+        results: Results::default(),
         budget: hint::MOST_FOR_ALL,
     };
     if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
@@ -110,6 +112,11 @@ pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report,
 
 fn agrees(judgement: &Judgement) -> bool {
     judgement.verdict != Verdict::CannotEvaluate && List::of(judgement.verdict, false) == List::Agreeing
+}
+
+/// Whether it is known what a side is worth, or that it has no value.
+fn is_known(evaluated: &Evaluated<Value>) -> bool {
+    matches!(evaluated, Ok(_) | Err(Obstacle::NoValue(_)))
 }
 
 /// A side with the opposite sign.
@@ -154,6 +161,8 @@ struct Check<'t> {
     report: Report,
     known: Known,
     before: Option<Assigned>,
+    /// The results of the example or section so far.
+    results: Results,
     /// What the search for hints may still cost.
     budget: usize,
 }
@@ -176,7 +185,13 @@ impl Check<'_> {
             // In running text, what comes before a sign of a sum or a product was not read.
             let lacks_its_start = formula.written == Written::Plain
                 && chain.sides[0].tokens.first().is_some_and(|first| first.is_one_of("+×·/"));
-            let from = usize::from((at == 0 && formula.continues) || lacks_its_start);
+            // A digit close before a formula is a factor that was left outside.
+            let glued = formula.written == Written::Formula
+                && self
+                    .text
+                    .get(..formula.span.start as usize)
+                    .is_some_and(|before| before.ends_with(|c: char| c.is_ascii_digit()));
+            let from = usize::from((at == 0 && (formula.continues || glued)) || lacks_its_start);
             let to = trusted - usize::from(at == last && formula.goes_on);
             self.chain(chain, formula, from..to, at == last);
         }
@@ -189,7 +204,7 @@ impl Check<'_> {
         self.report.tally.checkable += usize::from(chain.sides.iter().filter(numbers).count() >= 2);
         let compared = self.report.tally.pairs;
         if !chain.asked && !surroundings::meant_false(self.text, formula.span) {
-            let free: Vec<bool> = chain.sides.iter().map(|side| evaluated(&side.tokens, None).is_ok()).collect();
+            let free: Vec<bool> = chain.sides.iter().map(|side| is_known(&evaluated(&side.tokens, None))).collect();
             for at in 1..chain.sides.len() {
                 if trusted.contains(&(at - 1)) && trusted.contains(&at) {
                     let ends = last && at + 1 == chain.sides.len();
@@ -216,6 +231,15 @@ impl Check<'_> {
             }
         }
         let mut judgement = judge(&left.tokens, &right.tokens, relation, bindings);
+        // Digits that are printed elsewhere may explain the difference, too.
+        let computes =
+            free && judgement.values.as_ref().is_some_and(|(left, right)| !left.is_literal() && right.is_literal());
+        if computes && judgement.verdict > Verdict::Units && self.results.explain(formula.scope, left, right) {
+            judgement.verdict = Verdict::Rounded;
+        }
+        if let Some(values) = judgement.values.as_ref().filter(|_| computes) {
+            self.results.note(formula.scope, left, right, values);
+        }
         if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {
             return self.note(chain, [left, right], judgement, relation);
         }

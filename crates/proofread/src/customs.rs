@@ -31,6 +31,15 @@ pub(crate) fn looseness(left: &[Token], right: &[Token]) -> f64 {
     LOOSE.iter().filter(|(words, _)| has(left, words) != has(right, words)).map(|(_, by)| by).sum()
 }
 
+/// Whether one side counts electrons and the other one is their charge, whose sign the count leaves out.
+pub(crate) fn counts_electrons(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
+    let [of_left, of_right] = sides.map(|side| has(side, &["e"]));
+    of_left != of_right
+        && left.has_unit
+        && left.dimension == right.dimension
+        && left.clone().negated().meets(right, 0.0)
+}
+
 /// Whether two sides agree if the bare numbers of one of them are degrees, too.
 pub(crate) fn lacks_degrees(left: &Value, right: &Value) -> bool {
     let bare = |of: &Value| of.angle.is_none() && !of.has_unit;
@@ -135,7 +144,7 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
 pub(crate) fn may_be_to_scale(left: &Value, right: &Value) -> bool {
     let size = |of: &Value| of.number().map_or(0.0, |number| number.point.abs());
     let (one, other) = (size(left), size(right));
-    left.dimension != right.dimension || one > 3.0 * other || other > 3.0 * one
+    left.dimension != right.dimension || one > 10.0 * other || other > 10.0 * one
 }
 
 /// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, energy of a mole, weight,

@@ -361,6 +361,26 @@ impl<'b> Evaluator<'b> {
             }
             return Ok(false);
         }
+        // A result in another unit.
+        if ends
+            && value.literal == Literal::Number
+            && value.has_unit
+            && core.len() > 1
+            && matches!(core[0].kind, Kind::Number(_))
+        {
+            let (noticed, used) = (self.noticed, self.used.len());
+            if let Ok(other) = self.whole(inner)
+                && other.literal == Literal::Number
+                && other.has_unit
+                && other.dimension == value.dimension
+                && value.meets(&other, 0.02)
+            {
+                *cursor = ahead;
+                return Ok(true);
+            }
+            self.noticed = noticed;
+            self.used.truncate(used);
+        }
         if let [Token { kind: Kind::Number(_), .. }, percent] = core.as_slice()
             && percent.word() == Some("%")
             && ends

@@ -44,6 +44,14 @@ impl Evaluator<'_> {
                 function = Function::Ln;
             }
         }
+        let is_outside = match function {
+            Function::Arcsin | Function::Arccos => x.low > OUTSIDE || x.high < -OUTSIDE,
+            Function::Ln | Function::Log | Function::Lg | Function::LogTo(_) => x.high < 0.0,
+            _ => false,
+        };
+        if is_outside {
+            return Err(Obstacle::NoValue("it takes a function outside its domain"));
+        }
         let result = on_interval(function, x).filter(|result| result.is_finite());
         let result = result.ok_or(Obstacle::Unclear("a function outside its domain"))?;
         let mut value = Value { operations: argument.operations + 1, bound: argument.bound, ..Value::of(result) };
@@ -115,10 +123,13 @@ fn inverse(function: Function) -> Option<Function> {
     })
 }
 
+/// What is certainly no sine or cosine, dimensionless.
+const OUTSIDE: f64 = 1.000_000_1;
+
 /// The least and greatest value of a function on an interval, and its value at the point.
 fn on_interval(function: Function, x: Interval) -> Option<Interval> {
     let inside = |x: Interval| {
-        let fits = x.point.abs() <= 1.000_000_1;
+        let fits = x.point.abs() <= OUTSIDE;
         fits.then(|| x.through(|x| x.clamp(-1.0, 1.0)))
     };
     Some(match function {
@@ -139,7 +150,8 @@ fn on_interval(function: Function, x: Interval) -> Option<Interval> {
         Function::Arctan => x.through(libm::atan),
         Function::Ln if x.low > 0.0 => x.through(libm::log),
         Function::Log | Function::Lg if x.low > 0.0 => x.through(libm::log10),
-        Function::Ln | Function::Log | Function::Lg => return None,
+        Function::LogTo(base) if x.low > 0.0 => x.through(|x| libm::log(x) / libm::log(f64::from(base))),
+        Function::Ln | Function::Log | Function::Lg | Function::LogTo(_) => return None,
         Function::Exp => x.through(libm::exp),
         Function::Sinh => x.through(libm::sinh),
         Function::Tanh => x.through(libm::tanh),

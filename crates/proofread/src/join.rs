@@ -72,6 +72,26 @@ fn is_argument(before: &[Token]) -> bool {
     of.is_some_and(|of| matches!(&of.kind, Kind::Unknown(name) if name.starts_with('\\')))
 }
 
+/// Whether there is more than one command that is not known and its arguments: otherwise it only dresses up what is in them.
+fn is_part(tokens: &[Token]) -> bool {
+    let is_dress = |token: &Token| match &token.kind {
+        Kind::Group(_) | Kind::Space(_) | Kind::Cell | Kind::Line => true,
+        Kind::Unknown(name) => name.starts_with('\\'),
+        _ => false,
+    };
+    !tokens.iter().all(is_dress)
+}
+
+/// A sign in an argument ends neither a side nor a row.
+fn held_together(token: Token) -> Token {
+    let ends = match token.kind {
+        Kind::Operator(c) => !"+-·×/()[]{}|*^_′±∓√".contains(c),
+        Kind::Line | Kind::Space(9..) => true,
+        _ => false,
+    };
+    if ends { unknown("a sign in an argument", token.span) } else { token }
+}
+
 /// A comma in an argument ends no side.
 fn without_comma(token: Token) -> Token {
     if token.is(',') { unknown("a comma in an argument", token.span) } else { token }
@@ -93,7 +113,10 @@ fn flat(tokens: &[Token]) -> Vec<Token> {
                 }
             }
             Kind::Table(_) => out.push(unknown("a table", span)),
-            Kind::Group(inner) if is_argument(&tokens[..at]) => out.extend(flat(inner).into_iter().map(without_comma)),
+            Kind::Group(inner) if is_argument(&tokens[..at]) => {
+                let held = if is_part(tokens) { held_together } else { without_comma };
+                out.extend(flat(inner).into_iter().map(held));
+            }
             Kind::Group(inner) => out.extend(flat(inner)),
             Kind::Scripts(base, sub, sup) => scripts([base, sub, sup], span, &mut out),
             Kind::Accent(base, sign) => {
@@ -174,6 +197,9 @@ fn scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token>) {
         out.push(match (function, of.as_str()) {
             (Function::Log, "10") => Token::new(Kind::Function(Function::Lg), span),
             (Function::Log, "e") => Token::new(Kind::Function(Function::Ln), span),
+            (Function::Log, base) if base.parse().is_ok_and(|base: u8| base > 1) => {
+                Token::new(Kind::Function(Function::LogTo(base.parse().unwrap_or(2))), span)
+            }
             _ => unknown("a function with a subscript", span),
         });
         return;
@@ -366,6 +392,14 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
         if let Some((kind, last, span)) = combined {
             out.push(Token::new(kind, token.span.join(span)));
             at = last + 1;
+            continue;
+        }
+        // Dots behind a number are its further digits, others are terms that are left out.
+        let follows_number = out.last().is_some_and(|last| last.number().is_some());
+        let dots = tokens[at..].iter().take(3).filter(|token| token.is('.')).count();
+        if dots == 3 && !follows_number {
+            out.push(unknown("…", token.span));
+            at += 3;
             continue;
         }
         if pieces::is_product(&tokens, at) {

@@ -26,6 +26,7 @@ mod surroundings;
 mod token;
 mod unit;
 mod units_after;
+mod unrounded;
 mod value;
 mod verdict;
 

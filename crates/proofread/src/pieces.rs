@@ -136,8 +136,15 @@ fn letters(tokens: &[Token]) -> Option<Vec<Token>> {
     (!out.is_empty() && out.iter().all(known)).then_some(out)
 }
 
-/// Whether the point at `at` stands between two units as the sign of a product.
+/// Whether the point at `at` is the sign of a product: between two units, or close between a letter and a letter or bracket.
 pub(crate) fn is_product(tokens: &[Token], at: usize) -> bool {
+    if let [.., Token { kind: Kind::Name(_), .. }, point, next] = &tokens[..tokens.len().min(at + 2)]
+        && point.is('.')
+        && (next.is('(') || matches!(next.kind, Kind::Name(_)))
+        && at > 0
+    {
+        return true;
+    }
     if !tokens[at].is('.') || at == 0 || !tokens.get(at + 1).is_some_and(is_unit) {
         return false;
     }

@@ -62,6 +62,8 @@ pub enum Function {
     Log,
     /// The logarithm to the base ten and no other.
     Lg,
+    /// The logarithm to a base from 2 on.
+    LogTo(u8),
     Exp,
     Sinh,
     Cosh,
@@ -99,7 +101,8 @@ impl Function {
 
     /// Its usual name.
     pub fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(_, function)| *function == self).map_or("", |(name, _)| name)
+        let known = if matches!(self, Self::LogTo(_)) { Self::Log } else { self };
+        Self::ALL.iter().find(|(_, function)| *function == known).map_or("", |(name, _)| name)
     }
 }
 

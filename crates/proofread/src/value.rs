@@ -14,6 +14,8 @@ pub enum Obstacle {
     Unclear(&'static str),
     /// Terms of different dimensions, or with a unit and without one, are added.
     MixedSum,
+    /// It has no value, as a root of a negative number has none among the real ones, in words.
+    NoValue(&'static str),
     /// There is no number.
     NoNumber,
     /// It is nested or long beyond what is read.
@@ -25,7 +27,7 @@ impl std::fmt::Display for Obstacle {
         match self {
             Self::Letter(name) => write!(f, "the letter {name} has no value"),
             Self::Word(word) => write!(f, "`{word}` is no known unit"),
-            Self::Unclear(what) => f.write_str(what),
+            Self::Unclear(what) | Self::NoValue(what) => f.write_str(what),
             Self::MixedSum => f.write_str("terms of different units are added"),
             Self::NoNumber => f.write_str("there is no number"),
             Self::TooLarge => f.write_str("it is too long or nested too deeply"),
@@ -192,7 +194,11 @@ impl Value {
     }
 
     pub fn over(&self, other: &Self) -> Evaluated<Self> {
-        let below = other.number()?.inverse().ok_or(Obstacle::Unclear("a division by what may be zero"))?;
+        let below = other.number()?;
+        if below.is_zero() && !self.is_zero_at_point() {
+            return Err(Obstacle::NoValue("it divides by zero"));
+        }
+        let below = below.inverse().ok_or(Obstacle::Unclear("a division by what may be zero"))?;
         let mut quotient = self.joined(other, 1);
         quotient.dimension = self.dimension.times(other.dimension, -1.0);
         quotient.parts = self.parts.map(|part| part * below);
@@ -200,7 +206,12 @@ impl Value {
     }
 
     pub fn power(&self, exponent: Interval) -> Evaluated<Self> {
-        let raised = self.number()?.power(exponent).ok_or(Obstacle::Unclear("a power that is no number"))?;
+        let base = self.number()?;
+        let is_exact = base.low == base.high && exponent.low == exponent.high;
+        if is_exact && base.point < 0.0 && exponent.point.fract().abs() > 1e-3 {
+            return Err(Obstacle::NoValue("it takes a root of a negative number"));
+        }
+        let raised = base.power(exponent).ok_or(Obstacle::Unclear("a power that is no number"))?;
         Ok(Self {
             parts: Parts::scalar(raised),
             dimension: self.dimension.power(exponent.point),

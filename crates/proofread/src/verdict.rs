@@ -7,6 +7,7 @@ use crate::interval::Interval;
 use crate::printed::Mode;
 use crate::reading::Reading;
 use crate::token::{Kind, Token};
+use crate::unrounded;
 use crate::value::{Evaluated, Obstacle, Value};
 use std::f64::consts::PI;
 
@@ -113,9 +114,11 @@ const MOST_CHOICES: u32 = 4;
 
 /// Compares two sides.
 pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, bindings: Option<&Bindings>) -> Judgement {
-    let mut pair = Pair { sides: [left, right], relation, bindings, noticed: Reading::USUAL, inverse: false };
+    let mut pair =
+        Pair { sides: [left, right], relation, bindings, noticed: Reading::USUAL, inverse: false, alike: None };
     let mut best: Option<Judgement> = None;
     let mut obstacle = None;
+    let mut without_value = true;
     let mut tried: Vec<Reading> = Vec::new();
     loop {
         let mut open = pair.noticed;
@@ -137,7 +140,10 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
                     }
                 }
                 Ok(None) => {}
-                Err(why) => obstacle = obstacle.or(Some(why)),
+                Err(why) => {
+                    without_value &= matches!(why, Obstacle::NoValue(_));
+                    obstacle = obstacle.or(Some(why));
+                }
             }
             if best.as_ref().is_some_and(|best| best.verdict == Verdict::Consistent) {
                 break;
@@ -155,14 +161,12 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
         best.verdict = Verdict::Doubtful;
     }
     best.unwrap_or_else(|| {
-        let mixed = obstacle == Some(Obstacle::MixedSum);
-        Judgement {
-            verdict: if mixed { Verdict::Dimensions } else { Verdict::CannotEvaluate },
-            reading: Reading::USUAL,
-            values: None,
-            obstacle,
-            used: Vec::new(),
-        }
+        let verdict = match obstacle {
+            Some(Obstacle::MixedSum) => Verdict::Dimensions,
+            Some(Obstacle::NoValue(_)) if without_value => Verdict::Inconsistent,
+            _ => Verdict::CannotEvaluate,
+        };
+        Judgement { verdict, reading: Reading::USUAL, values: None, obstacle, used: Vec::new() }
     })
 }
 
@@ -188,6 +192,8 @@ struct Pair<'t> {
     bindings: Option<&'t Bindings>,
     noticed: Reading,
     inverse: bool,
+    /// Both sides with the numbers exact that both of them print.
+    alike: Option<[Vec<Token>; 2]>,
 }
 
 impl Pair<'_> {
@@ -197,7 +203,8 @@ impl Pair<'_> {
 
     fn value(&mut self, which: usize, mode: Mode, reading: Reading, used: &mut Vec<String>) -> Evaluated<Value> {
         let mut evaluator = Evaluator::new(mode, reading, self.bindings);
-        let value = evaluator.side(self.sides[which]);
+        let side = self.alike.as_ref().filter(|_| mode != Mode::Point).map_or(self.sides[which], |sides| &sides[which]);
+        let value = evaluator.side(side);
         self.noticed.note(evaluator.noticed);
         self.inverse |= evaluator.inverse;
         used.append(&mut evaluator.used);
@@ -238,6 +245,9 @@ impl Pair<'_> {
         if numbers && !points.iter().any(|point| point.has_unit) {
             return Ok(None);
         }
+        if literal == [false, false] {
+            self.alike = unrounded::shared_are_exact(self.sides);
+        }
         let mut strict = self.both(Mode::Strict, literal, reading)?;
         let mut lenient = self.both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
         let both_units = points.iter().all(|point| point.has_unit);
@@ -250,7 +260,7 @@ impl Pair<'_> {
         let fine = |verdict: Verdict| judgement(if by_numbers { Verdict::Units } else { verdict });
         let [left, right] = &strict;
         let agrees = match literal {
-            [true, true] => left.meets(right, 0.0),
+            [true, true] => points[0].meets(right, 0.0) || left.meets(&points[1], 0.0),
             [false, true] => points[0].meets(right, 0.0),
             [true, false] => left.meets(&points[1], 0.0),
             [false, false] => points[0].difference(&points[1]) < crate::interval::SLACK,
@@ -258,7 +268,7 @@ impl Pair<'_> {
         if agrees {
             return Ok(fine(Verdict::Consistent));
         }
-        if customs::lacks_degrees(left, right) {
+        if customs::lacks_degrees(left, right) || customs::counts_electrons(self.sides, left, right) {
             return Ok(judgement(Verdict::Doubtful));
         }
         if customs::understood(self.sides, left, right) || customs::lacks_direction(left, right) {
@@ -273,7 +283,8 @@ impl Pair<'_> {
             }
         }
         let loose = customs::looseness(self.sides[0], self.sides[1]);
-        if (loose > 0.0 && left.meets(right, loose)) || customs::rounded_charge(self.sides, left, right) {
+        let loosely = loose > 0.0 && (points[0].meets(right, loose) || left.meets(&points[1], loose));
+        if loosely || customs::rounded_charge(self.sides, left, right) {
             return Ok(fine(Verdict::Rounded));
         }
         if is_continued(left, right) {
@@ -287,7 +298,9 @@ impl Pair<'_> {
         let computed = self.sides[usize::from(literal[0])];
         let of_one_unit = !numbers || has_words_of(self.sides[0], self.sides[1]);
         let exact_steps = of_one_unit && literal[0] != literal[1] && is_plain_sum(computed);
-        if left.meets(right, 0.0) && !exact_steps && is_likely(&strict, &points, literal, true) {
+        // A side that shows the next step has the digits that the one before it gives.
+        let steps = literal[0] != literal[1] || (literal == [false, false] && points[0].meets(right, 0.0));
+        if left.meets(right, 0.0) && !exact_steps && steps && is_likely(&strict, &points, literal, true) {
             return Ok(fine(Verdict::Rounded));
         }
         let near = (literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left));
@@ -337,6 +350,7 @@ fn is_likely(open: &[Value; 2], points: &[Value; 2], literal: [bool; 2], one_mor
     let (computed, printed) = match literal {
         [false, true] => (0, 1),
         [true, false] => (1, 0),
+        [false, false] | [true, true] if !one_more => (0, 1),
         _ => return true,
     };
     let differences = points[computed].parts.pairs(&points[printed].parts).map(|(a, b)| (a.point - b.point).abs());
@@ -349,7 +363,7 @@ fn is_likely(open: &[Value; 2], points: &[Value; 2], literal: [bool; 2], one_mor
 /// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
 fn is_plain_sum(side: &[Token]) -> bool {
     let is_term = |token: &Token| match &token.kind {
-        Kind::Number(_) | Kind::Word(_) | Kind::Space(_) => true,
+        Kind::Number(_) | Kind::Word(_) | Kind::Space(_) | Kind::Basis(_) => true,
         Kind::Operator(c) => "+-()[]|".contains(*c),
         _ => false,
     };
@@ -431,7 +445,7 @@ fn is_cut(computed: &Value, printed: &Value) -> bool {
 
 /// Whether a printed result has three digits or more.
 fn is_exact(printed: &Value) -> bool {
-    printed.parts.0.iter().flatten().all(|part| part.half() > 0.0 && part.half() < 0.005 * part.point.abs())
+    printed.parts.0.iter().flatten().all(|part| part.half() > 0.0 && part.half() < 0.05 * part.point.abs())
 }
 
 /// Whether a computed value is within one more unit of the last printed digit.

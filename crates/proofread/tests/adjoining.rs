@@ -1,5 +1,5 @@
-//! Where one formula ends and the next one begins: formulas that are cut in two, numbers that go on in the text beside them,
-//! and commas that part no equations.
+//! Where one formula ends and the next one begins: formulas that are cut in two, numbers that continue in the text beside them,
+//! and commas that separate no equations.
 
 use crate::{report, verdicts, wrong};
 use proofread::Format;

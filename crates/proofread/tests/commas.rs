@@ -1,4 +1,4 @@
-//! Texts in which a comma parts the decimals, and thousands parted by space.
+//! Texts with a decimal comma, and with thousands separated by spaces.
 
 use crate::{report, wrong};
 use proofread::{Format, List};

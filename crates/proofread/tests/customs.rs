@@ -1,5 +1,5 @@
-//! What books write that is no false number: customs of notation, each in a chain of ours that must not be listed as wrong, beside
-//! one that must.
+//! What books write that is not a false number: customs of notation, each in a chain of ours that must not be listed as wrong,
+//! beside one that must.
 
 use crate::report;
 use proofread::{Format, List};

@@ -1,4 +1,4 @@
-//! Every format gives the same chains, at places that are exact.
+//! Every format gives the same chains, at exact places.
 
 use crate::{report, wrong};
 use proofread::{Follow, Format, List, Options, proofread};

@@ -11,7 +11,9 @@ mod fuzz;
 mod judged;
 mod plain;
 mod readings;
+mod remarks;
 mod units;
+mod unrounded;
 
 use proofread::{Follow, Format, List, Options, Report, proofread};
 

@@ -1,5 +1,6 @@
 //! What lies on which layer of a drawing, and where.
 
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Loop, Sizes};
 use nalgebra::Vector2;
 use std::f64::consts::PI;

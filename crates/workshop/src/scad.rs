@@ -5,6 +5,7 @@
 //! radius is written as formulas; the crescent is not, because it comes from the motion.
 
 use geneva_kinematics::KinematicsError;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Sizes;
 
 use crate::mesh::Solid;

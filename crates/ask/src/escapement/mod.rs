@@ -1,7 +1,13 @@
-//! One escapement: whether it runs, its steady state, its rise from rest, the run itself, and its drawings.
+//! One escapement: whether it runs, its steady state, its rise from rest, the run itself, what a clockmaker asks of it, and its
+//! drawings.
 
+mod question;
 mod report;
 mod run;
+mod timer;
+
+pub use question::{Further, Question, Units};
+pub use timer::rates;
 
 use crate::Error;
 use crate::written::{as_typed, rounded_up};
@@ -11,47 +17,6 @@ use geneva_figures::Figure;
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
 use geneva_kinematics::Mechanism;
-
-/// What is asked of an escapement; torque and inertias in units that fit each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
-    /// Number of slots of the follower: 3, 4 or 6.
-    pub slots: u32,
-    /// Coefficient of friction between pin and slot.
-    pub friction: f64,
-    /// Torque of the spring on the driver.
-    pub torque: f64,
-    /// Moment of inertia of the driver about its axis.
-    pub driver_inertia: f64,
-    /// Moment of inertia of the follower about its axis.
-    pub follower_inertia: f64,
-    /// Units of torque and inertias, to report them in SI units too.
-    pub units: Option<Units>,
-    /// Turn of the driver, in degrees, after which its angle is reset, unless that is the turn from pin to pin.
-    pub reset_deg: Option<f64>,
-}
-
-/// Coherent systems of units.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Units {
-    /// Inch, pound-force and second: torque in in lb, inertias in in lb s².
-    InLbS,
-    /// Metre, kilogram and second: torque in N m, inertias in kg m².
-    Si,
-}
-
-impl Units {
-    /// The unit of torque in N m, which is that of inertia in kg m², for the unit of time is the second.
-    ///
-    /// A pound is the weight of 0.45359237 kg where gravity is standard, 9.80665 m/s², and an inch is 0.0254 m, all by
-    /// definition.
-    fn torque_n_m(self) -> f64 {
-        match self {
-            Self::InLbS => 0.0254 * 0.453_592_37 * 9.806_65,
-            Self::Si => 1.0,
-        }
-    }
-}
 
 /// The drawings of an escapement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -202,20 +167,5 @@ pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usi
     match engagement.engagements_to_settle(SETTLED) {
         Err(Motion::TooMany { .. }) => Ok(None),
         result => result.map(Some),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Units;
-
-    #[test]
-    fn a_pound_is_a_mass_of_a_pound_under_standard_gravity() {
-        // 1 in = 254/1e4 m, 1 lb = 45359237/1e8 kg and 980665/1e5 m/s²: their product is a fraction of integers.
-        let fraction = (254_u64 * 45_359_237 * 980_665) as f64 / 1e17;
-        approx::assert_relative_eq!(Units::InLbS.torque_n_m(), fraction, max_relative = 1e-15);
-        // The inverse, as tables give it: a newton metre is 8.850746 inch pounds.
-        approx::assert_relative_eq!(1.0 / Units::InLbS.torque_n_m(), 8.850_746, max_relative = 1e-7);
-        assert_eq!(Units::Si.torque_n_m(), 1.0);
     }
 }

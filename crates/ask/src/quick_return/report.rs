@@ -141,13 +141,13 @@ impl Seen {
         let sliding_tangential = sliding_tangential.zero_if(instant.stroke == Stroke::End).zero_below(greatest);
         let coriolis = coriolis.zero_if(instant.lever_at_rest || sliding.direction_deg.is_none());
 
-        let told = |key, name, vector: &Vector, way, why_zero| self.vector(key, name, vector, way, why_zero);
+        let field = |key, name, vector: &Vector, way, why_zero| self.vector(key, name, vector, way, why_zero);
         let on_circle = format!("along the crank's circle, {}", sense(self.rpm));
         let speed = if instant.lever_at_rest { 0.0 } else { self.lever_speed.abs() };
         let speeds = vec![
-            told("pin_velocity_m_s", "pin", &pin, Is(&on_circle), NOT_TOLD),
-            told("lever_point_velocity_m_s", "lever's point", &lever, Across, "the lever is at rest"),
-            told("sliding_velocity_m_s", "sliding", &sliding, Along, instant.no_sliding()),
+            field("pin_velocity_m_s", "pin", &pin, Is(&on_circle), NOT_TOLD),
+            field("lever_point_velocity_m_s", "lever's point", &lever, Across, "the lever is at rest"),
+            field("sliding_velocity_m_s", "sliding", &sliding, Along, instant.no_sliding()),
             Field::in_unit("lever_speed_rad_s", self.lever_speed, "rad/s")
                 .line("lever, angular", self.lever_speed_in_words())
                 .of_size(speed, String::new()),
@@ -157,19 +157,19 @@ impl Seen {
         let (steady, steady_sliding) = (instant.no_angular_acceleration(), instant.steady_sliding());
         let angular = lever_tangential.direction_deg.map_or(0.0, |_| self.lever_acceleration.abs());
         let accelerations = vec![
-            told("pin_normal_acceleration_m_s2", "pin, normal", &pin_normal, Is("to the crank's axis"), NOT_TOLD),
-            told("pin_tangential_acceleration_m_s2", "pin, tangential", &pin_tangential, Along, constant),
-            told("lever_point_normal_acceleration_m_s2", "lever, normal", &lever_normal, Along, still),
-            told("lever_point_tangential_acceleration_m_s2", "lever, tangential", &lever_tangential, Across, steady),
-            told("sliding_normal_acceleration_m_s2", "sliding, normal", &sliding_normal, Across, straight),
-            told(
+            field("pin_normal_acceleration_m_s2", "pin, normal", &pin_normal, Is("to the crank's axis"), NOT_TOLD),
+            field("pin_tangential_acceleration_m_s2", "pin, tangential", &pin_tangential, Along, constant),
+            field("lever_point_normal_acceleration_m_s2", "lever, normal", &lever_normal, Along, still),
+            field("lever_point_tangential_acceleration_m_s2", "lever, tangential", &lever_tangential, Across, steady),
+            field("sliding_normal_acceleration_m_s2", "sliding, normal", &sliding_normal, Across, straight),
+            field(
                 "sliding_tangential_acceleration_m_s2",
                 "sliding, tangential",
                 &sliding_tangential,
                 Along,
                 steady_sliding,
             ),
-            told("coriolis_acceleration_m_s2", "Coriolis", &coriolis, Across, still),
+            field("coriolis_acceleration_m_s2", "Coriolis", &coriolis, Across, still),
             Field::in_unit("lever_acceleration_rad_s2", self.lever_acceleration, "rad/s²")
                 .line("lever, angular", self.lever_acceleration_in_words(&lever_tangential))
                 .of_size(angular, String::new()),

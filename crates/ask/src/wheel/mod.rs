@@ -5,6 +5,7 @@ mod files;
 mod instant;
 mod kind;
 mod loads;
+mod making;
 mod parts;
 mod report;
 mod times;
@@ -64,8 +65,12 @@ pub struct Question {
     pub at: Vec<f64>,
     /// Wheel angles, in degrees from the middle of an index, at which to report the motion.
     pub at_wheel: Vec<f64>,
-    /// By how much the axes are too far apart, for the clearance; it has no name at the command line.
+    /// By how much the axes are too far apart, for the clearance and the knock; it has no name at the command line.
     pub centre_error: f64,
+    /// Coefficient of friction of a pin in its slot; it has no name at the command line.
+    pub pin_friction: Option<f64>,
+    /// Degrees of the crank before a pin enters, for the backlash there; it has no name at the command line.
+    pub before_entry: Option<f64>,
     /// How long clearances are looked for.
     pub effort: Effort,
 }
@@ -114,6 +119,9 @@ impl Question {
             "wheel-material" => self.wheel_material = Some(material(name, value)?),
             "at" => self.at.push(number(name, value)?),
             "at-wheel" => self.at_wheel.push(number(name, value)?),
+            "centre-error" => self.centre_error = number(name, value)?,
+            "pin-friction" => self.pin_friction = Some(number(name, value)?),
+            "before-entry" => self.before_entry = Some(number(name, value)?),
             _ => {
                 let mut all = self.measures();
                 let names = all.iter().map(|(known, _)| *known).collect::<Vec<_>>().join(", --");

@@ -6,7 +6,7 @@ use crate::{Error, Field, Rounding, Value};
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
-fn nearest_told(design: &Design, nearest: &Nearest) -> String {
+fn nearest_words(design: &Design, nearest: &Nearest) -> String {
     let parts = match nearest.contact {
         Contact::PinInSlot => "pin and slot",
         Contact::PinOutside => "pin and wheel, while it is in no slot",
@@ -88,7 +88,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
         }
     };
     let nearest = mm("least_clearance_mm", least.map(|least| least.distance))
-        .line("least clearance", least.map_or_else(String::new, |least| nearest_told(design, &least)));
+        .line("least clearance", least.map_or_else(String::new, |least| nearest_words(design, &least)));
     let nearer = mm("centres_nearer_mm", tolerance.map(|tolerance| tolerance.nearer))
         .line("axes nearer", "at most, or parts touch; loose shafts bring the axes nearer by the bore play")
         .rounded(Rounding::Significant(4));

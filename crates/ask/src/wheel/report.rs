@@ -133,13 +133,14 @@ fn title(design: &Design) -> String {
         Kind::Spherical => "Spherical",
     };
     let (stations, pins) = (count(wheel.stations() as usize, "station"), count(wheel.pins() as usize, "pin"));
-    let radius = design.crank_radius.map_or_else(String::new, |radius| format!(", crank radius {} mm", told(radius)));
+    let radius =
+        design.crank_radius.map_or_else(String::new, |radius| format!(", crank radius {} mm", short_length(radius)));
     let rpm = design.question.rpm.map_or_else(String::new, |rpm| format!(", {} rpm", as_typed(rpm)));
     format!("{name} Geneva wheel: {stations}, driver with {pins}{radius}{rpm}")
 }
 
 /// A length that was typed, or one that follows from another, to as many digits as a reader wants.
-fn told(length: f64) -> String {
+fn short_length(length: f64) -> String {
     let typed = as_typed(length);
     if typed.len() <= 8 { typed } else { number(length) }
 }

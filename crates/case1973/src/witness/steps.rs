@@ -14,8 +14,33 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub struct Course {
     /// The driver's angles from the line of centres, or how far it has turned.
     pub angles: Arc<[f64]>,
-    ends: Vec<Coefficients<f64>>,
-    middles: Vec<Coefficients<f64>>,
+    coefficients: Vec<Coefficients<f64>>,
+    ends: Vec<Slope>,
+    middles: Vec<Slope>,
+}
+
+/// du/dθ at one crank angle. With each sign of the friction it is a straight line in u, and so is the function whose
+/// sign the friction has. Each is given by its value at u = 0 and its growth for each unit of u.
+#[derive(Clone)]
+struct Slope {
+    switching: [f64; 2],
+    plus: [f64; 2],
+    minus: [f64; 2],
+}
+
+impl Slope {
+    fn new(terms: &Coefficients<f64>) -> Self {
+        let Coefficients { a, b, c, d, e } = *terms;
+        // A θ'' + B u + S (C u + D θ'') = E, and du/dθ = 2 θ''.
+        let with = |sign: f64| [2.0 * e / (a + sign * d), -2.0 * (b + sign * c) / (a + sign * d)];
+        Self { switching: [d * e, a * c - d * b], plus: with(1.0), minus: with(-1.0) }
+    }
+
+    fn at(&self, square: f64) -> f64 {
+        let square = square.max(0.0);
+        let along = |[start, growth]: [f64; 2]| start + growth * square;
+        along(if along(self.switching) < 0.0 { self.minus } else { self.plus })
+    }
 }
 
 /// Angles, and how the mechanism stands at them and in the middle between two: the same for all frictions, inertias and
@@ -50,10 +75,13 @@ impl Poses {
 
     fn course(&self, parameters: &Parameters) -> Course {
         let (ratio, friction, drive) = (parameters.inertias().ratio(), parameters.friction(), parameters.drive());
-        let all = |poses: &[Pose<f64>]| {
+        let all = |poses: &[Pose<f64>]| -> Vec<_> {
             poses.iter().map(|pose| Coefficients::of_pose(pose, &ratio, &friction, &drive)).collect()
         };
-        Course { angles: Arc::clone(&self.angles), ends: all(&self.ends), middles: all(&self.middles) }
+        let slopes = |of: &[Coefficients<f64>]| of.iter().map(Slope::new).collect();
+        let (coefficients, middles) = (all(&self.ends), all(&self.middles));
+        let (ends, middles) = (slopes(&coefficients), slopes(&middles));
+        Course { angles: Arc::clone(&self.angles), coefficients, ends, middles }
     }
 }
 
@@ -70,7 +98,7 @@ impl Course {
 
     /// The factors of the equation of motion at each angle.
     pub fn coefficients(&self) -> &[Coefficients<f64>] {
-        &self.ends
+        &self.coefficients
     }
 
     /// u at the angles, from its value at the first, in units of squared speed.
@@ -79,7 +107,7 @@ impl Course {
         squares.push(first);
         let mut state = first;
         for ((angles, ends), middle) in self.angles.windows(2).zip(self.ends.windows(2)).zip(&self.middles) {
-            state = step(angles[1] - angles[0], state, [&ends[0], middle, &ends[1]], slope);
+            state = step(angles[1] - angles[0], state, [&ends[0], middle, &ends[1]], Slope::at);
             squares.push(state);
         }
         squares
@@ -95,11 +123,6 @@ pub fn step<P>(length: f64, start: f64, [first, middle, last]: [&P; 3], slope: i
     let three = slope(middle, start + two * half);
     let four = slope(last, start + three * length);
     start + (one + two * 2.0 + three * 2.0 + four) * (length / 6.0)
-}
-
-/// du/dθ.
-fn slope(terms: &Coefficients<f64>, square: f64) -> f64 {
-    2.0 * terms.with_own_sign(square.max(0.0).sqrt()).value
 }
 
 /// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one and
@@ -135,18 +158,20 @@ fn cycle_of(parameters: &Parameters, reset: f64, steps: u32) -> Option<[f64; 3]>
 
 /// The squares of the engagement that ends as it starts.
 ///
-/// One engagement takes u to nearly a multiple of u and a constant. Two of them tell both, and so what repeats itself.
+/// One engagement takes u to nearly a multiple of u and a constant, so what it adds to u is nearly a straight line in
+/// u: the line through the last two trials leads to the next.
 fn repeated(course: &Course) -> Option<Vec<f64>> {
     let mut first = 1.0;
+    let mut last: Option<[f64; 2]> = None;
     for _ in 0..MOST_TRIALS {
         let squares = course.squares(first);
-        let once = *squares.last()?;
-        if (once - first).abs() <= 1e-12 * first {
+        let added = *squares.last()? - first;
+        if added.abs() <= 1e-12 * first {
             return Some(squares);
         }
-        let twice = *course.squares(once).last()?;
-        let (angular_acceleration, next_acceleration) = (once - first, twice - once);
-        first = once + next_acceleration / (1.0 - next_acceleration / angular_acceleration);
+        let step = last.map_or(added, |[before, added_before]| added * (first - before) / (added_before - added));
+        last = Some([first, added]);
+        first += step;
     }
     None
 }
@@ -157,7 +182,7 @@ const MOST_TRIALS: u32 = 50;
 /// ∫ dθ / √u by Simpson's rule, with u in the middle of a step by the cubic through values and slopes.
 fn duration(course: &Course, squares: &[f64]) -> f64 {
     let angles = &course.angles;
-    let slopes: Vec<_> = course.ends.iter().zip(squares).map(|(terms, u)| slope(terms, *u)).collect();
+    let slopes: Vec<_> = course.ends.iter().zip(squares).map(|(slope, u)| slope.at(*u)).collect();
     (1..angles.len())
         .map(|k| {
             let (step, a, b) = (angles[k] - angles[k - 1], squares[k - 1], squares[k]);

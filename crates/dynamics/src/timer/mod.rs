@@ -174,6 +174,64 @@ fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
     Ok(half + (half - whole) / 3.0)
 }
 
+/// By what part of itself the mean speed of an escapement is greater with another friction, dimensionless.
+///
+/// ```
+/// use geneva_dynamics::timer::speed_change;
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// assert_eq!(speed_change(&timer, 0.2)?, 0.0);
+/// assert!(speed_change(&timer, 0.1)? > 0.0 && speed_change(&timer, 0.3)? < 0.0); // friction brakes
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// As for [`Parameters::new`] and [`Engagement::steady_state`].
+pub fn speed_change(parameters: &Parameters, friction: f64) -> Result<f64, Error> {
+    Ok(mean_speed(&parameters.with_friction(friction)?)? / mean_speed(parameters)? - 1.0)
+}
+
+fn mean_speed(parameters: &Parameters) -> Result<f64, Error> {
+    Ok(Engagement::new(parameters)?.steady_state()?.mean_speed)
+}
+
+/// The friction, dimensionless, with which an escapement would run so many times as fast as with its own.
+///
+/// ```
+/// use geneva_dynamics::timer::{apparent_friction, speed_change};
+/// use geneva_dynamics::{Inertias, Parameters};
+/// use geneva_kinematics::Mechanism;
+///
+/// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+/// let ratio = 1.0 + speed_change(&timer, 0.15)?;
+/// assert!((apparent_friction(&timer, ratio)? - 0.15).abs() < 1e-9);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// [`Error::OutOfRange`] for a ratio that is not from 1 to what a hundredth of the friction gives, and as for
+/// [`Engagement::steady_state`].
+pub fn apparent_friction(parameters: &Parameters, ratio: f64) -> Result<f64, Error> {
+    /// The least friction, as a part of its own, and halvings of the interval.
+    const LEAST: f64 = 0.01;
+    const HALVINGS: u32 = 50;
+    let (mut low, mut high) = (LEAST * parameters.friction(), parameters.friction());
+    let most = 1.0 + speed_change(parameters, low)?;
+    if !(1.0..=most).contains(&ratio) {
+        return Err(Error::OutOfRange { name: "mean speed over its own", asked: ratio, least: 1.0, most });
+    }
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(low, high);
+        // The less friction, the faster.
+        if 1.0 + speed_change(parameters, middle)? > ratio { low = middle } else { high = middle }
+    }
+    Ok(f64::midpoint(low, high))
+}
+
 /// Settling: how an escapement forgets the way it was started.
 ///
 /// ```

@@ -192,6 +192,64 @@ impl Runaway {
     }
 }
 
+/// The power of the friction to which the mean speed of a runaway escapement goes, if friction takes this part of its torque
+/// and blows take the rest of its work: dimensionless, and negative.
+///
+/// The speed goes as the root of what the friction leaves, whatever the wheel, the pallet and the beat: with the part f it is
+/// −f / (2 (1 − f)).
+///
+/// ```
+/// use geneva_dynamics::timer::runaway::{Drag, Runaway, friction_power};
+///
+/// // A tenth of the torque, and a ten-thousandth more.
+/// let speed = |friction| Runaway::new(3.0, 1.0, 0.1, Drag { constant: friction, ..Drag::default() })?.steady(1.0);
+/// let (before, after) = (speed(0.1)?.mean_speed, speed(0.1 * 1.0001)?.mean_speed);
+/// assert!(((after / before - 1.0) / 0.0001 - friction_power(0.1)?).abs() < 1e-5);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// [`Error::OutOfRange`] for a part that is not from 0 to below 1.
+pub fn friction_power(part: f64) -> Result<f64, Error> {
+    if !(0.0..1.0).contains(&part) {
+        return Err(Error::OutOfRange { name: "friction over torque", asked: part, least: 0.0, most: 1.0 });
+    }
+    Ok(-part / (2.0 * (1.0 - part)))
+}
+
+/// The power of the torque to which a governed speed goes, at this many times the speed at which the brake begins to touch:
+/// dimensionless, from 0 to 1/2.
+///
+/// The brake presses with what the centrifugal force has beyond the springs, so its torque is proportional to ω² − ω₀². Where
+/// it takes all the torque K, d ln ω / d ln K = (1 − ω₀²/ω²)/2.
+///
+/// ```
+/// use geneva_dynamics::timer::runaway::governed_power;
+///
+/// // The brake holds with ω² − 1, so the speed under a torque is the root of one more than the torque.
+/// let speed = |torque: f64| (1.0 + torque).sqrt();
+/// let torque = 1.1 * 1.1 - 1.0;
+/// let change = (speed(torque * 1.0001) / speed(torque) - 1.0) / 0.0001;
+/// assert!((change - governed_power(1.1)?).abs() < 1e-5);
+/// # Ok::<(), geneva_dynamics::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// [`Error::OutOfRange`] for a quotient that is below 1 or not finite.
+pub fn governed_power(beyond: f64) -> Result<f64, Error> {
+    if !(beyond >= 1.0 && beyond.is_finite()) {
+        return Err(Error::OutOfRange {
+            name: "speed over the least braked",
+            asked: beyond,
+            least: 1.0,
+            most: f64::MAX,
+        });
+    }
+    Ok((1.0 - 1.0 / (beyond * beyond)) / 2.0)
+}
+
 /// The power of the torque to which the rate of a verge with a foliot goes, if its only loss is a drag in proportion to
 /// the foliot's speed: from 1/3 under a strong torque to 1 under a weak one, dimensionless.
 ///

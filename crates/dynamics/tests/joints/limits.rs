@@ -1,4 +1,4 @@
-//! Where there is one solution, where there is none, and what is said of it.
+//! Where there is one solution, where there is none, and what the program says then.
 
 use super::*;
 use approx::assert_relative_eq;

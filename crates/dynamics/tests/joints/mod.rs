@@ -1,4 +1,4 @@
-//! The escapement with real joints against vectors, against the ideal one, and at the ends of its range.
+//! The escapement with real joints, compared with vectors and with the ideal escapement, and at the ends of its range.
 
 mod contact_proofs;
 mod equation_proofs;

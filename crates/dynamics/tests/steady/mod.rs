@@ -1,4 +1,4 @@
-//! The steady motion against other routes to it, and at the ends of its range.
+//! The steady motion, compared with other routes to it, and at the ends of its range.
 
 mod accuracy;
 mod circle;

@@ -1,4 +1,4 @@
-//! Is a run on the steady profile from the time on that is told, and not before?
+//! Is a run on the steady profile from the reported time on, and not before?
 
 use super::escapement;
 use geneva_dynamics::Error;

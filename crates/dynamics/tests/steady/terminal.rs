@@ -1,4 +1,4 @@
-//! The entry speed and the period alone, against the steady state with its extremes.
+//! Compares the entry speed and the period alone with the steady state and its extremes.
 
 use super::{escapement, samples};
 use geneva_dynamics::Error;

@@ -27,7 +27,7 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
     let bodies = Bodies::at(escapement, crank, MARGINS)?;
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
-    canvas.group("opacity=\"0.55\"", |canvas| {
+    canvas.faint(0.55, "", |canvas| {
         bodies.draw_driver(canvas, 1.3);
         bodies.draw_follower(canvas, 1.3);
     });

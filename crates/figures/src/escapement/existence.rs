@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Entry, Panel, Spot, of_mechanism};
 use crate::number::trimmed;
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
+use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::{critical_friction, critical_inertia_ratio};
 use geneva_kinematics::Mechanism;
 use std::ops::Range;
@@ -28,6 +29,12 @@ pub struct Design {
 }
 
 impl Design {
+    /// The point of an escapement.
+    pub fn of(parameters: &Parameters) -> Self {
+        let inertia_ratio = parameters.inertias().ratio();
+        Self { mechanism: parameters.mechanism(), inertia_ratio, friction: parameters.friction() }
+    }
+
     /// Whether the equation of motion has one solution wherever a pin is in its slot.
     pub fn is_sound(&self) -> bool {
         critical_friction(self.mechanism, self.inertia_ratio).is_ok_and(|critical| self.friction < critical.friction)
@@ -66,8 +73,8 @@ pub fn existence(designs: &[Design]) -> Figure {
         .name(Label::words("below its curve:\none acceleration"), Spot::Free(below.collect()));
 
     let columns = [("I_D/I_f", "1"), ("mu* n=3", "1"), ("mu* n=4", "1"), ("mu* n=6", "1")];
-    let said: Vec<String> = designs.iter().map(|design| said(design)).collect();
-    let marked = if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) };
+    let marks: Vec<String> = designs.iter().map(|design| mark_words(design)).collect();
+    let marked = if marks.is_empty() { String::new() } else { format!(" Marked: {}.", marks.join("; ")) };
     let words = Words::new(
         "escapement-existence",
         "Friction that the equation of motion can bear, over the ratio of the inertias",
@@ -76,15 +83,15 @@ pub fn existence(designs: &[Design]) -> Figure {
              from right to left: fewer slots bear less friction. Below its curve a mechanism has exactly one \
              acceleration at every angle.{marked}"
         ),
-        "The curves show the critical friction of the three mechanisms over the ratio of their inertias. Marks of the \
-         same colour are the runs of the thesis. Below its curve, a mechanism has exactly one acceleration at every \
-         angle of the engagement. Above its curve, it has none or two at some angles. The lighter the driver, the less \
-         friction the mechanism can bear.",
+        "The curves show the critical friction of the three mechanisms as a function of the ratio of their inertias. \
+         Marks of the same colour are the runs of the thesis. Below its curve, a mechanism has exactly one \
+         acceleration at every angle of the engagement. Above its curve, it has none or two at some angles. The \
+         lighter the driver, the less friction the mechanism can bear.",
     );
     Chart::new([panel]).key(key).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
 }
 
-fn said(design: &Design) -> String {
+fn mark_words(design: &Design) -> String {
     let side = if design.is_sound() { "below" } else { "above" };
     format!(
         "{} slots at I_D / I_f = {}, μ = {}: {side} its curve",

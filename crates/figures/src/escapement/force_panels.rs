@@ -41,7 +41,7 @@ fn friction_label() -> Label {
 /// Panel 1: driver and pin with the forces on the pin; the arm of the friction; the driving torque.
 pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
     let mut placing = at.placing();
-    canvas.group("opacity=\"0.5\"", |canvas| at.draw_follower(canvas, 1.3));
+    canvas.faint(0.5, "", |canvas| at.draw_follower(canvas, 1.3));
     at.draw_driver(canvas, 1.6);
     at.draw_line_of_centres(canvas);
     let pin = at.pin();

@@ -1,6 +1,6 @@
 //! The forces at one instant: on the pin, at the contact, on the follower.
 
-use super::engagement::Instant;
+use super::engagement::{Instant, speed_at};
 use super::force_panels::{contact, follower, pin_and_driver};
 use super::pose::{Bodies, Margins};
 use crate::number::{degrees, short, shown, significant, without_noise};
@@ -10,6 +10,7 @@ use crate::theme::GRID;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::forces::Flank;
+use geneva_dynamics::steady::Engagement;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,6 +19,18 @@ const MARGINS: Margins = Margins { side: 46.0, above: 48.0, below: 30.0 };
 const LOWER: f64 = 330.0;
 const VALUES: f64 = 92.0;
 const LINE: f64 = 28.0;
+
+/// The forces in the steady motion, at this part (from above −1 to 1) of the half angle of the engagement from the line of
+/// centres.
+///
+/// # Errors
+///
+/// [`FigureError`] if there is no steady motion, or the part is beyond its limits.
+pub fn steady_forces(parameters: &Parameters, part: f64) -> Result<Figure, FigureError> {
+    let crank = part * parameters.mechanism().engagement_half_angle();
+    let entry_speed = Engagement::new(parameters)?.steady_state()?.entry_speed;
+    forces(parameters, crank, speed_at(parameters, entry_speed, crank)?)
+}
 
 /// The forces at a driver angle (θ in radians, within ±π/m) and a driver speed (θ' ≥ 0), in three panels.
 ///
@@ -30,7 +43,7 @@ const LINE: f64 = 28.0;
 /// # Errors
 ///
 /// [`FigureError`] if the angle is beyond ±π/m or not finite, or the speed negative or not finite.
-pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, FigureError> {
+pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, FigureError> {
     let escapement = parameters.mechanism();
     let bodies = Bodies::at(&escapement, crank, MARGINS)?;
     let at = Instant::new(parameters, crank, speed)?;
@@ -83,12 +96,11 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
             short(friction, 3)
         ),
         format!(
-            "Forces at θ = {}, where the driver's speed is {} in units of the square root of the spring's torque K \
-             over the follower's moment of inertia: {}. At the foot are three moments in units of K. F R is the moment \
-             that F would have at the crank radius; the other two act on driver and \
-             follower. The friction acts on the pin against \
-             its sliding, with the arm l sin φ about B. Arrows show directions, not sizes. Forces through O have no \
-             moment about O and are left out. {}",
+            "Forces at θ = {}. The driver's speed is {} times the square root of the ratio of K to the follower's \
+             moment of inertia, where K is the spring's torque. Here {}. At the foot are three moments in units of K. \
+             F R is the moment that F would have at the crank radius. The other two moments act on driver and \
+             follower. The friction acts on the pin against its sliding, with the arm l sin φ about B. Arrows show \
+             directions, not sizes. Forces through O have no moment about O and are left out. {}",
             degrees(crank),
             significant(speed / parameters.drive().sqrt(), 3),
             senses.flank_words(),

@@ -30,7 +30,7 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
     let bodies = Bodies::new(escapement, rounded(&exact.layout), angles, MARGINS);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
-    canvas.group("opacity=\"0.55\"", |canvas| {
+    canvas.faint(0.55, "", |canvas| {
         bodies.draw_driver(canvas, 1.3);
         bodies.draw_follower(canvas, 1.3);
     });

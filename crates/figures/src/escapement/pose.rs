@@ -6,6 +6,7 @@ use crate::star::Star;
 use crate::svg::{Canvas, Label, Path, Pixels, Placing, Shape, View, heading};
 use crate::theme::{Colour, DRIVER, FOLLOWER};
 use geneva_kinematics::escapement::{Configuration, Mechanism};
+use geneva_kinematics::indexing::Indexing;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -115,8 +116,8 @@ impl Bodies {
 
     /// The driver's disc and the pins' circle.
     pub fn draw_driver(&self, canvas: &mut Canvas, width: f64) {
-        let disc = Shape::circle(&self.axis, self.disc()).stroke(DRIVER, width).with("fill-opacity", "0.12");
-        canvas.draw(disc.fill(DRIVER).class("driver"));
+        let disc = Shape::circle(&self.axis, self.disc()).stroke(DRIVER, width).tint(DRIVER, 0.12);
+        canvas.draw(disc.class("driver"));
         pin_circle(canvas, &self.axis, self.view.scale);
     }
 

@@ -5,7 +5,7 @@ use crate::number::{significant, trimmed};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Mechanism;
-use geneva_kinematics::wheel::peak_velocity;
+use geneva_kinematics::indexing::Indexing;
 use std::f64::consts::FRAC_PI_2;
 
 /// Steps from entry to exit; an even number.
@@ -18,7 +18,7 @@ const STEPS: u32 = 160;
 /// and its square.
 pub fn ratios(escapements: &[Mechanism]) -> Figure {
     let rows: Vec<Vec<f64>> = (0..=STEPS).map(|k| row(escapements, k)).collect();
-    let peak = |one: &Mechanism| peak_velocity(&one.wheel());
+    let peak = |one: &Mechanism| one.wheel().peak_velocity();
     let greatest = escapements.iter().map(peak).fold(1e-3, f64::max);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" / (π/").and_symbol("m").and("): entry −1, exit 1");
     let x = Axis { decimals: 1, ..Axis::whole(-1.0..1.0, [-1.0, -0.5, 0.0, 0.5, 1.0]) };
@@ -45,19 +45,19 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
     });
     let columns = std::iter::once(("theta/(pi/m)".to_owned(), "1")).chain(columns);
     let series = Series::of_columns(columns, rows.clone());
-    let said: Vec<String> = escapements.iter().map(said).collect();
+    let ratios: Vec<String> = escapements.iter().map(peak_and_mean).collect();
     let words = Words::new(
         "escapement-ratios",
         "The follower's speed over the driver's through one engagement",
         format!(
             "Curves over the driver angle in parts of its half angle, from −1, entry, to 1, exit. Each is symmetric, \
              zero at both ends and greatest on the line of centres. {}.",
-            said.join("; ")
+            ratios.join("; ")
         ),
         "The follower's speed divided by the driver's. This ratio depends on the geometry alone. It is zero at every \
-         hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, while a follower \
-         with more slots moves gently. The ratio never changes sign, so the follower slows down but never reverses. \
-         The mean of the ratio is m/N, pins over slots.",
+         hand-over and greatest on the line of centres. A follower with few slots moves in short bursts, while a \
+         follower with more slots moves gently. The ratio never changes sign, so the follower slows down but never \
+         reverses. The mean of the ratio is m/N, the number of pins divided by the number of slots.",
     );
     Chart::new([panel]).key(key).figure(words, series)
 }
@@ -75,7 +75,7 @@ fn mean(one: &Mechanism) -> String {
     trimmed(f64::from(one.pins()) / f64::from(one.slots()), 3)
 }
 
-fn said(one: &Mechanism) -> String {
-    let peak = significant(peak_velocity(&one.wheel()), 4);
+fn peak_and_mean(one: &Mechanism) -> String {
+    let peak = significant(one.wheel().peak_velocity(), 4);
     format!("{} slots, {} pins: greatest {peak}, mean {}", one.slots(), one.pins(), mean(one))
 }

@@ -70,8 +70,8 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
             significant(steady.peak.speed, 4)
         ),
         format!(
-            "The first six engagements from rest. In the middle is the driver's speed, with dashed lines at its least \
-             and its greatest value in the steady motion. At the foot is the force between pin and slot, F R / K: \
+            "The first six engagements from rest. In the middle is the driver's speed, with dashed lines at its \
+             minimum and maximum in the steady motion. At the foot is the force between pin and slot, F R / K: \
              positive on the leading flank, negative on the trailing flank. The mark in the drawing shows where the \
              pin bears. {}",
             shown(parameters)

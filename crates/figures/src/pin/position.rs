@@ -7,7 +7,7 @@ use crate::parts::{
 };
 use crate::star::{SLOT_HALF_WIDTH, Star, rim_radius};
 use crate::svg::{Canvas, Kind, Label, Pixels, Shape, View, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
+use crate::theme::{DRIVER, FOLLOWER, INK, PAPER};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
@@ -140,12 +140,12 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     canvas.label(&Vector2::new(WIDTH, level.y), &-right, MARGIN, &r);
     canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("φ", -instant.slot_angle).of_part("φ"));
     let across = heading(instant.slot_angle + at.side * PI / 2.0);
-    canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::part("r").in_colour(FOLLOWER).on(FILL));
+    canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::part("r").in_colour(FOLLOWER));
     let across = heading(instant.crank_angle - at.side * PI / 2.0);
     canvas.label(&at.axis.lerp(&at.pin, 0.5), &across, 14.0, &Label::part("R").in_colour(DRIVER));
-    canvas.label(&at.pivot, &at.towards(200.0), 16.0, &Label::words("O").on(FILL));
+    canvas.label(&at.pivot, &at.towards(200.0), 16.0, &Label::words("O"));
     canvas.label(&at.axis, &at.towards(-20.0), 20.0, &Label::words("B"));
-    canvas.label(&at.pin, &at.towards(135.0), 16.0, &Label::words("P").on(FILL));
+    canvas.label(&at.pin, &at.towards(135.0), 16.0, &Label::words("P"));
 }
 
 /// The angles at O and at B.
@@ -156,7 +156,7 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     if slot.abs() > NARROWEST {
         part(canvas, "φ", |canvas| arc(canvas, &at.pivot, AT_PIVOT, 0.0, slot, INK, 1.5));
         let middle = heading(slot / 2.0);
-        canvas.label(&(at.pivot + middle * AT_PIVOT), &middle, 6.0, &Label::part("φ").on(FILL));
+        canvas.label(&(at.pivot + middle * AT_PIVOT), &middle, 6.0, &Label::part("φ"));
     }
     arc_arrow(canvas, &at.axis, 40.0, 0.0, crank, INK, 1.5);
     let middle = at.towards(58.0);
@@ -176,9 +176,9 @@ fn senses(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let face = at.axis + at.towards(72.0) * 0.78 * at.crank;
     canvas.label(&face, &Pixels::zeros(), 0.0, &driver.0);
     let lobe = at.pivot + heading(instant.slot_angle + at.side * PI / 4.0) * 0.54 * at.crank;
-    canvas.label(&lobe, &Pixels::zeros(), 0.0, &follower.0.on(FILL));
+    canvas.label(&lobe, &Pixels::zeros(), 0.0, &follower.0);
 
     sense(canvas, &at.axis, 0.74 * at.crank, -at.side * 0.72, 1.0, &driver.1);
     // At entry and exit the follower stands still and has no sense.
-    sense(canvas, &at.pivot, 58.0, PI, without_noise(instant.speed_ratio, 1.0), &follower.1.on(FILL));
+    sense(canvas, &at.pivot, 58.0, PI, without_noise(instant.speed_ratio, 1.0), &follower.1);
 }

@@ -62,9 +62,10 @@ pub fn bead_on_a_lever() -> Figure {
          the bead is drawn as a slide along the lever by v Δt and a carry around the pivot by the angle ω Δt. Two strips of \
          equal length, both across the lever, show how much farther the second step goes: the slide has turned with the lever, \
          and the carry is longer because the bead is farther out. Each is v Δt times ω Δt.",
-        "A bead on a turning lever, at three moments Δt apart. Each step is a slide along the lever (green) and a carry around \
-         the pivot (blue). Dashed: the first slide drawn again at B. Across the lever, the second step goes farther than the \
-         first by two strips, each v Δt · ω Δt long. Both speeds are constant, and the angles are drawn large.",
+        "A bead on a turning lever, at three moments Δt apart. In each step the bead slides along the lever (green), \
+         and the lever carries it around the pivot (blue). The dashed line is the first slide, drawn again at B. \
+         Across the lever, the second step goes farther than the first by two strips, each v Δt · ω Δt long. The \
+         speeds v and ω are constant, and the angles are exaggerated for clarity.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }

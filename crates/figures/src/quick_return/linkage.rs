@@ -150,7 +150,7 @@ pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: 
         }
     }
     if let Some(ghost) = other_branch(at, linkage, instant) {
-        canvas.group("class=\"other-branch\" opacity=\"0.5\"", |canvas| {
+        canvas.faint(0.5, "class=\"other-branch\"", |canvas| {
             canvas.draw(Shape::line(&at.axis, &ghost).stroke(DRIVER, 2.0).dashed("5 4"));
             canvas.draw(Shape::circle(&ghost, 6.0).stroke(DRIVER, 2.0).fill(PAPER));
         });
@@ -171,7 +171,7 @@ pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: 
         let (top, foot) = if at.side > 0.0 { (-6.0, 33.0) } else { (-33.0, 6.0) };
         placing.take([pivot + Vector2::new(-24.0, top), pivot + Vector2::new(24.0, foot)]);
     }
-    let crank = Shape::path(link(&at.axis, &at.pin, CRANK)).fill(DRIVER).with("fill-opacity", "0.22");
+    let crank = Shape::path(link(&at.axis, &at.pin, CRANK)).tint(DRIVER, 0.22);
     canvas.draw(crank.stroke(DRIVER, 2.0).class("crank").with("data-letter", "R"));
     canvas.draw(Shape::line(&at.pivot, &at.pin).stroke(FOLLOWER, 1.0).with("data-letter", "r"));
     canvas.draw(Shape::line(&at.pivot, &at.axis).stroke(INK, 1.0).with("data-letter", "l"));

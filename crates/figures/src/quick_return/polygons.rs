@@ -223,6 +223,6 @@ mod tests {
 
     #[test]
     fn the_label_of_an_acceleration_without_a_part_has_its_index_on_the_line() {
-        assert!(!a("", "2").beside(&Vector2::zeros(), &Vector2::zeros(), 0.0).contains("></tspan>"));
+        assert!(!a("", "2").beside(&Vector2::zeros(), &Vector2::zeros(), 0.0, "none").contains("></tspan>"));
     }
 }

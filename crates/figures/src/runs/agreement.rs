@@ -72,7 +72,7 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
         [
             "By how many units of its last digit does each printed number differ from the computed one? Each mark is a peak or \
              a minimum of the driver's speed, or a period, in one of the 49 runs of Appendix E.",
-            &format!("A unit is {units}; the shaded band is one unit either way."),
+            &format!("A unit is {units}. The shaded band extends one unit either way."),
             "Above: the real mechanisms, each with its own reset angle and its true peaks. Below: the program as \
              listed, which resets the angle after 90° for all three mechanisms. Its peaks are the largest speeds on \
              its print-out.",
@@ -102,12 +102,12 @@ pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
         format!("Printed numbers minus computed ones: {}", hypothesis.name),
         format!(
             "Strips for six, four and three pins. A mark is a printed number; its place from left to right is the printed \
-             number minus the one computed with {}. In the shaded band, one unit either way, are {}.",
+             number minus the computed one ({}). In the shaded band, one unit either way, are {}.",
             hypothesis.name,
             hypothesis.count()
         ),
         format!(
-            "Each mark is one printed number of Appendix E minus the number computed with {}, in units of its last \
+            "Each mark is one printed number of Appendix E minus the computed number ({}), in units of the last \
              printed digit ({units}). The shaded band, one unit either way, contains {} marks.{beyond}",
             hypothesis.name,
             hypothesis.count()

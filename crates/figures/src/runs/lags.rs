@@ -67,8 +67,7 @@ pub fn lags(all: &[Lag], listed: f64, of: usize) -> Figure {
         ),
         "Both laws of the errors prefer small lags: the normal law prefers none, and the exponential law prefers the \
          lag that the thesis lists (dashed line). From twice that lag on, the tables are far less likely, and fewer \
-         peaks agree. Shown are the runs of all three mechanisms by the program as listed, in which only the lag was \
-         changed.",
+         peaks agree. The runs of all three mechanisms are computed by the program as listed, except for the lag.",
     );
     let columns = [("lag", "ms"), ("ln L normal", "1"), ("ln L exponential", "1"), ("peaks", "1")];
     let rows = all.iter().map(|one| [one.lag, one.likelihoods[0], one.likelihoods[1], one.peaks as f64]);

@@ -24,6 +24,7 @@ pub use reset_angle::{Scan, reset_angle};
 pub use speeds::{first_minimum, speeds};
 
 use crate::error::FigureError;
+use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -62,6 +63,25 @@ pub struct Group {
 }
 
 impl Group {
+    /// The printed runs of a mechanism, with the inertias and the reset angle that a hypothesis gives them. None without rows.
+    pub fn of(hypothesis: &Hypothesis, rows: &[Row]) -> Option<Self> {
+        let first = rows.first()?;
+        let run = |row: &Row| Run {
+            friction: row.friction(),
+            torque: row.torque(),
+            peak: row.number(Column::Peak),
+            minimum: row.number(Column::Minimum),
+            rise: row.number(Column::Rise),
+            period: row.number(Column::Period),
+        };
+        Some(Self {
+            mechanism: first.mechanism,
+            inertias: hypothesis.parameters(first)?.inertias(),
+            reset: hypothesis.angle(first),
+            runs: rows.iter().map(run).collect(),
+        })
+    }
+
     /// The engagement at a friction and a torque, with this reset angle.
     pub(crate) fn engagement(&self, friction: f64, torque: f64, reset: f64) -> Result<Engagement, FigureError> {
         let parameters = Parameters::new(self.mechanism, self.inertias, torque, friction)?;

@@ -126,14 +126,14 @@ fn words(group: &Group, families: &[Family]) -> Words {
         String::new()
     };
     let inertias = format!(
-        "{pins} pins; inertia of the driver {} · 10⁻⁶ in lb s², of the follower {} · 10⁻⁶ in lb s².",
+        "{pins} pins; the driver's inertia is {} · 10⁻⁶ in lb s², and the follower's is {} · 10⁻⁶ in lb s².",
         fixed(1e6 * group.inertias.driver(), 0),
         fixed(1e6 * group.inertias.follower(), 0)
     );
     let says = match group.own_reset() {
         Some(_) => format!(
             "The printed values (marks) are on the solid line, for which the driver's angle is reset after {}, and not \
-             on the dashed line, which is for the mechanism.",
+             on the dashed line, which is for the mechanism itself.",
             degrees(group.reset)
         ),
         None => "Here the reset is right, so the printed values (marks) are on the mechanism's own line.".to_owned(),

@@ -34,7 +34,7 @@ pub fn reset_angle(scans: &[Scan]) -> Figure {
         let name = Label::words(&format!("{} pins, of {}", scan.mechanism.pins(), scan.cells));
         Entry::curve(stroke(scan.mechanism), name)
     });
-    let best: Vec<String> = scans.iter().map(told).collect();
+    let best: Vec<String> = scans.iter().map(best_angles).collect();
     let words = Words::new(
         "runs-reset-angle",
         "How many printed numbers are reproduced, over the reset angle",
@@ -66,7 +66,7 @@ fn stroke(mechanism: Mechanism) -> Stroke {
 }
 
 /// Where most of a mechanism's numbers come out, at one angle or at several, and how many.
-fn told(scan: &Scan) -> String {
+fn best_angles(scan: &Scan) -> String {
     let most = scan.counts.iter().map(|(_, count)| *count).max().unwrap_or_default();
     let angles = scan.counts.iter().filter(|(_, count)| *count == most).map(|(at, _)| format!("{at}°"));
     let angles = angles.collect::<Vec<_>>().join(" and ");
@@ -95,7 +95,7 @@ mod tests {
         assert!(figure.caption.contains("with 6 pins the most agree at 70°, 40 of 48"), "{}", figure.caption);
         // Two angles that do equally well are both told.
         let tie = Scan { mechanism: Mechanism::SIX_PIN, cells: 48, counts: vec![(89.5, 47), (90.0, 47), (90.5, 44)] };
-        assert_eq!(told(&tie), "with 6 pins the most agree at 89.5° and 90°, 47 of 48");
+        assert_eq!(best_angles(&tie), "with 6 pins the most agree at 89.5° and 90°, 47 of 48");
         assert_eq!(figure.series.rows[30], [90.0, 20.0, 40.0]);
     }
 }

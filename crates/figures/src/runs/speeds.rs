@@ -90,9 +90,8 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
         ),
         format!(
             "A run from rest. The driver slows down while it speeds the follower up, and it speeds up again as the \
-             follower comes to \
-             rest. The follower turns against the driver, and its speed is counted in its own sense. \
-             {others}"
+             follower comes to rest. The follower turns opposite to the driver, and the figure counts its speed as \
+             positive. {others}"
         )
         .trim_end(),
     );

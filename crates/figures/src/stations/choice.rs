@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::RangeInclusive;

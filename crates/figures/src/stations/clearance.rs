@@ -6,6 +6,7 @@ use crate::checks::{corners, depth};
 use crate::star::Star;
 use crate::svg::View;
 use geneva_kinematics::Turn;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -20,8 +21,8 @@ const TOUCHING: f64 = 1e-3;
 const POSITIONS: i32 = 30;
 
 /// The corners of an outline in crank radii, y upwards.
-fn outline(data: String) -> Vec<Vector2<f64>> {
-    corners(&data, CHORD).iter().map(|at| Vector2::new(at.x, -at.y) / SCALE).collect()
+fn outline(data: &str) -> Vec<Vector2<f64>> {
+    corners(data, CHORD).iter().map(|at| Vector2::new(at.x, -at.y) / SCALE).collect()
 }
 
 fn turned(point: &Vector2<f64>, turn: &Turn<f64>) -> Vector2<f64> {

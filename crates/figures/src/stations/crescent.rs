@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{DRIVER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Crescent, LockingDisc, Sizes};
 use std::f64::consts::FRAC_PI_4;
 
@@ -55,10 +56,11 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
         "Two curves over the crank angle while the tip of a horn is within the locking disc. For the arc about the wheel's axis the gap \
          falls below zero over a part of the engagement: the disc bites into the horn. For the other crescent it stays above \
          zero.",
-        "The gap between the crescent and the tip of the horn behind the slot, while this tip passes through the circle of the \
-         locking disc, past the line of centres. Below zero the disc bites into the horn. That happens with an arc that has \
-         the rim's radius and, in mid-index, its centre on the wheel's axis. For the horn in front of the slot the curves are \
-         the mirror image, before the line of centres. Rigid parts, pin in the middle of its slot.",
+        "The gap between the crescent and the tip of the horn behind the slot. The curves cover the crank angles, past \
+         the line of centres, at which this tip is inside the circle of the locking disc. Where the gap is below zero, \
+         the disc bites into the horn. That happens with an arc of the rim's radius whose centre is on the wheel's \
+         axis in mid-index. For the horn in front of the slot, the curves are mirrored about the line of centres. \
+         Rigid parts, pin in the middle of its slot.",
     );
     let columns = [("theta", "deg"), ("gap about axis", "mm"), ("gap", "mm")];
     Ok(Chart::new([panel]).figure(words, Series::new(columns, rows)))

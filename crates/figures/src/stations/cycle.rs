@@ -1,5 +1,6 @@
 //! One cycle as key times: few enough angles that straight lines between them are the motion.
 
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::PI;
 

@@ -7,6 +7,7 @@ use crate::parts::{self, axis};
 use crate::svg::{Canvas, DASHED, Kind, Label, PIXELS_PER_MILLIMETRE, Path, Pixels, Sense, Shape, View};
 use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, GRID, INK, PAPER};
 use crate::{Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Edge, Face, Loop, Sizes};
 use nalgebra::Vector2;
 use std::f64::consts::PI;

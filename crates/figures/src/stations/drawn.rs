@@ -3,7 +3,8 @@
 use super::{critical_geometry, extremes, indexing, mechanism, model, motion};
 use crate::FigureError;
 use crate::checks::{Drawing, PIXELS, drawn};
-use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::Wheel;
 
 fn wheels() -> Vec<Wheel> {
     let all = (3..=18).flat_map(|stations| (1..=6).filter_map(move |pins| Wheel::with_pins(stations, pins).ok()));
@@ -74,12 +75,12 @@ fn the_series_of_an_advance_is_symmetric_with_both_ends() {
         assert!(rows.len() >= 91);
         approx::assert_relative_eq!(rows[0][0], -wheel.engagement_half_angle().to_degrees(), max_relative = 1e-14);
         approx::assert_relative_eq!(rows[0][1], -wheel.half_pitch_angle(), max_relative = 1e-13);
-        approx::assert_relative_eq!(rows[0][3], entry_acceleration(&wheel), max_relative = 1e-11);
+        approx::assert_relative_eq!(rows[0][3], wheel.entry_acceleration(), max_relative = 1e-11);
         for (k, row) in rows.iter().enumerate() {
             let mirror = &rows[last - k];
             assert_eq!([row[0], row[1], row[2], row[3]], [-mirror[0], -mirror[1], mirror[2], -mirror[3]]);
-            assert!(row[2] <= peak_velocity(&wheel) * (1.0 + 1e-12));
-            assert!(row[3].abs() <= acceleration_peak(&wheel).ratio * (1.0 + 1e-12));
+            assert!(row[2] <= wheel.peak_velocity() * (1.0 + 1e-12));
+            assert!(row[3].abs() <= wheel.acceleration_peak().ratio * (1.0 + 1e-12));
         }
         assert_eq!([rows[0][2], rows[last][2]], [0.0, 0.0]);
     }

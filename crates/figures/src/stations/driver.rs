@@ -2,6 +2,7 @@
 
 use crate::star::Star;
 use crate::svg::{Path, Sense, View, heading};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -5,6 +5,7 @@ use crate::number::fixed;
 use crate::svg::Label;
 use crate::theme::{DRIVER, RELATIVE};
 use crate::{Figure, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Sizes;
 use std::f64::consts::PI;
 
@@ -50,9 +51,10 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
              pin has left, and the backlash forwards has as high a peak shortly before the next pin enters.",
             fixed(most, 2)
         ),
-        "How far the wheel can turn to each side in the dwell. In the middle an end of the locking arc stops the wheel on \
-         either side. Near the ends of the dwell only the edge of the disc's opening, close to the line of centres, \
-         stops it on one side, until a pin is near enough to stop it. Rigid parts with the play of this chapter's design.",
+        "How far the wheel can turn to each side in the dwell. In the middle of the dwell, the ends of the locking arc \
+         stop the wheel in both directions. Near the ends of the dwell, one direction is stopped only by the edge of \
+         the disc's opening, close to the line of centres, or by a pin once it is near enough. Rigid parts with the \
+         play of this chapter's design.",
     );
     let columns = [("crank", "deg"), ("forwards", "deg"), ("backwards", "deg")];
     Chart::new([panel]).figure(words, Series::new(columns, rows))

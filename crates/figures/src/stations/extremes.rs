@@ -4,7 +4,8 @@ use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
-use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -63,9 +64,9 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
              the three, least. {}",
             crossing(&rows)
         ),
-        "More stations make the motion gentler. The wheel's peak speed is divided by the driver's speed, its peak acceleration \
-         and its jump of acceleration at entry by the square of the driver's speed, which is constant. The number of stations \
-         is an integer, so the dashed lines only join the marks.",
+        "More stations make the motion gentler. The wheel's peak speed is divided by the driver's speed, which is \
+         constant. The peak acceleration and the jump in acceleration at entry are divided by the square of the \
+         driver's speed. The number of stations is an integer, so the dashed lines only join the marks.",
     );
     Chart::new([panel]).figure(words, Series::new(columns, rows))
 }
@@ -79,15 +80,15 @@ fn crossing(rows: &[[f64; 9]]) -> String {
 }
 
 fn row(wheel: &Wheel) -> [f64; 9] {
-    let peak = acceleration_peak(wheel);
+    let peak = wheel.acceleration_peak();
     [
         f64::from(wheel.stations()),
         wheel.motion_fraction(),
         wheel.dwell_fraction(),
         wheel.centre_distance_ratio(),
         wheel.wheel_radius_ratio(),
-        peak_velocity(wheel),
-        entry_acceleration(wheel),
+        wheel.peak_velocity(),
+        wheel.entry_acceleration(),
         peak.ratio,
         peak.angle.to_degrees(),
     ]

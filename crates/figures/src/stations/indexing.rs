@@ -5,7 +5,8 @@ use crate::number::{degrees, significant, with_minus_sign, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
-use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Rows of the series: at least so many steps, and none longer than a degree.
@@ -24,7 +25,7 @@ const END: Marker = Marker::new(DRIVER, Mark::Disc).sized(11.0).class("indexing-
 /// equal steps of at most a degree, both ends included: θ, φ, φ'/θ', φ''/θ'².
 pub fn indexing(wheel: &Wheel) -> Figure {
     let rows = rows(wheel);
-    let (alpha, peak) = (wheel.half_pitch_angle(), acceleration_peak(wheel));
+    let (alpha, peak) = (wheel.half_pitch_angle(), wheel.acceleration_peak());
     let most = wheel.engagement_half_angle().to_degrees();
     let rest = DWELL.min((PI / f64::from(wheel.pins())).to_degrees() - most).max(0.0);
     let panels = [motion(wheel, &rows, most, rest), acceleration(wheel, &rows, most, rest)];
@@ -40,8 +41,8 @@ pub fn indexing(wheel: &Wheel) -> Figure {
             degrees(most.to_radians()),
             with_minus_sign(&significant(-alpha, 4)),
             significant(alpha, 4),
-            significant(peak_velocity(wheel), 4),
-            significant(entry_acceleration(wheel), 4),
+            significant(wheel.peak_velocity(), 4),
+            significant(wheel.entry_acceleration(), 4),
             significant(peak.ratio, 4),
             degrees(-peak.angle)
         ),
@@ -94,7 +95,7 @@ fn part(rows: &[[f64; 4]], most: f64, from: f64, to: f64) -> impl Iterator<Item 
 fn motion(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
     let (alpha, end) = (wheel.half_pitch_angle(), most + rest);
     let [position, velocity, _] = symbols();
-    let y = Axis::from_zero(-alpha, peak_velocity(wheel).max(alpha), 4.0);
+    let y = Axis::from_zero(-alpha, wheel.peak_velocity().max(alpha), 4.0);
     let head = y.range.end - 0.1 * (y.range.end - y.range.start);
     let extended = |column: usize, value: f64| {
         let dwell = |sense: f64| (rest > 0.0).then_some((sense * end, sense * value));
@@ -117,7 +118,7 @@ fn motion(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
 fn acceleration(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
     let end = most + rest;
     let [.., acceleration] = symbols();
-    let y = Axis::symmetric(acceleration_peak(wheel).ratio);
+    let y = Axis::symmetric(wheel.acceleration_peak().ratio);
     let foot = 0.88 * y.range.start;
     let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let title = Label::words("acceleration ").and_label(&acceleration);
@@ -125,7 +126,7 @@ fn acceleration(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel
     let mut panel = Panel::new(240.0, &crank_angles(end).titled(angle), &y.titled(title))
         .horizontal(0.0, Stroke::thin("zero"))
         .curve(rows.iter().map(|row| (row[0], row[3])), curve);
-    for (sense, jump) in [(-1.0, entry_acceleration(wheel)), (1.0, -entry_acceleration(wheel))] {
+    for (sense, jump) in [(-1.0, wheel.entry_acceleration()), (1.0, -wheel.entry_acceleration())] {
         let theta = sense * most;
         if rest > 0.0 {
             let jumps = Stroke::new(DRIVER).wide(1.3).dashed("2 3").class("jump");

@@ -120,8 +120,8 @@ pub fn internal_mechanism(wheel: &InternalWheel) -> Figure {
     pin_circle(&mut canvas, &axis, scale);
     let pin = axis - Vector2::new(scale, 0.0);
     let plate = link(&axis, &pin, 1.5 * HALF_WIDTH * scale);
-    canvas.draw(Shape::path(plate).fill(DRIVER).with("fill-opacity", "0.12").stroke(DRIVER, 1.3).class("arms"));
-    let segment = Shape::path(ring.locking_segment(&axis, 0.0, scale)).fill(DRIVER).with("fill-opacity", "0.22");
+    canvas.draw(Shape::path(plate).tint(DRIVER, 0.12).stroke(DRIVER, 1.3).class("arms"));
+    let segment = Shape::path(ring.locking_segment(&axis, 0.0, scale)).tint(DRIVER, 0.22);
     canvas.draw(segment.stroke(DRIVER, 2.0).with("stroke-linejoin", "round").class("locking-segment"));
     parts::pin(&mut canvas, &pin, PIN * scale);
     parts::axis(&mut canvas, &pivot, FOLLOWER);
@@ -161,7 +161,7 @@ fn draw_wheel(canvas: &mut Canvas, ring: &Ring, view: &View) {
         .arc_to(radius, Sense::CounterClockwise, &view.place(&right))
         .arc_to(radius, Sense::CounterClockwise, &view.place(&left))
         .close();
-    let outline = rim.data() + " " + &ring.inside(ring.half_pitch, view).data();
+    let outline = rim.data().to_owned() + " " + ring.inside(ring.half_pitch, view).data();
     canvas.draw_markup(format!(
         "<path d=\"{outline}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"{}\" stroke-width=\"2\" \
          stroke-linejoin=\"round\" class=\"wheel\"/>",
@@ -228,8 +228,8 @@ mod tests {
     fn wheel_and_driver_keep_clear_of_each_other_all_the_way_round() {
         const SCALE: f64 = 1000.0;
         let view = View { origin: Vector2::zeros(), scale: SCALE };
-        let plane = |data: String| -> Vec<Vector2<f64>> {
-            corners(&data, 0.03).iter().map(|at| Vector2::new(at.x, -at.y) / SCALE).collect()
+        let plane = |data: &str| -> Vec<Vector2<f64>> {
+            corners(data, 0.03).iter().map(|at| Vector2::new(at.x, -at.y) / SCALE).collect()
         };
         for stations in [3, 4, 6, 12] {
             let wheel = InternalWheel::new(stations).expect("possible");

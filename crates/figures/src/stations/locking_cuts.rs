@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Panel, Stroke, kind};
 use crate::number::fixed;
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Crescent, LockingDisc, Play, Scale, Sizes, Wheel};
 use std::f64::consts::FRAC_PI_4;
 use std::ops::RangeInclusive;
@@ -94,7 +95,7 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
         ),
         format!(
             "The least gap between the tips of the horns and the locking disc while the wheel turns, for a disc with a radius \
-             of {} crank radii and no play. Below the thin line the horns are in the disc.",
+             of {} crank radii and no play. Below the thin line the horns overlap the disc.",
             fixed(disc, 1)
         ),
     );

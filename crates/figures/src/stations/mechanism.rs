@@ -6,6 +6,7 @@ use crate::parts::{WIDTH, pin_circle, sense};
 use crate::svg::{Canvas, Kind, Label, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};

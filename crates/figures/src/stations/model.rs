@@ -4,9 +4,10 @@ use super::pose::{Bodies, Margins};
 use crate::number::{degrees, significant, without_noise};
 use crate::parts::{self, WIDTH, arc_arrow, construction, dimension, fixed_pivot, part, pin_circle};
 use crate::svg::{Canvas, Kind, Label, Pixels, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
+use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::Turn;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{pin_from_pivot, slot_radius_squared};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
@@ -33,7 +34,7 @@ pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, FigureError> {
     let x = slot_radius_squared(&ratio, &turn).sqrt();
     let bodies = Bodies::new(wheel, WIDTH, MARGINS);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
-    canvas.group("opacity=\"0.6\"", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, phi, 1.3));
+    canvas.faint(0.6, "", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, phi, 1.3));
     pin_circle(&mut canvas, &bodies.axis, bodies.view.scale);
     triangle(&mut canvas, &bodies, &bodies.view.place(&pin));
     angles(&mut canvas, &bodies, crank, phi, x);
@@ -98,10 +99,10 @@ fn sides(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, pin: &Pixels) {
     let length = Label::part("l");
     canvas.label(&middle, &Vector2::new(0.0, 1.0), 18.0, &length);
     let across = heading(phi + side * PI / 2.0);
-    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::part("r").in_colour(FOLLOWER).on(FILL));
+    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::part("r").in_colour(FOLLOWER));
     let across = heading(PI - theta - side * PI / 2.0);
     canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::part("R").in_colour(DRIVER));
-    canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
+    canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O"));
     canvas.label(&at.axis, &heading(0.6), 16.0, &Label::words("B"));
     canvas.label(pin, &heading(side * PI / 2.0), 8.0 + at.driver.arm * at.view.scale, &Label::words("P"));
 }

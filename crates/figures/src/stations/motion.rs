@@ -7,6 +7,7 @@ use crate::parts::WIDTH;
 use crate::svg::{Canvas, Kind, Label, Path, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, GRID};
 use crate::{Figure, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;

@@ -86,7 +86,7 @@ impl Bodies {
     pub fn draw_arms(&self, canvas: &mut Canvas, about: &Pixels, theta: f64) {
         let view = View { origin: *about, ..self.view };
         let arms = self.driver.arms_outline(Self::crank_direction(theta), &view);
-        let arms = Shape::path(arms).fill(DRIVER).with("fill-opacity", "0.12").stroke(DRIVER, 1.3);
+        let arms = Shape::path(arms).tint(DRIVER, 0.12).stroke(DRIVER, 1.3);
         canvas.draw(arms.with("stroke-opacity", "0.75").class("arms"));
     }
 
@@ -101,7 +101,7 @@ impl Bodies {
     pub fn draw_locking_disc(&self, canvas: &mut Canvas, about: &Pixels, theta: f64, width: f64) {
         let (view, crank) = (View { origin: *about, ..self.view }, Self::crank_direction(theta));
         if let Some(outline) = self.driver.locking_disc_outline(crank, &view) {
-            let locking_disc = Shape::path(outline).fill(DRIVER).with("fill-opacity", "0.22").stroke(DRIVER, width);
+            let locking_disc = Shape::path(outline).tint(DRIVER, 0.22).stroke(DRIVER, width);
             canvas.draw(locking_disc.with("stroke-linejoin", "round").class("locking-disc"));
         }
         for pin in self.driver.pin_directions(crank) {

@@ -7,6 +7,7 @@ use crate::parts::{WIDTH, pin_circle};
 use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{Colour, DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Misplaced, Motion};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -153,7 +154,7 @@ fn words(of: &Misplaced, crank: f64, motion: &Motion, blow: f64) -> Words {
     let wheel = of.wheel();
     let (stations, pins) = (counted(wheel.stations(), "station"), counted(wheel.pins(), "pin"));
     let distance = match of.error() {
-        0.0 => "at the right distance of the axes".to_owned(),
+        0.0 => "with the axes at the right distance".to_owned(),
         error => format!(
             "with the axes {} % too {}",
             significant(100.0 * error.abs(), 3),

@@ -203,7 +203,7 @@ fn draw_driver(canvas: &mut Canvas, sight: &Sight, pins: u32, alpha: f64) {
     if pins == 1 {
         // Opposite to the pin, a half disc that fills a locking arc while the pin is below the rim.
         let segment = sight.outline(circle(LOCKING * alpha, 1.0, FRAC_PI_2, 1.5 * PI));
-        let segment = Shape::path(segment).fill(DRIVER).with("fill-opacity", "0.22").stroke(DRIVER, 1.5);
+        let segment = Shape::path(segment).tint(DRIVER, 0.22).stroke(DRIVER, 1.5);
         canvas.draw(segment.class("locking-segment"));
     }
     for k in 0..pins {
@@ -217,7 +217,7 @@ fn draw_driver(canvas: &mut Canvas, sight: &Sight, pins: u32, alpha: f64) {
         }
     }
     let plate = sight.outline(circle(PLATE_RADIUS * alpha, PLATE, 0.0, 2.0 * PI));
-    canvas.draw(Shape::path(plate).fill(DRIVER).with("fill-opacity", "0.1").stroke(DRIVER, 2.0).class("driver"));
+    canvas.draw(Shape::path(plate).tint(DRIVER, 0.1).stroke(DRIVER, 2.0).class("driver"));
 }
 
 fn names(canvas: &mut Canvas, sight: &Sight, alpha: f64) {

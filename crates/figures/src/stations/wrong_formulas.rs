@@ -99,9 +99,9 @@ fn words(formulas: &[Compared], [first, last]: [f64; 2]) -> Words {
             said(false)
         ),
         format!(
-            "The value that each formula gives, divided by the right value. On the thin line a formula is right. The formulas \
-             in the upper panel are right for {right} slots and wrong on both sides of it. The formulas in the lower panel are \
-             right for no number of slots."
+            "The value that each formula gives, divided by the right value. A formula is right where its curve meets \
+             the thin line. The formulas in the upper panel are right for {right} slots and wrong for more or fewer. \
+             The formulas in the lower panel are not right for any number of slots."
         ),
     )
 }

@@ -71,12 +71,12 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
             said(strongest.normal_moment, parameters.torque()),
         ),
         format!(
-            "One engagement of the steady motion, entry at the left, exit at the right. {}F R / K is the force between pin \
-             and slot over the force of the spring at the crank radius. At the hand-over the follower's acceleration jumps \
-             from the right ring to the left one. Shown: {run}.",
+            "One engagement of the steady motion, entry at the left, exit at the right. {}F R / K is the force between \
+             pin and slot divided by the spring's force at the crank radius. At the hand-over the follower's \
+             acceleration jumps from the right ring to the left one. Shown: {run}.",
             change.map_or_else(String::new, |change| format!(
-                "Up to θ = {}, the dashed line, the pin drives the follower; from there on the follower runs ahead, the \
-                 pin holds it back, and it throws the driver on. ",
+                "Up to the dashed line at θ = {}, the pin drives the follower. From there on the follower runs ahead \
+                 and throws the driver on, while the pin holds the follower back. ",
                 degrees(change)
             ))
         ),

@@ -5,8 +5,8 @@ use crate::parts::{WIDTH, arc_arrow, arrow, numbered, part};
 use crate::svg::{Canvas, DASHED, Kind, Label, Path, Pixels, Shape};
 use crate::theme::{CORIOLIS, DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
-use geneva_dynamics::Sign;
-use geneva_dynamics::joints::{Escapement, Reach};
+use geneva_dynamics::joints::{Escapement, Joints, Reach};
+use geneva_dynamics::{Parameters, Sign};
 use nalgebra::Vector2;
 
 /// Radius of the pin and thickness of the slot's walls, in pixels.
@@ -37,6 +37,24 @@ struct Instant {
     sliding: f64,
 }
 
+/// The first instant, as a part of the way from the line of centres back to the entry.
+const DRIVING: f64 = 0.6;
+/// Relative tolerance of the steady motion.
+const TOLERANCE: f64 = 1e-9;
+
+/// A pin of this radius, in crank radii, in the slots of an escapement, in its steady motion: while it drives the follower, and
+/// where the driver is fastest.
+///
+/// # Errors
+///
+/// [`FigureError::Dynamics`] for a radius that is not from 0 to below 1, and if there is no steady motion.
+pub fn contact(parameters: &Parameters, pin_radius: f64) -> Result<Figure, FigureError> {
+    let escapement = Escapement::new(parameters, Joints { pin_radius, ..Joints::IDEAL })?;
+    let state = escapement.steady_state(TOLERANCE)?.state;
+    let driving = -DRIVING * parameters.mechanism().engagement_half_angle();
+    at_instants(&escapement, [(driving, state.entry_speed), (state.peak.angle, state.peak.speed)])
+}
+
 /// The pin in its slot at two instants, enlarged: each a crank angle in radians from the line of centres, and a speed of
 /// the driver.
 ///
@@ -47,7 +65,7 @@ struct Instant {
 /// # Errors
 ///
 /// [`FigureError::Dynamics`] if an angle is outside the engagement, or the speed negative.
-pub fn contact(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Figure, FigureError> {
+pub(super) fn at_instants(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Figure, FigureError> {
     let [first, second] = instants.map(|(angle, speed)| Instant::new(escapement, angle, speed));
     let instants = [first?, second?];
     let mut canvas = Canvas::new(WIDTH, HEIGHT * instants.len() as f64);
@@ -78,10 +96,11 @@ pub fn contact(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Fig
             said.collect::<Vec<_>>().join(" ")
         ),
         format!(
-            "The pin in its slot, enlarged, seen from the follower, whose axis O is far to the left: 1 while the pin \
-             drives, 2 while it holds the follower back. Seen from there, the pin turns clockwise, and at the flank \
-             its surface slides more slowly than its centre moves. F and μ|F| act on the follower; these two arrows \
-             show directions only. Lengths are in crank radii. Shown: {} pins, ρ = {}, μ = {}, steady state.",
+            "The pin in its slot, enlarged, seen from the follower, whose axis O is far to the left. In panel 1 the \
+             pin drives the follower, and in panel 2 it holds the follower back. Seen from the follower, the pin turns \
+             clockwise, and at the flank its surface slides more slowly than its centre moves. F and μ|F| act on the \
+             follower; these two arrows show directions only. Lengths are in crank radii. Shown: {} pins, ρ = {}, μ = \
+             {}, steady state.",
             parameters.mechanism().pins(),
             joints.pin_radius,
             parameters.friction()
@@ -134,8 +153,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
         } else {
             "flank"
         }));
-        let words =
-            Label::words(if side > 0.0 { "leading flank" } else { "trailing flank" }).in_colour(FOLLOWER).on(FILL);
+        let words = Label::words(if side > 0.0 { "leading flank" } else { "trailing flank" }).in_colour(FOLLOWER);
         canvas.label(&place(-outward * 92.0, side * (PIN + WALL / 2.0)), &(right * -outward), 0.0, &words);
     }
     let line = [ENDS[0] + 8.0, ENDS[1]].map(|x| Vector2::new(x, centre.y));
@@ -166,7 +184,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     let from = touch + up * (at.side * WALL / 2.0);
     let end = from + right * (outward * FRICTION);
     arrow(canvas, &from, &end, CORIOLIS, 4.0, "friction");
-    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").in_colour(CORIOLIS).on(FILL);
+    let label = Label::symbol("μ").and("\u{2009}|").and_symbol("F").and("|").in_colour(CORIOLIS);
     canvas.label(&end, &(right * outward), 8.0, &label);
 
     let values = [

@@ -3,7 +3,9 @@
 use crate::chart::{Axis, Chart, Panel, kind};
 use crate::number::{significant, with_hyphens};
 use crate::svg::Label;
-use crate::{Figure, Series, Words};
+use crate::{Figure, FigureError, Series, Words};
+use geneva_dynamics::Parameters;
+use geneva_dynamics::joints::{Joints, Varied, series};
 use std::f64::consts::FRAC_PI_2;
 
 /// A curve of more points has no marks on them.
@@ -11,11 +13,39 @@ const MARKED: usize = 16;
 
 /// A named line of one panel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+struct Line {
     /// What it is, in a few words.
-    pub name: String,
+    name: String,
     /// Size of the joint, and the value there.
-    pub points: Vec<(f64, f64)>,
+    points: Vec<(f64, f64)>,
+}
+
+/// The largest radius, in crank radii, and how many there are besides zero.
+const LARGEST: f64 = 0.2;
+const RADII: u32 = 8;
+
+/// Mean speed over that of the ideal mechanism, and multiplier, over the radius of the pin, of the driver's journal, and of the
+/// follower's: in bearings with this friction, each alone. `shown` says which escapement it is.
+///
+/// # Errors
+///
+/// [`FigureError::Dynamics`] if there is no steady motion to compare with.
+pub fn losses(parameters: &Parameters, bearing_friction: f64, shown: &str) -> Result<Figure, FigureError> {
+    let journals = Joints { bearing_friction, ..Joints::IDEAL };
+    let varied = [
+        ("pin", Joints::IDEAL, Varied::PinRadius),
+        ("driver's journal", journals, Varied::DriverJournal),
+        ("follower's journal", journals, Varied::FollowerJournal),
+    ];
+    let (mut speeds, mut multipliers) = (Vec::new(), Vec::new());
+    for (name, joints, varied) in varied {
+        let radii = (0..=RADII).map(|k| LARGEST * f64::from(k) / f64::from(RADII));
+        let effects = series(parameters, &joints, varied, radii)?;
+        let line = |points: Vec<(f64, f64)>| Line { name: name.to_owned(), points };
+        speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
+        multipliers.push(line(effects.iter().map(|effect| (effect.value, effect.multiplier)).collect()));
+    }
+    Ok(of_lines("radius in crank radii", shown, &speeds, &multipliers))
 }
 
 /// Mean speed over that of the ideal mechanism, and multiplier, over the size of a joint.
@@ -23,7 +53,7 @@ pub struct Line {
 /// `speeds` and `multipliers` are the lines of the two panels; lines of the same name have the same look. `size` says
 /// what the joint's size is and its unit, `shown` which escapement it is. Points that are no numbers are left out. Series: panel, number of the line's
 /// name in order of first appearance, size, value.
-pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
+fn of_lines(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
     let groups = [speeds, multipliers];
     let mut names: Vec<&str> = Vec::new();
     for line in groups.into_iter().flatten() {
@@ -80,7 +110,7 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
             said.join("; ")
         ),
         format!(
-            "How the mean speed (over the mean speed of the ideal mechanism) and the multiplier depend on the \
+            "How the mean speed (divided by the mean speed of the ideal mechanism) and the multiplier depend on the \
              {size}. Shown: {shown}."
         ),
     );
@@ -108,7 +138,7 @@ mod tests {
     fn every_line_is_drawn_where_its_points_are() {
         for (count, points) in [(1, 4), (3, 12), (5, 40)] {
             let (speeds, multipliers) = (lines(count, points, |x| 1.0 - 0.5 * x), lines(count, points, |x| 0.1 + x));
-            let figure = losses("radius of the pin over the crank", "an example", &speeds, &multipliers);
+            let figure = of_lines("radius of the pin over the crank", "an example", &speeds, &multipliers);
             sound(&figure);
             let drawing = Drawing::of(&figure);
             assert_eq!(drawing.count("loss"), 2 * count);
@@ -127,7 +157,7 @@ mod tests {
         let odd =
             vec![Line { name: "odd".to_owned(), points: vec![(f64::NAN, 1.0), (0.5, f64::INFINITY), (0.25, 0.5)] }];
         for some in [vec![], odd] {
-            let figure = losses("size", "nothing", &some, &some);
+            let figure = of_lines("size", "nothing", &some, &some);
             drawn(&figure);
         }
     }

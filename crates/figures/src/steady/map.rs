@@ -132,7 +132,7 @@ fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: 
         panel = panel.marks([(design.friction, design.inertia_ratio)], of_mechanism(mechanism.slots()).1.sized(10.0));
     }
     let corner = [0.05, 0.09, 0.13].map(|y| [0.79, y]).to_vec();
-    panel = panel.name(Label::words("no single solution").on(FILL).bare(), Spot::Free(corner));
+    panel = panel.name(Label::words("no single solution").bare(), Spot::Free(corner));
     for (value, points) in lines {
         panel = panel.name(Label::words(&trimmed(*value, 2)).in_colour(LINES[k].colour), Spot::On(points.clone()));
     }
@@ -206,9 +206,9 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
         ),
         format!(
             "{pins} pins and {} slots. Above are lines of equal mean speed in the steady state, in units of the square \
-             root of the spring's torque over the follower's moment of inertia. Below are lines of equal rise, which \
-             is the number of engagements after which a deviation from the steady speed has shrunk to a hundredth. The \
-             marks are the runs of the thesis.",
+             root of the ratio of the spring's torque to the follower's moment of inertia. Below are lines of equal \
+             rise, which is the number of engagements in which a deviation from the steady speed shrinks to a \
+             hundredth of its size. The marks are the runs of the thesis.",
             mechanism.slots()
         ),
     )

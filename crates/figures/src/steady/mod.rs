@@ -15,7 +15,7 @@ mod work_precision;
 pub use accelerations::accelerations;
 pub use collapse::collapse;
 pub use contact::contact;
-pub use losses::{Line, losses};
+pub use losses::losses;
 pub use map::map;
 pub use phase::phase;
 pub use return_map::return_map;

@@ -152,9 +152,9 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
         ),
         format!(
             "Three successive engagements from rest, numbered, and three from twice the steady speed. Each begins at \
-             the left with the speed at which the one before it ended at the right. The third is close to the steady \
-             cycle. At the \
-             diamonds the follower begins to run ahead of the pin, and the contact changes flank. {}",
+             the left with the speed at which the one before it ended at the right. The third of each series is close \
+             to the steady cycle. At the diamonds the follower begins to run ahead of the pin, and the contact changes \
+             flank. {}",
             shown(parameters)
         ),
     )

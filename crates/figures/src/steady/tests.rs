@@ -1,5 +1,6 @@
 //! What must hold of the drawings of the steady motion.
 
+use super::contact::at_instants;
 use super::{accelerations, contact, phase, return_map};
 use crate::FigureError;
 use crate::checks::{Drawing, sound};
@@ -96,7 +97,7 @@ fn the_surface_of_a_pin_slides_more_slowly_than_its_centre_moves() {
             let one = Escapement::new(&parameters(mechanism, 0.125), joints).expect("it runs");
             let steady = one.steady_state(1e-9).expect("steady").state;
             let instants = [(-0.7 * half, steady.entry_speed), (steady.peak.angle, steady.peak.speed)];
-            let figure = contact(&one, instants).expect("drawn");
+            let figure = at_instants(&one, instants).expect("drawn");
             sound(&figure);
             let drawing = Drawing::of(&figure);
             assert_eq!(["wall", "bearing-flank", "enlarged-pin"].map(|class| drawing.count(class)), [4, 2, 2]);
@@ -106,8 +107,11 @@ fn the_surface_of_a_pin_slides_more_slowly_than_its_centre_moves() {
                 assert!(row[4].abs() < row[2].abs() && row[4] * row[2] > 0.0, "{row:?}");
                 assert!((row[2] + row[3] - row[4]).abs() < 1e-12);
             }
+            // The steady motion itself: only the first instant is nearer to the line of centres.
+            let itself = contact(&parameters(mechanism, 0.125), pin_radius).expect("drawn").series.rows;
+            assert!(itself[0][0] > rows[0][0] && itself[1] == rows[1]);
         }
         let one = Escapement::new(&parameters(mechanism, 0.125), Joints::IDEAL).expect("it runs");
-        assert!(contact(&one, [(-half, 1.0), (1.1 * half, 1.0)]).is_err());
+        assert!(at_instants(&one, [(-half, 1.0), (1.1 * half, 1.0)]).is_err());
     }
 }

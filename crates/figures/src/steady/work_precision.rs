@@ -104,7 +104,8 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
              left is better. The smallest errors: {}.",
             best.join("; ")
         ),
-        "The largest relative error in the speeds of all runs, of all three mechanisms, over the work that was done. A lower curve needs less work for the same error, and a steeper curve gains more from further work.",
+        "The largest relative error in the speeds of all runs of all three mechanisms, plotted against the work done. \
+         A lower curve means less work for the same error. On a steeper curve, extra work reduces the error more.",
     );
     Chart::new(panels).figure(words, Series::new(columns, rows).to_decimals(DECIMALS))
 }

@@ -1,6 +1,8 @@
 //! The page: shapes first, labels on top, then the frame that makes it an image with words.
 
+use super::ground::{Face, below};
 use super::label::{Label, TEXT_SIZE, escape};
+use super::placing::Place;
 use super::shape::Shape;
 use super::view::Pixels;
 use crate::number::trimmed;
@@ -31,18 +33,22 @@ pub struct Canvas {
     width: f64,
     height: f64,
     shapes: Vec<String>,
-    labels: Vec<String>,
+    faces: Vec<Face>,
+    opacity: f64,
+    labels: Vec<(Label, Place)>,
 }
 
 impl Canvas {
     /// An empty page, in pixels of the view box.
     pub fn new(width: f64, height: f64) -> Self {
-        Self { width, height, shapes: Vec::new(), labels: Vec::new() }
+        Self { width, height, shapes: Vec::new(), faces: Vec::new(), opacity: 1.0, labels: Vec::new() }
     }
 
     /// Draws a shape over the earlier ones.
     pub fn draw(&mut self, shape: Shape) {
         self.shapes.push(shape.markup());
+        let shown = |face: Face| Face { share: self.opacity * face.share, ..face };
+        self.faces.extend(shape.face().map(shown));
     }
 
     /// Draws finished markup, one element to a line, over the earlier shapes.
@@ -57,9 +63,18 @@ impl Canvas {
         self.shapes.push("</g>".to_owned());
     }
 
-    /// Writes a label over all shapes, so far from `point` in the direction of `towards`.
+    /// Draws a group that is so faint, between 0 and 1, and has these further attributes.
+    pub fn faint(&mut self, opacity: f64, attributes: &str, draw: impl FnOnce(&mut Self)) {
+        let around = self.opacity;
+        self.opacity *= opacity;
+        self.group(format!("{attributes} opacity=\"{}\"", trimmed(opacity, 2)).trim_start(), draw);
+        self.opacity = around;
+    }
+
+    /// Writes a label over all shapes, so far from `point` in the direction of `towards`. Its halo has the colour of the
+    /// faces below it.
     pub fn label(&mut self, point: &Pixels, towards: &Pixels, distance: f64, label: &Label) {
-        self.labels.push(label.beside(point, towards, distance));
+        self.labels.push((label.clone(), Place { point: *point, towards: *towards, distance }));
     }
 
     /// The drawing as one `svg` element, named and described for those who cannot see it.
@@ -86,7 +101,11 @@ impl Canvas {
         let description = format!("<desc id=\"{id}-desc\">{}</desc>", escape(description));
         let mut lines = vec![opening, title, description];
         lines.extend(self.shapes);
-        lines.extend(self.labels);
+        let written = |(label, Place { point, towards, distance }): &(Label, Place)| {
+            let ground = below(&self.faces, &label.extent(label.width(), point, towards, *distance));
+            label.beside(point, towards, *distance, &ground)
+        };
+        lines.extend(self.labels.iter().map(written));
         lines.push("</svg>".to_owned());
         lines.join("\n")
     }

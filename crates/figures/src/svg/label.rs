@@ -1,8 +1,8 @@
-//! Text with italic symbols and subscripts, on a halo of the paper's colour.
+//! Text with italic symbols and subscripts, on a halo of its ground's colour.
 
 use super::view::Pixels;
 use crate::number::{trimmed, with_minus_sign};
-use crate::theme::{Colour, INK, PAPER};
+use crate::theme::{Colour, INK};
 
 /// The look of a label's halo, but for its colour: attributes of a `text` element.
 pub const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
@@ -15,6 +15,9 @@ const SUBSCRIPT: f64 = 0.84;
 const DROP: f64 = 7.0;
 /// How far a superscript stands above the line.
 const RISE: f64 = 10.0;
+/// The signs of powers, and how far they stand from a slanted letter.
+const POWERS: [char; 2] = ['²', '³'];
+const FROM_LETTER: f64 = 4.0;
 /// Half the height of a digit: from the middle of a label to its base line.
 const HALF_HEIGHT: f64 = 0.36 * TEXT_SIZE;
 /// Heights above and below the base line that letters reach at most, over the text's size.
@@ -35,7 +38,6 @@ enum Style {
 pub struct Label {
     runs: Vec<(Style, String)>,
     colour: Colour,
-    halo: Colour,
     haloed: bool,
     part: String,
 }
@@ -64,7 +66,7 @@ impl Label {
 
     /// A label that begins with upright text.
     pub fn words(text: &str) -> Self {
-        Self { runs: Vec::new(), colour: INK, halo: PAPER, haloed: true, part: String::new() }.and(text)
+        Self { runs: Vec::new(), colour: INK, haloed: true, part: String::new() }.and(text)
     }
 
     /// Adds upright text; hyphens become minus signs.
@@ -126,12 +128,6 @@ impl Label {
         self
     }
 
-    /// Sets the colour of the halo: that of the face the label stands on.
-    pub fn on(mut self, halo: Colour) -> Self {
-        self.halo = halo;
-        self
-    }
-
     /// Leaves out the halo, for a label on a plain face.
     pub fn bare(mut self) -> Self {
         self.haloed = false;
@@ -157,10 +153,10 @@ impl Label {
 
     /// The label's markup, so far from `point` in the direction of `towards` (an offset of any length).
     ///
-    /// Sideways the label begins or ends there; above and below it is centred.
-    pub fn beside(&self, point: &Pixels, towards: &Pixels, distance: f64) -> String {
+    /// Sideways the label begins or ends there; above and below it is centred. Its halo has the colour of the `ground`.
+    pub fn beside(&self, point: &Pixels, towards: &Pixels, distance: f64, ground: &str) -> String {
         let (x, base, anchor) = anchored(point, towards, distance);
-        self.markup(x, base, anchor)
+        self.markup(x, base, anchor, ground)
     }
 
     /// The least and the greatest corner of the room that the same label takes; `width` is its [width](Self::width).
@@ -182,18 +178,19 @@ impl Label {
 
     /// A generous guess at the label's width, in pixels: fonts differ.
     pub fn width(&self) -> f64 {
-        let back = self.runs.windows(2).map(|pair| set_back(&pair[0], pair[1].0));
+        let shifts = self.runs.windows(2).map(|pair| aside(&pair[0], &pair[1]));
         let letters = self.runs.iter().map(|(style, text)| {
             let size = if matches!(style, Style::Subscript | Style::Superscript) { SUBSCRIPT } else { 1.0 };
             text.chars().map(letter_width).sum::<f64>() * size * TEXT_SIZE
         });
-        letters.sum::<f64>() - back.sum::<f64>()
+        letters.sum::<f64>() + shifts.sum::<f64>()
     }
 
-    fn markup(&self, x: f64, base: f64, anchor: &str) -> String {
+    fn markup(&self, x: f64, base: f64, anchor: &str, ground: &str) -> String {
         let mut spans = String::new();
         let mut lowered = 0.0;
-        for (k, (style, text)) in self.runs.iter().enumerate() {
+        for (k, run) in self.runs.iter().enumerate() {
+            let (style, text) = run;
             let wanted = match style {
                 Style::Subscript => DROP,
                 Style::Superscript => -RISE,
@@ -202,13 +199,13 @@ impl Label {
             let mut shift =
                 if wanted == lowered { String::new() } else { format!(" dy=\"{}\"", trimmed(wanted - lowered, 2)) };
             lowered = wanted;
-            let back =
-                k.checked_sub(1).and_then(|before| self.runs.get(before)).map_or(0.0, |over| set_back(over, *style));
-            if back > 0.0 {
-                shift = format!(" dx=\"{}\"{shift}", trimmed(-back, 2));
+            let before = k.checked_sub(1).and_then(|before| self.runs.get(before));
+            let aside = before.map_or(0.0, |before| aside(before, run));
+            if aside != 0.0 {
+                shift = format!(" dx=\"{}\"{shift}", trimmed(aside, 2));
             }
             // The halo of a power would hide a part of the letter before it.
-            let is_power = *style == Style::Superscript || (k > 0 && text.starts_with(['²', '³']));
+            let is_power = *style == Style::Superscript || (k > 0 && text.starts_with(POWERS));
             let halo = if is_power && self.haloed { " stroke=\"none\"" } else { "" };
             let look = match style {
                 Style::Upright => String::new(),
@@ -219,7 +216,7 @@ impl Label {
             };
             spans += &format!("<tspan{shift}{look}{halo}>{}</tspan>", escape(text));
         }
-        let halo = if self.haloed { format!(" stroke=\"{}\"{HALO}", self.halo.0) } else { String::new() };
+        let halo = if self.haloed { format!(" stroke=\"{ground}\"{HALO}") } else { String::new() };
         let part =
             if self.part.is_empty() { String::new() } else { format!(" data-letter=\"{}\"", escape(&self.part)) };
         format!(
@@ -243,11 +240,17 @@ fn anchored(point: &Pixels, towards: &Pixels, distance: f64) -> (f64, f64, &'sta
     (at.x, at.y + HALF_HEIGHT * (1.0 + 0.8 * direction.y), anchor)
 }
 
-/// How far a run goes back to stand under the one before it, in pixels: a subscript under a superscript.
-fn set_back((before, text): &(Style, String), style: Style) -> f64 {
-    let stacked = *before == Style::Superscript && style == Style::Subscript;
-    // Less than in the widest fonts: the two stand apart in height.
-    if stacked { text.chars().map(letter_width).sum::<f64>() * SUBSCRIPT * TEXT_SIZE * 0.9 } else { 0.0 }
+/// How far a run is moved along its line, in pixels: a subscript back under the superscript before it, a power away from the
+/// slanted letter before it, which leans over its dots.
+fn aside((before, over): &(Style, String), (style, text): &(Style, String)) -> f64 {
+    match (before, style) {
+        // Less than in the widest fonts: the two stand apart in height.
+        (Style::Superscript, Style::Subscript) => {
+            -over.chars().map(letter_width).sum::<f64>() * SUBSCRIPT * TEXT_SIZE * 0.9
+        }
+        (Style::Italic, Style::Upright) if text.starts_with(POWERS) => FROM_LETTER,
+        _ => 0.0,
+    }
 }
 
 /// The dots above a letter whose first, second or third rate of change is meant.

@@ -3,6 +3,7 @@
 //! Positions are pixels of the view box, y downwards. Angles are radians, counter-clockwise as seen.
 
 mod canvas;
+mod ground;
 mod label;
 mod path;
 mod placing;

@@ -1,5 +1,6 @@
 //! Path data: lines and true arcs.
 
+use super::ground::along_arc;
 use super::view::Pixels;
 use crate::number::trimmed;
 
@@ -32,6 +33,7 @@ impl Sense {
 pub struct Path {
     data: String,
     decimals: usize,
+    loops: Vec<Vec<Pixels>>,
 }
 
 impl Path {
@@ -42,12 +44,12 @@ impl Path {
 
     /// Begins at a point; all coordinates are written to so many decimals.
     pub fn start_rounded(at: &Pixels, decimals: usize) -> Self {
-        Self { data: format!("M{}", pair(at, decimals)), decimals }
+        Self::empty(decimals).again_at(at)
     }
 
     /// A path without a beginning, of which all coordinates are written to so many decimals.
     pub fn empty(decimals: usize) -> Self {
-        Self { data: String::new(), decimals }
+        Self { data: String::new(), decimals, loops: Vec::new() }
     }
 
     /// Whether nothing has been drawn.
@@ -66,19 +68,21 @@ impl Path {
     /// Goes straight on to a point.
     pub fn line_to(mut self, to: &Pixels) -> Self {
         self.data += &format!(" L{}", pair(to, self.decimals));
-        self
+        self.reaches(*to)
     }
 
     /// Begins again at another point: a further part of the same path.
     pub fn again_at(mut self, at: &Pixels) -> Self {
         self.data += &format!("M{}", pair(at, self.decimals));
+        self.loops.push(vec![*at]);
         self
     }
 
     /// Goes straight on by an offset.
     pub fn line_by(mut self, offset: &Pixels) -> Self {
         self.data += &format!("l{}", pair(offset, self.decimals));
-        self
+        let to = self.end() + offset;
+        self.reaches(to)
     }
 
     /// Goes on by nothing: a point, which shows if the line has round or square ends.
@@ -96,7 +100,11 @@ impl Path {
     pub fn arc(mut self, radius: f64, large: bool, sense: Sense, to: &Pixels) -> Self {
         let (r, sweep) = (trimmed(radius, self.decimals), u8::from(sense == Sense::Clockwise));
         self.data += &format!(" A{r} {r} 0 {} {sweep} {}", u8::from(large), pair(to, self.decimals));
-        self
+        let from = self.end();
+        if let Some(part) = self.loops.last_mut() {
+            part.extend(along_arc(&from, to, radius, large, sense));
+        }
+        self.reaches(*to)
     }
 
     /// Returns to the start.
@@ -106,8 +114,24 @@ impl Path {
     }
 
     /// The finished data.
-    pub fn data(self) -> String {
-        self.data
+    pub fn data(&self) -> &str {
+        &self.data
+    }
+
+    /// The outlines of its parts: their corners, with points along the arcs.
+    pub fn loops(self) -> Vec<Vec<Pixels>> {
+        self.loops
+    }
+
+    fn end(&self) -> Pixels {
+        self.loops.last().and_then(|part| part.last()).copied().unwrap_or_default()
+    }
+
+    fn reaches(mut self, to: Pixels) -> Self {
+        if let Some(part) = self.loops.last_mut() {
+            part.push(to);
+        }
+        self
     }
 }
 

@@ -1,5 +1,6 @@
 //! One element: a line, a circle or a path, and how it looks.
 
+use super::ground::{Area, Face};
 use super::path::Path;
 use super::view::Pixels;
 use crate::number::trimmed;
@@ -13,25 +14,32 @@ pub const DASHED: &str = "7 5";
 pub struct Shape {
     tag: &'static str,
     attributes: Vec<(&'static str, String)>,
+    area: Option<Area>,
+    filled: Option<Colour>,
 }
 
 impl Shape {
     /// A straight line.
     pub fn line(from: &Pixels, to: &Pixels) -> Self {
         let ends = [("x1", from.x), ("y1", from.y), ("x2", to.x), ("y2", to.y)];
-        Self { tag: "line", attributes: ends.map(|(name, value)| (name, trimmed(value, 2))).to_vec() }
+        Self::new("line", ends.map(|(name, value)| (name, trimmed(value, 2))).to_vec(), None)
     }
 
     /// A circle.
     pub fn circle(centre: &Pixels, radius: f64) -> Self {
         let values = [("cx", centre.x), ("cy", centre.y), ("r", radius)];
-        let circle = Self { tag: "circle", attributes: values.map(|(name, value)| (name, trimmed(value, 2))).to_vec() };
-        circle.with("fill", "none")
+        let attributes = values.map(|(name, value)| (name, trimmed(value, 2))).to_vec();
+        Self::new("circle", attributes, Some(Area::Disc(*centre, radius))).with("fill", "none")
     }
 
     /// A path.
     pub fn path(path: Path) -> Self {
-        Self { tag: "path", attributes: vec![("d", path.data())] }.with("fill", "none")
+        let attributes = vec![("d", path.data().to_owned())];
+        Self::new("path", attributes, Some(Area::Loops(path.loops()))).with("fill", "none")
+    }
+
+    fn new(tag: &'static str, attributes: Vec<(&'static str, String)>, area: Option<Area>) -> Self {
+        Self { tag, attributes, area, filled: None }
     }
 
     /// Draws the outline in a colour, so many pixels wide.
@@ -46,7 +54,12 @@ impl Shape {
 
     /// Fills the inside with a colour.
     pub fn fill(self, colour: Colour) -> Self {
-        self.with("fill", colour.0)
+        Self { filled: Some(colour), ..self.with("fill", colour.0) }
+    }
+
+    /// Fills the inside with a colour of which so little covers what is below: a share between 0 and 1.
+    pub fn tint(self, colour: Colour, share: f64) -> Self {
+        self.fill(colour).with("fill-opacity", &trimmed(share, 2))
     }
 
     /// Names what is drawn: a class by which pages and tests find it.
@@ -61,6 +74,13 @@ impl Shape {
             None => self.attributes.push((name, value.to_owned())),
         }
         self
+    }
+
+    /// What a label stands on that is written over it; nothing for what is not filled.
+    pub fn face(&self) -> Option<Face> {
+        let share = self.attributes.iter().find(|(name, _)| *name == "fill-opacity");
+        let share = share.and_then(|(_, share)| share.parse().ok()).unwrap_or(1.0);
+        Some(Face { area: self.area.clone()?, colour: self.filled?, share })
     }
 
     /// The element as text.

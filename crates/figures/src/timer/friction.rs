@@ -5,16 +5,11 @@ use crate::chart::{Axis, Chart, Panel, Spot, Stroke, of_mechanism};
 use crate::number::trimmed;
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
-use geneva_dynamics::Parameters;
-use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::timer::speed_change;
 
 const STEPS: u32 = 50;
 /// How far the x axis goes beyond what is shown, as a part of the friction.
 const ROOM: f64 = 0.04;
-
-fn mean_speed(of: &Parameters) -> Result<f64, FigureError> {
-    Ok(Engagement::new(of)?.steady_state()?.mean_speed)
-}
 
 /// The gain in a day over the coefficient of friction, of escapements that were set right at the friction `set`.
 ///
@@ -36,8 +31,8 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
     let mut rows: Vec<[f64; 3]> = Vec::new();
     let mut curves = Vec::new();
     for one in all {
-        let own = mean_speed(&one.with(set)?)?;
-        let gain = |friction: f64| Ok((friction, HOURS * (mean_speed(&one.with(friction)?)? / own - 1.0)));
+        let own = one.with(set)?;
+        let gain = |friction: f64| Ok((friction, HOURS * speed_change(&own, friction)?));
         let curve: Vec<(f64, f64)> =
             one.steps(least, most, STEPS)?.into_iter().map(gain).collect::<Result<_, FigureError>>()?;
         let marks = one.frictions.iter().copied().map(gain).collect::<Result<Vec<_>, FigureError>>()?;
@@ -86,9 +81,9 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
             said.collect::<Vec<_>>().join(", ")
         ),
         format!(
-            "The rate of the three mechanisms, set right at μ = {}, as the friction in the slot changes. It is \
-             computed from the exact steady motion for each friction. Marks are the frictions of the thesis's runs. \
-             The dashed lines are static handbook values of steel on brass: {}. {}",
+            "How the rate of the three mechanisms, set right at μ = {}, changes with the friction in the slot. The \
+             rate is computed from the exact steady motion at each friction. The marks are at the friction values of \
+             the thesis's runs. The dashed lines are at static handbook values for steel on brass: {}. {}",
             trimmed(set, 2),
             pairs
                 .iter()

@@ -13,13 +13,14 @@ mod torque;
 pub use friction::friction;
 pub use runaway::runaway;
 pub use sensitivity::sensitivity;
-pub use settling::{Settled, settling};
+pub use settling::settling;
 pub use strongest::strongest;
 pub use torque::torque;
 
 use crate::FigureError;
 use crate::chart::{Axis, Entry, of_mechanism};
 use crate::svg::Label;
+use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::critical_friction;
 
@@ -39,10 +40,17 @@ pub struct Tested {
 }
 
 impl Tested {
+    /// The printed runs of a mechanism, as it is. None without rows.
+    pub fn of(rows: &[Row]) -> Option<Self> {
+        let mut frictions: Vec<f64> = rows.iter().map(Row::friction).collect();
+        frictions.sort_by(f64::total_cmp);
+        frictions.dedup();
+        Some(Self { parameters: Hypothesis::IDEAL.parameters(rows.first()?)?, frictions })
+    }
+
     /// The escapement with another friction.
     fn with(&self, friction: f64) -> Result<Parameters, FigureError> {
-        let of = &self.parameters;
-        Ok(Parameters::new(of.mechanism(), of.inertias(), of.torque(), friction)?)
+        Ok(self.parameters.with_friction(friction)?)
     }
 
     /// So many steps of friction from one to another, or to where the escapement jams.

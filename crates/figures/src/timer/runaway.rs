@@ -143,11 +143,11 @@ pub fn runaway() -> Result<Figure, FigureError> {
             significant(fast, 3)
         ),
         format!(
-            "A runaway escapement, drawn to a scale of our own choice. The teeth throw the pallets to and fro, and \
-             nothing but the inertia of the weighted bar resists them, because there is no balance spring. Below is \
-             our model of it, in which a blow takes a fixed part of the energy (the pallet's inertia, reduced to the \
-             wheel, is {PALLET} of the wheel's). In the steady motion the blow takes what the torque has given since \
-             the last blow, so twice the torque makes the mean speed (dotted) √2 times as great."
+            "A runaway escapement, drawn with dimensions of our own choice. The teeth throw the pallets to and fro, \
+             and nothing but the inertia of the weighted bar resists them, because there is no balance spring. Below \
+             is our model of it, in which each blow takes a fixed part of the energy (the pallet's inertia, reduced to \
+             the wheel, is {PALLET} of the wheel's). In the steady motion each blow takes the energy that the torque \
+             has supplied since the last blow, so twice the torque makes the mean speed (dotted) √2 times as great."
         ),
     );
     let columns = [("blows", "1"), ("speed K", "1"), ("speed 2K", "1")];

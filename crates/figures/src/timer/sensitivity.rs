@@ -87,9 +87,9 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
         ),
         format!(
             "What one per cent more of each quantity does to the rate. The gain from one per cent more torque is the \
-             same at every friction and with every mechanism, so its line is level. It is also the same with a weak \
-             spring as with a strong spring. Friction costs about as much as torque gains, with four pins somewhat \
-             less, and the follower's inertia costs most. Marks are the frictions of the thesis's runs. {}",
+             same for every mechanism at every friction, so its line is level. It is also the same for weak and strong \
+             springs. More friction costs about as much as more torque gains (somewhat less with four pins), and more \
+             inertia of the follower costs most. The marks are at the friction values of the thesis's runs. {}",
             super::inertias(all)
         ),
     );

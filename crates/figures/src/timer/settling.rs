@@ -5,35 +5,32 @@ use crate::number::{significant, trimmed};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
+use geneva_dynamics::timer::Settling;
+use geneva_dynamics::{Inertias, Parameters};
 
-/// What one follower does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settled {
-    /// The follower's inertia over that of the run, dimensionless.
-    pub part: f64,
-    /// Engagements until a small difference is down to one per cent, dimensionless.
-    pub engagements: f64,
-    /// Time that one engagement takes, in seconds.
-    pub period: f64,
-    /// Time until the difference is down to one per cent, in seconds.
-    pub time: f64,
-}
-
+/// A motion counts as settled when a small difference is down to this part of itself.
+const SETTLED: f64 = 0.01;
 const MILLISECONDS: f64 = 1000.0;
 
 /// Engagements to one per cent, the time of each, and their product, over the follower's inertia, on logarithmic axes.
 ///
-/// `run` says which run is changed. Series: part of the inertia, engagements, period and time in milliseconds.
+/// The follower has its own inertia over each of `parts`; the unit of time is the second. `run` says which run is changed.
+/// Series: part of the inertia, engagements, period and time in milliseconds.
 ///
 /// # Errors
 ///
-/// [`FigureError::Nothing`] if there is no follower.
-pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
-    if all.is_empty() {
+/// [`FigureError::Nothing`] if there is no follower, and [`FigureError::Dynamics`] if one has no steady motion.
+pub fn settling(own: &Parameters, parts: &[f64], run: &str) -> Result<Figure, FigureError> {
+    if parts.is_empty() {
         return Err(FigureError::Nothing);
     }
-    let rows: Vec<[f64; 4]> =
-        all.iter().map(|one| [one.part, one.engagements, MILLISECONDS * one.period, MILLISECONDS * one.time]).collect();
+    let row = |part: &f64| {
+        let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
+        let found = Settling::new(&Parameters::new(own.mechanism(), inertias, own.torque(), own.friction())?)?;
+        let time = found.time(SETTLED);
+        Ok([1.0 / part, found.engagements(SETTLED), MILLISECONDS * found.period, MILLISECONDS * time])
+    };
+    let rows: Vec<[f64; 4]> = parts.iter().map(row).collect::<Result<_, FigureError>>()?;
     let least = rows.iter().map(|row| row[0]).fold(1.0, f64::min);
     let marks: Vec<f64> = rows.iter().map(|row| row[0]).collect();
     let names =
@@ -68,9 +65,9 @@ pub fn settling(all: &[Settled], run: &str) -> Result<Figure, FigureError> {
             significant(slowest, 3)
         ),
         format!(
-            "A lighter follower shortens each engagement but needs more of them, so the time until a small difference of the \
-             squared speed is down to one per cent hardly changes. Shown: {run}, with the follower's inertia changed and all \
-             else kept."
+            "A lighter follower shortens each engagement but needs more of them, so the time in which a small \
+             difference in the square of the speed falls to one per cent hardly changes. Shown: {run}, with only the \
+             follower's inertia changed."
         ),
     );
     let columns = [("part of I_f", "1"), ("engagements", "1"), ("period", "ms"), ("time to 1 %", "ms")];

@@ -85,7 +85,8 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
              The accelerations are multiplied by the follower's inertia and divided by the torque, and the force is \
              divided by the spring's force at the crank radius. So each curve holds for every spring. The kink in the \
              four-pin curve is where the driver's greatest deceleration, caused by friction, overtakes its greatest \
-             acceleration, caused by the follower pushing it forward. Marks are the frictions of the thesis's runs. {}",
+             acceleration, caused by the follower pushing it forward. The marks are at the friction values of the \
+             thesis's runs. {}",
             super::inertias(all)
         ),
     );

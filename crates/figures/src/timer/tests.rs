@@ -1,6 +1,6 @@
 //! What must hold of the drawings of the timer.
 
-use super::{Settled, Tested, friction, sensitivity, settling, strongest, torque};
+use super::{Tested, friction, sensitivity, settling, strongest, torque};
 use crate::FigureError;
 use crate::checks::{Drawing, drawn, sound};
 use geneva_dynamics::existence::critical_friction;
@@ -141,9 +141,13 @@ fn what_has_no_runs_is_refused_and_settling_is_drawn() {
     for figure in [friction(&[], 0.2, &[]), sensitivity(&[]), strongest(&[])] {
         assert_eq!(figure, Err(FigureError::Nothing));
     }
-    let all = [1.0, 0.5, 0.25].map(|part| Settled { part, engagements: 1.0 / part, period: 0.01 * part, time: 0.01 });
-    let figure = settling(&all, "an example").expect("drawn");
+    let own = tested()[0].parameters;
+    let figure = settling(&own, &[1.0, 2.0, 4.0], "an example").expect("drawn");
     sound(&figure);
+    let multiplier = Engagement::new(&own).and_then(|of| of.steady_state()).expect("steady").multiplier;
+    let [part, engagements, period, time] = [0, 1, 2, 3].map(|column| figure.series.rows[0][column]);
+    assert!(part == 1.0 && (libm::pow(multiplier, engagements) / 0.01 - 1.0).abs() < 1e-9);
+    assert!((time / (period * engagements) - 1.0).abs() < 1e-12);
     assert_eq!(Drawing::of(&figure).count("marks"), 3);
-    assert_eq!(settling(&[], "nothing"), Err(FigureError::Nothing));
+    assert_eq!(settling(&own, &[], "nothing"), Err(FigureError::Nothing));
 }

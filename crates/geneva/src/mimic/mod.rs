@@ -1,7 +1,7 @@
 //! Decks in the simulation language MIMIC: checked, sorted, run.
 
 mod listed;
-mod told;
+mod report;
 
 use crate::arguments::{Format, Output, formats};
 use crate::destination::apart_from;
@@ -219,11 +219,11 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
             if deck.has_data() {
                 deck.data_sets().map_err(|faults| anyhow!("{name}\n{faults}"))?;
             }
-            Ok(told::checked(&name, &deck, &program))
+            Ok(report::checked(&name, &deck, &program))
         }
         Action::Sort { deck, .. } => {
             let (name, deck) = read(deck)?;
-            Ok(told::sorted(&deck, &program(&name, &deck)?))
+            Ok(report::sorted(&deck, &program(&name, &deck)?))
         }
         Action::Run(wanted) => run(wanted),
         Action::Decks { name: None, .. } => Ok(listed::decks()),
@@ -355,10 +355,10 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
     };
     let _step = progress::step("writing the numbers");
     match wanted.format {
-        Format::Json => told::json(&all),
-        Format::Csv => told::csv(&all),
-        Format::Svg => told::svg(&name, &all),
-        _ => told::print_outs(&name, &all),
+        Format::Json => report::json(&all),
+        Format::Csv => report::csv(&all),
+        Format::Svg => report::svg(&name, &all),
+        _ => report::print_outs(&name, &all),
     }
 }
 

@@ -29,7 +29,7 @@ pub fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
             material.name
         );
     }
-    if !is_told(format) {
+    if !gives_numbers(format) {
         bail!(
             "--format {}: --index-time and --dwell-time propose several wheels; to draw one of them, give its --stations \
              instead",
@@ -46,7 +46,7 @@ pub fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
         none_of(wanted, &PARTS, why)?;
     }
-    if !is_told(format) {
+    if !gives_numbers(format) {
         let name = format.name();
         let why = format!(
             "on --format {name}, a file of shapes without motion or loads; leave it out, or choose --format text, json or csv"
@@ -67,7 +67,7 @@ pub fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
     if wanted.thickness.is_none() {
         none_of(wanted, &["density"], "without a thickness; add --thickness MM")?;
     }
-    if is_told(format) && wanted.density.is_none() && wanted.pin_material.is_none() {
+    if gives_numbers(format) && wanted.density.is_none() && wanted.pin_material.is_none() {
         let why = "without a density or materials; add --density KGM3 for the mass, or --pin-material and --wheel-material \
                    for the pressure";
         none_of(wanted, &["thickness"], why)?;
@@ -90,7 +90,7 @@ pub fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
     let has_load = wanted.rpm.is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
     let why = if !is_external {
         "because only external wheels have parts in mm; leave it out, or choose --type external"
-    } else if !is_told(format) {
+    } else if !gives_numbers(format) {
         "on a file of shapes, which has no loads; leave it out, or choose --format text or json"
     } else if format == Format::Csv {
         "on --format csv, which has no pressures; leave it out, or choose --format text or json"
@@ -113,6 +113,6 @@ const PARTS: [&str; 8] =
 const MOTION: [&str; 6] = ["rpm", "inertia", "density", "friction-torque", "at", "at-wheel"];
 
 /// Whether a format gives numbers, and not shapes.
-fn is_told(format: Format) -> bool {
+fn gives_numbers(format: Format) -> bool {
     matches!(format, Format::Text | Format::Json | Format::Csv)
 }

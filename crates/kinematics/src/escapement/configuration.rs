@@ -7,6 +7,7 @@
 //! 4 and 12 to 14.
 
 use super::{EscapementError, Mechanism};
+use crate::indexing::Indexing;
 use crate::pin_slot::velocity_ratio;
 use crate::pin_vectors::quarter_turn;
 use crate::{Field, Rational, Surd, Turn};

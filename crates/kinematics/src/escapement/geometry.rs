@@ -1,5 +1,6 @@
 //! Numbers of pins and slots, and the sizes that follow from them.
 
+use crate::indexing::Indexing;
 use crate::pin_slot::slot_radius_squared;
 use crate::wheel::Wheel;
 use crate::{KinematicsError, Rational, Turn, rational};

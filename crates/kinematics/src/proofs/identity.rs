@@ -74,11 +74,16 @@ impl fmt::Display for Proof {
         let degrees: Vec<_> = self.degrees.iter().filter(|degree| **degree > 0).map(u32::to_string).collect();
         match &degrees[..] {
             [] => f.write_str("the two sides are exactly equal, with no variable left in the difference"),
-            [only] => write!(f, "the two sides are exactly equal at {} points, enough for degree {only}", self.points),
+            [only] => write!(
+                f,
+                "the two sides are exactly equal at {} points, enough for a polynomial of degree {only}",
+                self.points
+            ),
             [all @ .., last] => {
                 write!(
                     f,
-                    "the two sides are exactly equal at {} points, enough for degrees {} and {last}",
+                    "the two sides are exactly equal at {} points, enough for a polynomial of degrees {} and {last} in \
+                     its variables",
                     self.points,
                     all.join(", ")
                 )

@@ -7,6 +7,7 @@ use super::clearance::{Assembly, Nearest};
 use super::play::EntryContact;
 use super::sizes::Sizes;
 use crate::KinematicsError;
+use crate::indexing::Indexing;
 
 /// How far the axes may be from their right distance, each way, until no clearance is left.
 ///

@@ -20,6 +20,7 @@ use super::regions::{DiscRegion, WheelRegion};
 use super::search::{Least, Search, greatest_speed_ratio};
 use super::sizes::Sizes;
 use crate::KinematicsError;
+use crate::indexing::Indexing;
 use nalgebra::Vector2;
 use std::cell::Cell;
 use std::f64::consts::PI;

@@ -13,6 +13,7 @@ use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::SizesError;
 use super::sizes::{LockingDisc, Sizes};
 use crate::KinematicsError;
+use crate::indexing::Indexing;
 use nalgebra::Vector2;
 
 /// An arc that is cut out of the locking disc; its centre lies on the line from the driver's axis through the pin.

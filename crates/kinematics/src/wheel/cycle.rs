@@ -1,9 +1,9 @@
 //! The wheel over whole turns of its driver: advance, dwell, advance.
 
 use super::Wheel;
-use super::accurate::{Double, fraction_of_pi};
+use super::accurate::Double;
 use crate::error::{KinematicsError, size};
-use std::f64::consts::PI;
+use crate::indexing::Indexing;
 
 /// Whether a pin is in a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,29 +32,6 @@ pub struct Motion {
 }
 
 impl Wheel {
-    /// Position, velocity, acceleration and jerk while the pin is at this crank angle, from the line of centres.
-    ///
-    /// Both ends of the engagement belong to it. Work::Jazar2003, Eqs. (5.30) to (5.32).
-    ///
-    /// ```
-    /// use geneva_kinematics::wheel::Wheel;
-    ///
-    /// let wheel = Wheel::new(6)?;
-    /// let middle = wheel.engaged(0.0)?; // pin on the line of centres
-    /// assert!((middle.velocity - 1.0).abs() < 1e-15); // 1 / (k − 1) with k = 2
-    /// assert_eq!((middle.angle, middle.acceleration), (0.0, 0.0));
-    /// let entry = wheel.engaged(-wheel.engagement_half_angle())?; // without a blow
-    /// assert!(entry.velocity.abs() < 1e-15);
-    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
-    pub fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError> {
-        self.engaged_at(Double::from(crank))
-    }
-
     /// The angular velocity over the driver's alone, dimensionless, as [`engaged`](Self::engaged) gives it, where speed
     /// matters.
     ///
@@ -81,7 +58,7 @@ impl Wheel {
     }
 
     /// The motion at a crank angle of twice the precision.
-    fn engaged_at(&self, crank: Double) -> Result<Motion, KinematicsError> {
+    pub(super) fn engaged_at(&self, crank: Double) -> Result<Motion, KinematicsError> {
         let most = self.engagement_half_angle();
         if !(-most..=most).contains(&crank.hi) {
             return Err(KinematicsError::OutsideEngagement { asked: crank.hi, most });
@@ -98,46 +75,6 @@ impl Wheel {
             acceleration: if before { acceleration } else { 0.0 - acceleration },
             jerk,
         })
-    }
-
-    /// The motion after `turns` whole turns of the driver and `crank` radians, −π to π, of the next.
-    ///
-    /// At crank angle zero a pin is on the line of centres. Turns are counted in integers, so the wheel's angle
-    /// has no running error however many there are. At the very ends of an engagement the wheel is in it.
-    ///
-    /// ```
-    /// use geneva_kinematics::wheel::{Phase, Wheel};
-    /// use std::f64::consts::PI;
-    ///
-    /// let wheel = Wheel::new(4)?;
-    /// let middle = wheel.at(3, 0.0)?; // three turns of the driver: three stations
-    /// assert_eq!((middle.phase, middle.stations, middle.angle), (Phase::Advance, 3, 0.0));
-    /// let dwell = wheel.at(3, 2.0)?; // 2 rad later the wheel stands, half a station on
-    /// assert_eq!((dwell.phase, dwell.stations, dwell.velocity), (Phase::Dwell, 3, 0.0));
-    /// assert!((dwell.angle - PI / 4.0).abs() < 1e-15); // rad
-    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
-    pub fn at(&self, turns: i64, crank: f64) -> Result<Motion, KinematicsError> {
-        if !(-PI..=PI).contains(&crank) {
-            return Err(KinematicsError::Turn(crank));
-        }
-        let pitch = 2.0 * PI / f64::from(self.pins());
-        let pin = libm::round(crank / pitch);
-        let advances = turns.saturating_mul(i64::from(self.pins())).saturating_add(pin as i64);
-        let behind = fraction_of_pi(2 * libm::fabs(pin) as u32, self.pins());
-        let from_pin = Double::from(crank).minus(if pin < 0.0 { behind.negated() } else { behind });
-        match self.engaged_at(from_pin) {
-            Ok(motion) => Ok(Motion { stations: advances, ..motion }),
-            Err(_) => {
-                let angle = if from_pin.hi > 0.0 { self.half_pitch_angle() } else { -self.half_pitch_angle() };
-                let (velocity, acceleration, jerk) = (0.0, 0.0, 0.0);
-                Ok(Motion { phase: Phase::Dwell, stations: advances, angle, velocity, acceleration, jerk })
-            }
-        }
     }
 
     /// Peak angular speed in rad/s and peak angular acceleration in rad/s² for a driver of this speed in rad/s.
@@ -157,6 +94,6 @@ impl Wheel {
     /// [`KinematicsError::Size`] for a speed that is not positive and finite.
     pub fn peaks(&self, driver_speed: f64) -> Result<(f64, f64), KinematicsError> {
         let speed = size("driver speed", driver_speed)?;
-        Ok((speed * super::peak_velocity(self), speed * speed * super::acceleration_peak(self).ratio))
+        Ok((speed * self.peak_velocity(), speed * speed * self.acceleration_peak().ratio))
     }
 }

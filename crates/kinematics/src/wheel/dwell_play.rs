@@ -17,6 +17,7 @@
 //! Backwards it is the mirror image: the same at the crank angle as far past the pin's leaving.
 
 use super::sizes::Sizes;
+use crate::indexing::Indexing;
 
 /// How far the wheel turns loosely in the dwell.
 ///

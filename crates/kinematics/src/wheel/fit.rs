@@ -46,7 +46,7 @@ impl fmt::Display for ShaftOf {
     }
 }
 
-fn told(remedies: &[Remedy]) -> String {
+fn joined_by_or(remedies: &[Remedy]) -> String {
     remedies.iter().map(Remedy::to_string).collect::<Vec<_>>().join(" or ")
 }
 
@@ -67,7 +67,7 @@ pub enum SizesError {
         asked: f64,
     },
     /// Parts in each other's way.
-    #[error("{what} by {by:.4} mm; choose {}", told(remedies))]
+    #[error("{what} by {by:.4} mm; choose {}", joined_by_or(remedies))]
     DoesNotFit {
         /// What is in the way.
         what: &'static str,

@@ -1,9 +1,8 @@
 //! Sizes of a wheel and its driver, all from the number of stations.
 
 use super::accurate::{Constants, Double};
-use crate::error::{KinematicsError, size};
+use crate::KinematicsError;
 use crate::pin_slot::PinSlot;
-use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 /// How many stations a wheel can have: three is the geometric least. The greatest is a limit of this crate, to which all that
@@ -16,6 +15,7 @@ pub const STATIONS: RangeInclusive<u32> = 3..=1000;
 /// that α and for the crank angle as given.
 ///
 /// ```
+/// use geneva_kinematics::indexing::Indexing;
 /// use geneva_kinematics::wheel::Wheel;
 ///
 /// let wheel = Wheel::new(6)?; // α = π/6, so sin α = 1/2
@@ -27,8 +27,8 @@ pub const STATIONS: RangeInclusive<u32> = 3..=1000;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Wheel {
-    stations: u32,
-    pins: u32,
+    pub(super) stations: u32,
+    pub(super) pins: u32,
     pub(super) constants: Constants,
 }
 
@@ -55,6 +55,7 @@ impl Wheel {
     ///
     /// ```
     /// use geneva_kinematics::KinematicsError;
+    /// use geneva_kinematics::indexing::Indexing;
     /// use geneva_kinematics::wheel::Wheel;
     ///
     /// // With four stations each pin is in a slot for a quarter of a turn, so four pins leave no dwell and five don't fit.
@@ -80,26 +81,6 @@ impl Wheel {
     /// A wheel of numbers that are known to fit.
     pub(crate) fn of_fitting_counts(stations: u32, pins: u32) -> Self {
         Self { stations, pins, constants: Constants::new(stations) }
-    }
-
-    /// Number of slots, N.
-    pub fn stations(&self) -> u32 {
-        self.stations
-    }
-
-    /// Number of pins on the driver.
-    pub fn pins(&self) -> u32 {
-        self.pins
-    }
-
-    /// α, half the angle between successive slots, in radians: π/N.
-    pub fn half_pitch_angle(&self) -> f64 {
-        self.constants.half_pitch_angle.hi
-    }
-
-    /// Crank angle at which the pin enters and leaves, in radians from the line of centres: π/2 − α.
-    pub fn engagement_half_angle(&self) -> f64 {
-        self.constants.entry.hi
     }
 
     /// Centre distance in crank radii, k = 1 / sin α: the slot is tangent to the pin's circle as the pin enters.
@@ -143,37 +124,6 @@ impl Wheel {
     pub fn pin_and_slot(&self, crank_radius: f64) -> Result<PinSlot, KinematicsError> {
         PinSlot::new(crank_radius, crank_radius * self.centre_distance_ratio())
             .map_err(|_| KinematicsError::Size { name: "crank radius", asked: crank_radius })
-    }
-
-    /// Part of the driver's turn during which the wheel moves, all pins together: P (N − 2) / (2 N), dimensionless.
-    pub fn motion_fraction(&self) -> f64 {
-        let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
-        pins * (stations - 2.0) / (2.0 * stations)
-    }
-
-    /// Part of the driver's turn during which the wheel stands still, dimensionless.
-    pub fn dwell_fraction(&self) -> f64 {
-        let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
-        (2.0 * stations - pins * (stations - 2.0)) / (2.0 * stations)
-    }
-
-    /// Time of one advance in seconds, for a driver of this angular speed in rad/s.
-    ///
-    /// # Errors
-    ///
-    /// [`KinematicsError::Size`] for a speed that is not positive and finite.
-    pub fn indexing_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
-        Ok(2.0 * self.engagement_half_angle() / size("driver speed", driver_speed)?)
-    }
-
-    /// Time of one dwell in seconds, for a driver of this angular speed in rad/s.
-    ///
-    /// # Errors
-    ///
-    /// [`KinematicsError::Size`] for a speed that is not positive and finite.
-    pub fn dwell_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
-        let turn = 2.0 * PI / size("driver speed", driver_speed)?;
-        Ok(turn * self.dwell_fraction() / f64::from(self.pins))
     }
 }
 

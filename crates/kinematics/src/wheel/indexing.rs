@@ -1,45 +1,53 @@
 //! The external wheel as one of the three kinds, and the pin in its slot.
 
-use super::Wheel;
+use super::accurate::{Double, fraction_of_pi};
+use super::{Phase, Wheel};
 use crate::indexing::{Indexing, JerkPeak, PinInSlot, within_half_pitch};
 use crate::wheel::{AccelerationPeak, Motion};
 use crate::{KinematicsError, Turn, pin_slot};
+use std::f64::consts::PI;
 
-/// Peak of the jerk, on the line of centres: sin α (1 + sin α) / (1 − sin α)³, dimensionless.
-///
-/// It is the greatest of the engagement for every N: [`wheel_jerk_proofs`](crate::wheel_jerk_proofs). As the pin enters
-/// and leaves the acceleration jumps, and the jerk has no finite value.
-///
-/// ```
-/// use geneva_kinematics::wheel::{Wheel, peak_jerk};
-///
-/// assert!((peak_jerk(&Wheel::new(6)?) - 6.0).abs() < 1e-14); // (1/2) (3/2) / (1/2)³
-/// # Ok::<(), geneva_kinematics::KinematicsError>(())
-/// ```
-pub fn peak_jerk(wheel: &Wheel) -> f64 {
-    let (sine, rest) = (wheel.constants.sine, wheel.constants.rest);
-    sine.plus(sine.times(sine)).over(rest.times(rest).times(rest)).hi
-}
-
+/// The formulas are closed and are evaluated in twice the precision, as [`Wheel`] says.
 impl Indexing for Wheel {
     fn stations(&self) -> u32 {
-        Wheel::stations(self)
+        self.stations
     }
 
     fn pins(&self) -> u32 {
-        Wheel::pins(self)
+        self.pins
     }
 
     fn half_pitch_angle(&self) -> f64 {
-        Wheel::half_pitch_angle(self)
+        self.constants.half_pitch_angle.hi
     }
 
+    /// π/2 − α, from the line of centres: the pin enters along the slot.
     fn engagement_half_angle(&self) -> f64 {
-        Wheel::engagement_half_angle(self)
+        self.constants.entry.hi
     }
 
+    /// Position, velocity, acceleration and jerk while the pin is at this crank angle, from the line of centres.
+    ///
+    /// Both ends of the engagement belong to it. Work::Jazar2003, Eqs. (5.30) to (5.32).
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let wheel = Wheel::new(6)?;
+    /// let middle = wheel.engaged(0.0)?; // pin on the line of centres
+    /// assert!((middle.velocity - 1.0).abs() < 1e-15); // 1 / (k − 1) with k = 2
+    /// assert_eq!((middle.angle, middle.acceleration), (0.0, 0.0));
+    /// let entry = wheel.engaged(-wheel.engagement_half_angle())?; // without a blow
+    /// assert!(entry.velocity.abs() < 1e-15);
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
     fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError> {
-        Wheel::engaged(self, crank)
+        self.engaged_at(Double::from(crank))
     }
 
     /// With the distance from the law of cosines as √((k − 1)² + 2 k vers θ), in which nothing cancels.
@@ -48,50 +56,129 @@ impl Indexing for Wheel {
         let (rest, sine) = (self.constants.rest.hi, self.constants.sine.hi);
         let (turn, half) = (Turn::from_radians(crank), libm::sin(0.5 * crank));
         let radius = (rest * rest + 4.0 * sine * half * half).sqrt() / sine;
-        let rate = pin_slot::sliding_product(&Wheel::centre_distance_ratio(self), &turn) / radius;
+        let rate = pin_slot::sliding_product(&self.centre_distance_ratio(), &turn) / radius;
         Ok(PinInSlot { radius, radius_rate: rate, sliding: rate, coriolis: 2.0 * velocity * rate })
     }
 
     /// By the law of sines, sin(θ + φ) = sin φ / sin α.
     fn crank_at(&self, wheel_angle: f64) -> Result<f64, KinematicsError> {
-        let (angle, most) = (within_half_pitch(self, wheel_angle)?, Wheel::engagement_half_angle(self));
+        let (angle, most) = (within_half_pitch(self, wheel_angle)?, self.engagement_half_angle());
         let sine = (libm::sin(angle) / self.constants.sine.hi).clamp(-1.0, 1.0);
         Ok((libm::asin(sine) - angle).clamp(-most, most))
     }
 
+    /// sin α / (1 − sin α), on the line of centres. Work::Jazar2003, example (d).
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// assert!((Wheel::new(6)?.peak_velocity() - 1.0).abs() < 1e-15); // sin 30° = 1/2
+    /// assert!((Wheel::new(4)?.peak_velocity() - (1.0 + 2_f64.sqrt())).abs() < 1e-15);
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     fn peak_velocity(&self) -> f64 {
-        super::peak_velocity(self)
+        self.constants.sine.over(self.constants.rest).hi
     }
 
+    /// tan α: the acceleration jumps from zero and to zero.
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// assert!((Wheel::new(4)?.entry_acceleration() - 1.0).abs() < 1e-15); // tan 45°
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     fn entry_acceleration(&self) -> f64 {
-        super::entry_acceleration(self)
+        self.constants.sine.over(self.constants.cosine).hi
     }
 
+    /// cos θ = (−γ + √(γ² + 8)) / 2, inside the engagement for every N. Work::Jazar2003, Eqs. (5.33), (5.34) and (5.32).
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// let wheel = Wheel::new(4)?;
+    /// let peak = wheel.acceleration_peak();
+    /// assert!(peak.ratio > wheel.entry_acceleration()); // it is not at the ends of the engagement,
+    /// assert!(wheel.engaged(peak.angle)?.jerk.abs() < 1e-12); // so the acceleration is level there
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     fn acceleration_peak(&self) -> AccelerationPeak {
-        super::acceleration_peak(self)
+        let peak = self.constants.peak;
+        let (_, ratio, _) = self.constants.angle_acceleration_jerk(peak);
+        AccelerationPeak { angle: peak.hi, ratio }
     }
 
+    /// sin α (1 + sin α) / (1 − sin α)³, on the line of centres: the greatest of the engagement for every N, see
+    /// [`wheel_jerk_proofs`](crate::wheel_jerk_proofs). As the pin enters and leaves the acceleration jumps, and the
+    /// jerk has no finite value.
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::Wheel;
+    ///
+    /// assert!((Wheel::new(6)?.jerk_peak().ratio - 6.0).abs() < 1e-14); // (1/2) (3/2) / (1/2)³
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
     fn jerk_peak(&self) -> JerkPeak {
-        JerkPeak { angle: 0.0, ratio: peak_jerk(self) }
+        let (sine, rest) = (self.constants.sine, self.constants.rest);
+        let ratio = sine.plus(sine.times(sine)).over(rest.times(rest).times(rest)).hi;
+        JerkPeak { angle: 0.0, ratio }
     }
 
+    /// P (N − 2) / (2 N).
     fn motion_fraction(&self) -> f64 {
-        Wheel::motion_fraction(self)
+        let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
+        pins * (stations - 2.0) / (2.0 * stations)
     }
 
+    /// 1 − P (N − 2) / (2 N), without a difference of numbers that are nearly equal.
     fn dwell_fraction(&self) -> f64 {
-        Wheel::dwell_fraction(self)
+        let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
+        (2.0 * stations - pins * (stations - 2.0)) / (2.0 * stations)
     }
 
-    fn indexing_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
-        Wheel::indexing_time(self, driver_speed)
-    }
-
-    fn dwell_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
-        Wheel::dwell_time(self, driver_speed)
-    }
-
+    /// The motion after `turns` whole turns of the driver and `crank` radians, −π to π, of the next.
+    ///
+    /// At crank angle zero a pin is on the line of centres. Turns are counted in integers, so the wheel's angle
+    /// has no running error however many there are. At the very ends of an engagement the wheel is in it.
+    ///
+    /// ```
+    /// use geneva_kinematics::indexing::Indexing;
+    /// use geneva_kinematics::wheel::{Phase, Wheel};
+    /// use std::f64::consts::PI;
+    ///
+    /// let wheel = Wheel::new(4)?;
+    /// let middle = wheel.at(3, 0.0)?; // three turns of the driver: three stations
+    /// assert_eq!((middle.phase, middle.stations, middle.angle), (Phase::Advance, 3, 0.0));
+    /// let dwell = wheel.at(3, 2.0)?; // 2 rad later the wheel stands, half a station on
+    /// assert_eq!((dwell.phase, dwell.stations, dwell.velocity), (Phase::Dwell, 3, 0.0));
+    /// assert!((dwell.angle - PI / 4.0).abs() < 1e-15); // rad
+    /// # Ok::<(), geneva_kinematics::KinematicsError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
     fn at(&self, turns: i64, crank: f64) -> Result<Motion, KinematicsError> {
-        Wheel::at(self, turns, crank)
+        if !(-PI..=PI).contains(&crank) {
+            return Err(KinematicsError::Turn(crank));
+        }
+        let pitch = 2.0 * PI / f64::from(self.pins());
+        let pin = libm::round(crank / pitch);
+        let advances = turns.saturating_mul(i64::from(self.pins())).saturating_add(pin as i64);
+        let behind = fraction_of_pi(2 * libm::fabs(pin) as u32, self.pins());
+        let from_pin = Double::from(crank).minus(if pin < 0.0 { behind.negated() } else { behind });
+        match self.engaged_at(from_pin) {
+            Ok(motion) => Ok(Motion { stations: advances, ..motion }),
+            Err(_) => {
+                let angle = if from_pin.hi > 0.0 { self.half_pitch_angle() } else { -self.half_pitch_angle() };
+                let (velocity, acceleration, jerk) = (0.0, 0.0, 0.0);
+                Ok(Motion { phase: Phase::Dwell, stations: advances, angle, velocity, acceleration, jerk })
+            }
+        }
     }
 }

@@ -6,6 +6,7 @@
 use super::{Motion, Phase, Wheel, acceleration_ratio, jerk_ratio};
 use crate::Turn;
 use crate::error::KinematicsError;
+use crate::indexing::Indexing;
 use crate::pin_slot::{pin_from_pivot, velocity_ratio};
 
 /// A wheel and its driver at a given distance of their axes.

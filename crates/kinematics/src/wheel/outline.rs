@@ -6,6 +6,7 @@
 use super::sizes::Sizes;
 use crate::Turn;
 use crate::error::{KinematicsError, size};
+use crate::indexing::Indexing;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -5,6 +5,7 @@
 
 use super::sizes::Sizes;
 use crate::KinematicsError;
+use crate::indexing::Indexing;
 use nalgebra::Vector2;
 
 type Point = Vector2<f64>;
@@ -127,6 +128,7 @@ impl Sizes {
     /// that is a gap g away from the wall meets it at cos τ = 1 − g/a.
     ///
     /// ```
+    /// use geneva_kinematics::indexing::Indexing;
     /// use geneva_kinematics::wheel::{Choices, EntryContact, Play, Scale, Sizes, Wheel};
     ///
     /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm

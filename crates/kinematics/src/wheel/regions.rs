@@ -4,6 +4,7 @@
 //! pitch; nothing outside that half can be nearer than its own mirror image inside.
 
 use super::sizes::Sizes;
+use crate::indexing::Indexing;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 

@@ -12,6 +12,7 @@
 use super::clearance::Assembly;
 use super::crescent::Crescent;
 use super::sizes::{LockingDisc, Sizes};
+use crate::indexing::Indexing;
 
 /// How far every size may be wrong while all the others are wrong by as much as they may be, and the shafts as loose as their
 /// bores allow.

@@ -10,6 +10,7 @@ use super::crescent::Crescent;
 use super::fit::Remedy::{LessDepth, LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::{ShaftOf, SizesError};
 use crate::error::length;
+use crate::indexing::Indexing;
 
 /// The length that is given; it turns a wheel's ratios into millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -246,6 +247,11 @@ impl Sizes {
         self.play.slot / 2.0
     }
 
+    /// Diameter in millimetres of the pins that the wheel would have if the hub, the horns and the disc left them room.
+    pub fn unhindered_pin(&self) -> f64 {
+        OF_CRANK_RADIUS * self.crank_radius
+    }
+
     /// Distance of a pin's centre from the wheel's axis where it is deepest in its slot, in millimetres: c − a.
     pub fn deepest(&self) -> f64 {
         self.centre_distance - self.crank_radius
@@ -333,8 +339,11 @@ fn lengths(wheel: &Wheel, scale: Scale) -> Result<[f64; 3], SizesError> {
     Ok(lengths)
 }
 
+/// Diameter of a pin that nothing makes thinner, in crank radii.
+const OF_CRANK_RADIUS: f64 = 0.3;
+
 fn default_pin(a: f64, c: f64, from_axis: f64) -> f64 {
-    (0.3 * a).min((c - a) / 1.5).min(0.9 * (a * from_axis).sqrt())
+    (OF_CRANK_RADIUS * a).min((c - a) / 1.5).min(0.9 * (a * from_axis).sqrt())
 }
 
 fn fitting_play(play: Play) -> Result<Play, SizesError> {

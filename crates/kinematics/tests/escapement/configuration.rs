@@ -1,6 +1,7 @@
 //! Is the hand-over without rounding where the drawing in floating point ends?
 
 use geneva_kinematics::escapement::{Configuration, HandOver, RelativePosition, Roots, Slot};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::{Field, Mechanism, Surd, Turn, pin_vectors};
 use nalgebra::Vector2;
 use num_traits::{One, Zero};

@@ -1,6 +1,7 @@
 //! The wheel in 240-bit arithmetic, from its plain formulas, and how far an `f64` is from it.
 
 use dashu_float::{FBig, round::mode::HalfEven};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{self, Motion, Wheel};
 
 type Wide = FBig<HalfEven, 2>;
@@ -69,7 +70,7 @@ impl Oracle {
         let (stations, pins) = (wide(f64::from(self.stations)), wide(f64::from(wheel.pins())));
         let motion = &pins * (&stations - &two) / (&two * &stations);
         let entry = Wide::pi(BITS) / &two - &self.half_pitch_angle;
-        let found = wheel::acceleration_peak(wheel);
+        let found = wheel.acceleration_peak();
         vec![
             ("half station", ulps(wheel.half_pitch_angle(), &self.half_pitch_angle)),
             ("engagement half-angle", ulps(wheel.engagement_half_angle(), &entry)),
@@ -78,8 +79,8 @@ impl Oracle {
             ("slot length", ulps(wheel.slot_length_ratio(), &((&cos + &m - &one) / &m))),
             ("motion fraction", ulps(wheel.motion_fraction(), &motion)),
             ("dwell fraction", ulps(wheel.dwell_fraction(), &(&one - &motion))),
-            ("peak velocity", ulps(wheel::peak_velocity(wheel), &(&m / (&one - &m)))),
-            ("entry acceleration", ulps(wheel::entry_acceleration(wheel), &(&m / &cos))),
+            ("peak velocity", ulps(wheel.peak_velocity(), &(&m / (&one - &m)))),
+            ("entry acceleration", ulps(wheel.entry_acceleration(), &(&m / &cos))),
             ("gamma", ulps(wheel::gamma(wheel), &gamma)),
             ("peak acceleration", ulps(found.ratio, &peak)),
             ("angle of that peak", ulps(found.angle, &(peak_sin / peak_cos).atan())),

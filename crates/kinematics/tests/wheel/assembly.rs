@@ -3,6 +3,7 @@
 //! Points on the edges of one part and their distances from the edges of the other, at many crank angles; the wheel's
 //! angle from [`Wheel::at`], insides by counting crossings of a ray. Nothing here uses the regions or the search.
 
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
     Choices, Crescent, Edge, Entry, EntryContact, Face, LockingDisc, Loop, Play, Scale, Sizes, Wheel,
 };

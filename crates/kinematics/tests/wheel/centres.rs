@@ -1,6 +1,7 @@
-//! Is the tolerance of the centre distance that of the outlines, looked at point by point?
+//! Do the outlines, looked at point by point, give the same tolerance of the centre distance?
 
 use super::assembly::{Point, between, marched, sized};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, EntryContact, Play, Sizes};
 use std::f64::consts::PI;
 

@@ -1,6 +1,7 @@
 //! Are driver and wheel anywhere nearer than the search for the least clearance says?
 
 use super::assembly::{Point, from_edge};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Crescent, Edge, LockingDisc, Scale, Sizes, TOLERANCE, Wheel};
 use source::{Search, greatest_speed_ratio};
 use std::cell::Cell;

@@ -1,7 +1,8 @@
 //! Is the motion what the proven formulas give, and does the angle go on from turn to turn?
 
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
-use geneva_kinematics::wheel::{Motion, Wheel, acceleration_peak, acceleration_ratio, jerk_ratio};
+use geneva_kinematics::wheel::{Motion, Wheel, acceleration_ratio, jerk_ratio};
 use geneva_kinematics::{KinematicsError, Turn};
 use std::f64::consts::PI;
 
@@ -20,7 +21,7 @@ fn the_motion_is_what_the_proven_formulas_give() {
     for stations in [3, 4, 5, 8, 60, 1000] {
         let wheel = Wheel::new(stations).unwrap();
         let ratio = wheel.centre_distance_ratio();
-        let peak = acceleration_peak(&wheel).ratio;
+        let peak = wheel.acceleration_peak().ratio;
         for step in -19..=19 {
             let crank = wheel.engagement_half_angle() * f64::from(step) / 20.0;
             let (motion, turn) = (wheel.engaged(crank).unwrap(), Turn::from_radians(crank));

@@ -1,9 +1,10 @@
-//! Is the play in the dwell that of the outlines, turned against each other until they overlap?
+//! Do the outlines, turned against each other until they overlap, give the same play in the dwell?
 //!
 //! Polygons with their corners on the outlines, and insides by counting crossings of a ray. Nothing here uses a formula of
 //! the play.
 
 use super::assembly::{Point, is_inside, marched_to_drifted, placed, sized};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, EntryContact, Loop, Play, Sizes};
 
 /// How far the chords of the polygons leave their arcs, in millimetres, for a centre distance of 100 mm.

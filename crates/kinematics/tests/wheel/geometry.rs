@@ -1,6 +1,7 @@
 //! Which wheels can be built, and do they have the sizes of a pin in a slot?
 
 use geneva_kinematics::KinematicsError;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::PI;

@@ -1,5 +1,6 @@
 //! How does a wheel move when its axes are at a wrong distance?
 
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Misplaced, Wheel};
 
 #[test]

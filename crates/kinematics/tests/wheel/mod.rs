@@ -13,5 +13,6 @@ mod misplaced;
 mod motion;
 mod shared_tolerance;
 mod sizes;
+mod standard_fit;
 mod tolerances;
 mod warnings;

@@ -1,6 +1,7 @@
 //! Do driver and wheel keep clear of each other with all sizes at their limits together?
 
 use super::assembly::{marched_to_drifted, sized};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Crescent, EntryContact, LockingDisc, Play, Scale, Sizes, Wheel};
 
 /// The sizes with all errors together: disc too large, arc too small, pin too thick, slot too narrow, the slot's end too far

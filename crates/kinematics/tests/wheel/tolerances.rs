@@ -1,6 +1,7 @@
-//! Does the mechanism jam where a single size is off by more than its tolerance, and not before?
+//! Does the mechanism jam where a single size is beyond its tolerance, and not before?
 
 use super::assembly::{Point, between, sized};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Loop, Sizes};
 use std::f64::consts::PI;
 

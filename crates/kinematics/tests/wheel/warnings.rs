@@ -1,4 +1,4 @@
-//! Are dangerous sizes warned of, and only these?
+//! Does the program warn of dangerous sizes, and only of these?
 
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Warning, Wheel};
 

@@ -3,6 +3,7 @@
 use super::*;
 use crate::Dimension as Exponents;
 use crate::agreement::joined_numbers;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::rational;
 
 const PLOT: Place = at("Paragraph on Fig. 5.30");
@@ -26,8 +27,8 @@ pub fn claims() -> Vec<Claim> {
 
 fn plotted() -> Claim {
     PLOT.figure("jazar.fig-5.30", "plotted", "Fig. 5.30 shows the curves of Eqs. (5.27), (5.28) and (5.29)").missing(
-        "The copy we had does not include the drawing, so we cannot see whether the third curve was drawn by the \
-         equation as it stands in the copy, without its minus sign",
+        "The copy we had does not include the drawing, so we cannot see whether the third curve was drawn from the \
+         equation as printed in the copy, without its minus sign",
     )
 }
 
@@ -89,10 +90,7 @@ fn smooth_inside() -> Claim {
                 let most = greatest(inside.chain(ends).map(left));
                 Finding::new(
                     most < 1e-5,
-                    format!(
-                        "the steps of φ̇ and φ̈, less the slope's part, are at most \
-                                                   {most:.6}"
-                    ),
+                    format!("the steps of φ̇ and φ̈, less the part due to the slope, are at most {most:.6}"),
                 )
             })
         })
@@ -101,19 +99,14 @@ fn smooth_inside() -> Claim {
                 let end = wheel.engagement_half_angle();
                 let ends = stated.pick(vec![], vec![-end, end]);
                 let most = greatest(instants(wheel).chain(ends).map(|t| jump_by_duals(wheel, t)));
-                Finding::new(
-                    most < 1e-5,
-                    format!(
-                        "the limits of φ̇ and φ̈ from both sides differ by at most \
-                                                   {most:.6}"
-                    ),
-                )
+                Finding::new(most < 1e-5, format!("the limits of φ̇ and φ̈ from both sides differ by at most {most:.6}"))
             })
         })
         .but_not("they are smooth over the whole turn, the ends of the advance included")
         .read_as(
-            "We take this to be about the four-station wheel, whose curves the figure shows, between the two ends of \
-             the advance: there is no jump and no kink. At the ends, as the source itself says, the jerk is infinite.",
+            "We take this to be about the four-station wheel, whose curves the figure shows. Between the two ends of \
+             the advance, the curves have no jump and no kink. At the ends, as the source itself says, the jerk is \
+             infinite.",
         )
 }
 
@@ -180,13 +173,13 @@ fn least_stations() -> Claim {
             Finding::new(
                 (least..=1000).all(positive) && !positive(least - 1),
                 format!(
-                    "with {least} stations the pin passes the axis at a distance, the rim has a radius and the slot a length of {} \
-                     crank radii",
+                    "with {least} stations the pin's distance as it passes the axis, the rim's radius and the slot's \
+                     length are {} crank radii",
                     joined_numbers(&sizes(least))
                 ),
             )
         })
-        .but_not("two is the least")
+        .but_not("two is the minimum")
 }
 
 fn more_pins() -> Claim {
@@ -198,7 +191,7 @@ fn more_pins() -> Claim {
             })
         })
         .by(Series, |stated| {
-            two_or_more(stated, "leave a slot before the next enters", |wheel, pins| {
+            two_or_more(stated, "leave a slot before the next pin enters", |wheel, pins| {
                 // By more than rounding: pins that follow each other at once leave no dwell.
                 entry_crank(wheel) < (1.0 - 1e-9) * 2.0 * PI / f64::from(pins)
             })

@@ -3,7 +3,7 @@
 use super::letters::{ENTRY_AND_EXIT, PARTS};
 use super::*;
 use crate::vocabulary::equal_to;
-use geneva_kinematics::wheel::{acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::indexing::Indexing;
 use std::cmp::Ordering;
 
 const GEOMETRY: Place = at("Paragraph on Fig. 5.31");
@@ -69,14 +69,14 @@ fn angle() -> Vec<Claim> {
             .but_not("α is the whole angle between neighbouring slots"),
         DURATION
             .equation("jazar.alpha-degrees", r"360^{\circ}/(2N)", "α in degrees")
-            .said_in_letters(PARTS, equal_to(r"\alpha")),
+            .rewritten_and_proven(PARTS, equal_to(r"\alpha")),
     ]
 }
 
 fn duration() -> Claim {
     DURATION
         .equation("jazar.duration", r"\pi - 2\alpha", "crank angle of an advance")
-        .said_in_letters(ENTRY_AND_EXIT, equal_to(r"\theta_{\text{exit}} - \theta_{\text{entry}}"))
+        .rewritten_and_proven(ENTRY_AND_EXIT, equal_to(r"\theta_{\text{exit}} - \theta_{\text{entry}}"))
 }
 
 fn comparisons() -> Vec<Claim> {
@@ -100,15 +100,10 @@ fn comparisons() -> Vec<Claim> {
                 || limit(|n| of(n, entry_crank)).to_degrees(),
             ),
         DURATION
-            .statement(
-                "jazar.gentler",
-                "more gentle",
-                "with more stations the peaks of velocity and acceleration \
-                                                        fall",
-            )
+            .statement("jazar.gentler", "more gentle", "with more stations the peaks of velocity and acceleration fall")
             .by(ClosedForm, |stated| {
                 compare_neighbours(
-                    &[peak_velocity, entry_acceleration, |wheel| acceleration_peak(wheel).ratio],
+                    &[Wheel::peak_velocity, Wheel::entry_acceleration, |wheel| wheel.acceleration_peak().ratio],
                     stated.pick(Ordering::Greater, Ordering::Less),
                 )
             })
@@ -124,10 +119,10 @@ fn comparisons() -> Vec<Claim> {
             })
             .but_not("they rise")
             .read_as(
-                "Gentler means here that the wheel's peak velocity, its peak acceleration and the jump of its \
-                 acceleration at entry all fall, for the same speed of the driver, by which the handout normalises its \
-                 own curves. If the move took the same time instead, the jump at entry would rise from three to five \
-                 stations and fall from there.",
+                "“More gentle” means here that, at the same speed of the driver, the wheel's peak velocity, its peak \
+                 acceleration and the jump of its acceleration at entry all fall. The handout normalises its own \
+                 curves by this speed. If the move took the same time instead, the jump at entry would rise from three \
+                 to five stations and then fall.",
             ),
         DURATION
             .statement(

@@ -2,6 +2,7 @@
 
 use super::letters::{PARTS, PARTS_BY_DEGREES};
 use super::*;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Field, Rational, rational};
 
@@ -14,9 +15,9 @@ const MOVING_PART: Slip = Slip {
              between two slots. The dwell takes the rest of the turn. But the printed formula gives the part of the \
              cycle in which the wheel moves, and the printed numbers follow from this formula.",
     witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle. For \
-              six stations, we get the right part from the crank angle at which the wheel is at rest, by power series. \
-              We also get this part from the crank angle at which the wheel in this book's code changes between \
-              indexing and dwell.",
+              six stations, power series give the crank angle at which the wheel comes to rest, and the corrected \
+              fraction follows from this angle. It also follows from the crank angle at which the wheel in this book's \
+              code changes between indexing and dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \
@@ -55,8 +56,8 @@ pub fn claims() -> Vec<Claim> {
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART)
             .read_as(
-                "The decimal is cut off after its last place, as long division leaves it. If it is rounded, the \
-                 fraction before it ends in a 6.",
+                "The decimal is cut off after its last place, as long division leaves it. If the fraction before it \
+                 were rounded, it would end in a 6.",
             ),
     ]
 }

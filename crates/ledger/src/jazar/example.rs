@@ -6,8 +6,9 @@ use super::general::printed_angle;
 use super::letters::{FASTEST, PARTS};
 use super::peak::{number, rounds_to_the_speed};
 use super::*;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::wheel::{Phase, peak_velocity};
+use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove};
 
 const DATA: Place = at("Example, data");
@@ -95,7 +96,7 @@ fn velocity() -> Vec<Claim> {
             .by(ClosedForm, example_speed)
             .by(OtherPlaceInSource, || 2.0 * PI / printed("jazar.ex-c.cycle")),
         D.value("jazar.ex-d.peak", "37.70", "rad/s", "peak angular velocity of the wheel")
-            .by(ClosedForm, || example_speed() * six(peak_velocity))
+            .by(ClosedForm, || example_speed() * six(Wheel::peak_velocity))
             .by(
                 Series, // By time, with as many turns in a second as the source counts advances.
                 || six(|wheel| at_speed(wheel, 0.0, 2.0 * PI * printed("jazar.ex-a.advances"))[1]),

@@ -3,7 +3,8 @@
 use super::letters::PEAK_ANGLE;
 use super::peak::{both_roots, left_side, six_pair};
 use super::*;
-use geneva_kinematics::wheel::{acceleration_peak, acceleration_ratio};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::acceleration_ratio;
 use geneva_kinematics::{Expression, Field, Identity, Rational, prove, rational};
 
 pub fn claims() -> Vec<Claim> {
@@ -15,7 +16,7 @@ fn root_choice() -> Claim {
         .statement(
             "jazar.ex-e.root-choice",
             "0 and 1",
-            "only the positive root gives a cosine of a size between zero and one",
+            "only the positive root gives a cosine whose size is between zero and one",
         )
         .by(ClosedForm, |stated| {
             let [least, most] = stated.numbers()[..] else { return Finding::new(false, "not two numbers") };
@@ -78,8 +79,8 @@ fn alpha_range() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "α is greatest with three stations, {greatest:.4}°, and the range {} up to this angle",
-                    if holds { "goes" } else { "does not go" }
+                    "α is largest with three stations, {greatest:.4}°, and the range {} this angle",
+                    if holds { "includes" } else { "does not include" }
                 ),
             )
         })
@@ -87,10 +88,10 @@ fn alpha_range() -> Claim {
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "Three stations, the least number that the handout allows, have α = 60° exactly, and what the \
-                         handout says about the choice of the root holds for them too. The copy may have lost a stroke \
-                         of the sign. But the right sign is nowhere else in the handout, so we put this mistake down \
-                         to the handout.",
+                reason: "With three stations, the smallest number that the handout allows, α is exactly 60°, and what \
+                         the handout says about the choice of the root is true for three stations too. The copy may \
+                         have lost a stroke of the inequality sign. But the right sign is nowhere else in the handout, \
+                         so we put this mistake down to the handout.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
                 origin: Origin::Misprint,
@@ -131,7 +132,7 @@ fn maximum() -> Claim {
         .by(ClosedForm, |stated| {
             for_all_stations(
                 |wheel| {
-                    let angle = acceleration_peak(wheel).angle;
+                    let angle = wheel.acceleration_peak().angle;
                     // The slope of what is greatest: from plus to minus.
                     let slope = |t: f64| {
                         let motion = wheel.engaged(t);
@@ -170,7 +171,7 @@ fn sign_of_the_angle() -> Claim {
             for_all_stations(
                 |wheel| {
                     let (plus, minus) = both_roots(libm::sin(wheel.half_pitch_angle()));
-                    let angle = acceleration_peak(wheel).angle;
+                    let angle = wheel.acceleration_peak().angle;
                     agrees(libm::cos(angle), plus) && agrees(libm::cos(-angle), stated.pick(plus, minus))
                 },
                 "the cosines of both angles are the positive root",
@@ -216,8 +217,7 @@ fn general_validity() -> Claim {
         })
         .but_not("the equations hold while the driver speeds up, too")
         .read_as(
-            "We take this to be about every number of stations, with a driver of constant speed, as the example \
-                  has it.",
+            "We take this to be about every number of stations, with a driver of constant speed, as in the example.",
         )
 }
 

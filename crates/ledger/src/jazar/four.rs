@@ -2,6 +2,7 @@
 
 use super::letters::{FOUR, LOOP, STEADY_FOUR};
 use super::*;
+use geneva_kinematics::indexing::Indexing;
 
 const CLOSURE: Place = at("Eq. (5.25)");
 

@@ -5,6 +5,7 @@ use super::letters::{ANY, PARTS, SIZES};
 use super::*;
 use crate::tex::{Letters, value};
 use crate::vocabulary::equal_to;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::{Expression, Identity, prove};
 
 const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle of the pin's centre, because the \
@@ -19,7 +20,7 @@ fn sizes() -> Vec<Claim> {
     vec![
         RATIOS
             .equation("jazar.centre-distance-ratio", r"1/\sin \alpha", "centre distance over crank radius")
-            .said_in_letters(SIZES, equal_to("l/r"))
+            .rewritten_and_proven(SIZES, equal_to("l/r"))
             .read_as(PIN_RADIUS),
         RATIOS
             .statement(
@@ -46,10 +47,10 @@ fn sizes() -> Vec<Claim> {
                 r"\text{outside radius}: 1/\tan \alpha",
                 Slip {
                     id: "",
-                    reason: "With half the angle between two slots for α, 1/tan α is the outside radius of the wheel \
-                             over the pin radius, the only other length that the sentence names. The outside diameter \
-                             over the pin radius is twice as much. Over the diameter of the pin's circle the ratio \
-                             would be right, but the handout never mentions that diameter.",
+                    reason: "If α is half the angle between two slots, 1/tan α is the wheel's outside radius over the \
+                             pin radius, which is the only other length that the sentence names. The outside diameter \
+                             over the pin radius is twice that. If the diameter of the pin's circle were meant \
+                             instead, the ratio would be right, but the handout never mentions that diameter.",
                     witness: "The handout itself says that the outer radius of the four-station wheel is r, and tan \
                               45° is one.",
                     origin: Origin::Misprint,
@@ -73,7 +74,7 @@ fn sizes() -> Vec<Claim> {
                     [|w, t| by_duals(w, t)[0], |w, t| by_duals(w, t)[1], |w, t| by_duals(w, t)[2]];
                 four_from_general(&derivatives, stated)
             })
-            .but_not("Eq. (5.29) as it stands in the copy, without its minus sign, is a case of Eq. (5.32)")
+            .but_not("Eq. (5.29) as it is in the copy, without its minus sign, is a case of Eq. (5.32)")
             .read_as("We take Eq. (5.29) with the minus sign that it has lost in the copy."),
     ]
 }

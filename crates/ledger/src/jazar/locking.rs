@@ -4,6 +4,7 @@ use super::letters::SIZES_OF_FOUR;
 use super::text::{SIMPLE, VARIETIES};
 use super::*;
 use crate::vocabulary::equal_to;
+use geneva_kinematics::indexing::Indexing;
 use nalgebra::Vector2;
 
 pub(super) fn journal_bearing() -> Claim {
@@ -91,7 +92,7 @@ pub(super) fn cutout_centres() -> Claim {
             r"\sqrt{2}r",
             "radius of the circle through the centres of the locking arcs, for four stations",
         )
-        .said_in_letters(SIZES_OF_FOUR, equal_to(r"\text{arcs}"))
+        .rewritten_and_proven(SIZES_OF_FOUR, equal_to(r"\text{arcs}"))
         .also_by(Vectors, || {
             // The arc for a journal as large as the pin's circle, in the wheel at rest, by three of its points: the
             // mouths of the two slots beside it, and on the line of centres the point of that circle next to the wheel.
@@ -114,8 +115,8 @@ pub(super) fn most_stations() -> Claim {
         )
         .missing(
             "The text does not say by what measure an arc is too short, and the measures disagree. Take a locking disc \
-             whose radius is six to nine tenths of the crank radius. Measured in wheel radii, the arcs get shorter and \
-             shorter from four stations on. But measured in crank radii, or by the angle that they embrace, they grow. \
+             whose radius is six to nine tenths of the crank radius. Measured in wheel radii, the arcs get shorter \
+             with each station beyond four. But measured in crank radii, or by the angle that they span, they grow. \
              With any number of stations they lock, whichever way the wheel is pushed. In wheel radii, the arcs of a \
              spherical wheel get just as short as the arcs of a planar wheel, although the handout says that the \
              spherical wheel stays locked. No measure that we tried makes both sentences true",

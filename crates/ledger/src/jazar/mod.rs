@@ -24,6 +24,7 @@ use crate::agreement::{agrees, same, vanishes};
 use crate::by_id::{characters, decimal, printed, rounds};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::KinematicsError;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{STATIONS, Wheel};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
@@ -111,7 +112,7 @@ fn for_all_stations(holds: impl Fn(&Wheel) -> bool, how: &str) -> Finding {
         [] => format!("with {}, {how}", numbers_of_stations()),
         [first] => format!("with {first} stations it is not true that {how}"),
         [first, .., last] => {
-            format!("with {} numbers of stations, from {first} to {last}, it is not true that {how}", failing.len())
+            format!("for {} numbers of stations, from {first} to {last}, it is not true that {how}", failing.len())
         }
     };
     Finding::new(failing.is_empty(), how)

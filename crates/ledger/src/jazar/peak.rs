@@ -5,7 +5,8 @@ use super::general::printed_5_31;
 use super::letters::{ANY, COEFFICIENT, PEAK, condition, quadratic};
 use super::*;
 use crate::tex::{By, Letters, Moment, decide_multiple, holds, value};
-use geneva_kinematics::wheel::{acceleration_peak, gamma};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::gamma;
 use geneva_kinematics::{Expression, Field};
 
 const E: Place = at("Ex. (e)");
@@ -15,9 +16,11 @@ const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
     reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because the \
              printed ratio is larger than the largest value that the equation takes for six stations. We can only \
-             suggest a possible origin. With a 5 for the 9 in the angle of the denominator, but the printed angle in the numerator, the equation gives the printed digits. The answer to (e) is the ratio times the square of the right speed.",
-    witness: "We took the pin's position as a power series, and from it the angle at which the pin is seen from the \
-              wheel's axis. By halving intervals, we found where this angle's third derivative is zero, which is where \
+             guess at its origin: the equation gives the printed digits if the angle in the numerator is the printed \
+             one, but the angle in the denominator has a 5 in place of the 9. The answer to (e) is the printed ratio \
+             times the square of the driver's speed, and that speed is right.",
+    witness: "We wrote the pin's position as a power series and derived from it the pin's direction as seen from the \
+              wheel's axis. By bisection, we found where the third derivative of this angle is zero, which is where \
               the acceleration peaks.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
@@ -50,7 +53,7 @@ fn steps() -> Vec<Claim> {
                 let angle = |wheel: &Wheel| libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0);
                 Finding::of_reading(zero_at(tex, by_series, angle))
             })
-            .read(AutomaticDerivative, |tex| zero_at(tex, by_duals, |wheel| acceleration_peak(wheel).angle)),
+            .read(AutomaticDerivative, |tex| zero_at(tex, by_duals, |wheel| wheel.acceleration_peak().angle)),
         at("Ex. (e), condition for an extreme")
             .equation(
                 "jazar.ex-e.condition",
@@ -109,7 +112,7 @@ fn plot() -> Claim {
             let order = stated.pick(2, 1);
             reads(
                 |wheel, t| by_duals(wheel, t)[order].abs(),
-                |wheel| (acceleration_peak(wheel).angle, acceleration_peak(wheel).ratio),
+                |wheel| (wheel.acceleration_peak().angle, wheel.acceleration_peak().ratio),
             )
         })
         .but_not("the extreme and its angle can be read from a plot of Eq. (5.31)")
@@ -164,7 +167,7 @@ fn numbers() -> Vec<Claim> {
             }),
         at("Ex. (e), from Eq. (5.34)")
             .value("jazar.ex-e.angle", "±22.90", "°", "crank angles at which the acceleration is greatest in size")
-            .by(ClosedForm, || six(|w| acceleration_peak(w).angle).to_degrees())
+            .by(ClosedForm, || six(|w| w.acceleration_peak().angle).to_degrees())
             .by(Series, || six_pair(peak_by_series).0.to_degrees()),
         at("Ex. (e), from Eq. (5.32)")
             .equation(
@@ -180,9 +183,10 @@ fn numbers() -> Vec<Claim> {
                 "jazar.ex-e.ratio",
                 "±1.372",
                 "",
-                "greatest magnitude of the acceleration of the six-station wheel, divided by the square of the driver's speed",
+                "greatest magnitude of the acceleration of the six-station wheel, divided by the square of the \
+                 driver's speed",
             )
-            .by(ClosedForm, || six(|w| acceleration_peak(w).ratio))
+            .by(ClosedForm, || six(|w| w.acceleration_peak().ratio))
             .by(Series, || six_pair(peak_by_series).1)
             .corrected("±1.350", WRONG_RATIO),
         E.equation("jazar.ex-e.driver-formula", r"6 \times 2\pi", "angular velocity of the driver, computed once more")
@@ -232,7 +236,7 @@ fn acceleration_by_time() -> f64 {
 /// Whether the tallest of points at whole degrees tells an extreme: its angle to half a degree, its size as rounded to
 /// the places of the printed ratio.
 fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f64)) -> Finding {
-    let Ok(wheel) = example() else { return Finding::new(false, "there is no wheel of six") };
+    let Ok(wheel) = example() else { return Finding::new(false, "there is no wheel of six stations") };
     let last = wheel.engagement_half_angle().to_degrees() as i32;
     let points = (0..=last).map(|degrees| (degrees, curve(&wheel, f64::from(degrees).to_radians())));
     let (degrees, read) = points.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN));

@@ -18,7 +18,7 @@ fn angulated() -> Claim {
             "jazar.spherical-shafts",
             "between angulated shafts",
             "a wheel whose axis is at an angle to the driver's axis is moved on by one station, and it is at rest at \
-             both ends",
+             both ends of the move",
         )
         .by(Vectors, |stated| {
             let indexed = |stations: u32| {
@@ -29,7 +29,7 @@ fn angulated() -> Claim {
             Finding::new(
                 failing.is_none(),
                 format!(
-                    "with shafts at {} degrees the pin enters and leaves along meridians a station apart{but}",
+                    "with shafts at {} degrees the pin enters and leaves along meridians one station apart{but}",
                     joined(ANGLES)
                 ),
             )
@@ -43,7 +43,7 @@ fn angulated() -> Claim {
         .but_not("it also takes half of the driver's turn at every angle between the shafts")
         .read_as(
             "We tried this with shafts at 60°, 90° and 120°, for all numbers of stations that we try elsewhere. A \
-             proof covers any angle at which the pin finds room.",
+             proof covers any angle at which there is room for the pin.",
         )
 }
 

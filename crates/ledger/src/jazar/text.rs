@@ -4,6 +4,7 @@ use super::letters::SIZES_OF_FOUR;
 use super::*;
 use crate::tolerance::CLOSURE;
 use crate::vocabulary::equal_to;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
 
@@ -205,7 +206,7 @@ fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
 fn centre_distance() -> Claim {
     SIMPLE
         .equation("jazar.centre-distance", r"\sqrt{2}r", "centre distance of the four-station wheel")
-        .said_in_letters(SIZES_OF_FOUR, equal_to("l"))
+        .rewritten_and_proven(SIZES_OF_FOUR, equal_to("l"))
 }
 
 fn wheel_radius() -> Claim {
@@ -222,9 +223,9 @@ fn wheel_radius() -> Claim {
 
 fn sense_of_the_wheel() -> Claim {
     CAPTION.figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise").missing(
-        "The copy we had does not include the drawing, and the text does not say in which sense its driver turns. If \
-         the driver turns clockwise, the sense in which Fig. 5.29 counts θ, the star wheel turns counterclockwise. If \
-         the driver turns counterclockwise, the star wheel turns clockwise.",
+        "The copy we had does not include the drawing, and the text does not say in which sense the driver turns. If \
+         the driver turns clockwise, which is the sense in which Fig. 5.29 measures θ, the star wheel turns \
+         counterclockwise. If the driver turns counterclockwise, the star wheel turns clockwise.",
     )
 }
 

@@ -2,6 +2,7 @@
 
 use super::hand_over_letters::{self, UNIT};
 use super::*;
+use geneva_kinematics::indexing::Indexing;
 
 /// What the appendix prints for one mechanism; each with its id.
 struct Printed {
@@ -40,9 +41,9 @@ fn unit() -> Claim {
             Slip {
                 id: "",
                 reason: "R is the distance of the pin from the follower's axis, which differs from mechanism to \
-                         mechanism. But all that follows is computed with the radius r of the pins' circle as one. \
-                         With four slots the two are equal. We cannot tell whether the copy or the author put the \
-                         capital. We count it as a mistake of the copy, because r is printed correctly in the \
+                         mechanism. But everything that follows is computed with the radius r of the pins' circle as \
+                         one. With four slots the two are equal. We cannot tell whether the capital is the copy's or \
+                         the author's. We count it as a mistake of the copy, because r is printed correctly in the \
                          displays below.",
                 witness: "The appendix computes R three times, with different results.",
                 origin: Origin::Copy,
@@ -154,9 +155,10 @@ fn corrected_centre(claim: Claim) -> Claim {
         Slip {
             id: "",
             reason: "The centre distance is one over the sine of 60°, or 2/√3, which is a little less than the printed \
-                     number. With 1.73 for √3 we get the printed number, but further down the appendix itself prints \
-                     √3 to one place more. It is also possible that a digit was misread, by the author or in the copy.",
-            witness: "We computed the hand-over by coordinates, with exact roots.",
+                     number. Taking √3 as 1.73 would give the printed number, but the appendix itself, further down, \
+                     gives √3 to one more place. It is also possible that a digit was misread, by the author or in the \
+                     copy.",
+            witness: "We computed the hand-over in coordinates, with exact square roots.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Number,
             changes: "The last digit of one centre distance is wrong, but nothing is computed from it.",
@@ -169,14 +171,14 @@ fn corrected_radius(claim: Claim) -> Claim {
         "0.577",
         Slip {
             id: "",
-            reason: "The ratio of the two printed sines is one over the root of three. No rounding of the sines gives \
-                     the printed digits, and the printed centre distance does not give them either. Only the middle \
-                     digit differs, and we cannot tell whether it was misprinted or misread in the copy.",
-            witness: "We computed the hand-over by coordinates, with exact roots.",
+            reason: "The ratio of the two printed sines is one over the square root of three. No rounding of the sines \
+                     gives the printed digits, and the printed centre distance does not give them either. Only the \
+                     middle digit differs, and we cannot tell whether it is a misprint or was misread in copying.",
+            witness: "We computed the hand-over in coordinates, with exact square roots.",
             origin: Origin::Misprint,
             consequence: Consequence::Result,
-            changes: "A follower for six pins cut to that radius would be too small, so the pins would leave their \
-                      slots before the next ones have entered.",
+            changes: "A follower cut to that radius for six pins would be too small, so each pin would leave its slot \
+                      before the next pin enters.",
         },
     )
 }

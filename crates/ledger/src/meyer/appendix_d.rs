@@ -28,12 +28,12 @@ fn needed() -> Claim {
         .statement(
             "meyer.app-d.needed",
             "requires a value for the second derivative",
-            "without a line of its own for the start, the program would have no first acceleration",
+            "without a separate line for the start, the program would have no first acceleration",
         )
         .missing(
             "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \
              F, from which the friction takes its sign, has no sign at the start, so a value is required. If the delay \
-             gives zero, the line that computes the acceleration begins by itself, with the same first value. The \
+             gives zero, the line that computes the acceleration starts by itself, with the same first value. The \
              reason is that a pin enters along its slot, where the friction has no moment arm",
         )
 }
@@ -65,7 +65,7 @@ fn given() -> Vec<Claim> {
             .statement(
                 "meyer.app-d.order",
                 "three, four, or six pins",
-                "the angle at the start depends on the mechanism, of which there are three",
+                "the angle at the start depends on which of the three mechanisms it is",
             )
             .by(LimitCase, |stated| {
                 let mut angles: Vec<f64> = said_pins(stated).iter().map(|pins| 180.0 / pins).collect();
@@ -84,7 +84,7 @@ fn given() -> Vec<Claim> {
                         .count()
                         == 1
                 });
-                Finding::new(holds, "the pin moves along its slot, at each angle in one of the three escapements")
+                Finding::new(holds, "at each angle, the pin moves along its slot in one of the three escapements")
             })
             .but_not("three, four, or five pins")
             .read_as(
@@ -154,7 +154,7 @@ pub fn coming_in(stated: Stated) -> Finding {
     let count = Mechanism::ALL.iter().zip(&said).filter(|pair| comes_in(*pair)).count();
     Finding::new(
         count == 3 && said.len() == 3,
-        format!("at {} degrees the pin comes in along its slot in {count} of 3 escapements", joined(&said)),
+        format!("at {} degrees the pin enters along its slot in {count} of 3 escapements", joined(&said)),
     )
 }
 
@@ -260,9 +260,12 @@ fn equations() -> Vec<Claim> {
                 let powers = (0..=600).map(|k| libm::pow(10.0, f64::from(k) / 100.0 - 3.0));
                 left(0.0) < c.e && powers.into_iter().any(|angular_acceleration| left(angular_acceleration) >= c.e)
             };
-            Finding::new(poses().all(|(_, c)| reaches(&c)), "we followed the left side along positive accelerations")
+            Finding::new(
+                poses().all(|(_, c)| reaches(&c)),
+                "we followed the left side of the equation over positive accelerations",
+            )
         })
-        .but_not("the driver always goes on accelerating in that direction, however fast it turns")
+        .but_not("the driver always keeps accelerating in that direction, however fast it turns")
         .read_as(
             "We take the start with less friction than the critical value, so that A > |D|, or with any friction, \
              because D is zero there.",

@@ -76,7 +76,7 @@ fn angle_sum() -> Vec<Claim> {
                     "the numbers of slots by which each pin carries the follower are",
                 )
             })
-            .but_not("with Eq. (1-1) and one pin more than Eq. (1-3) gives, the motion is continuous too"),
+            .but_not("with Eq. (1-1) and one more pin than Eq. (1-3) gives, the motion is continuous too"),
     ]
 }
 
@@ -93,7 +93,7 @@ fn combinations() -> Vec<Claim> {
                 let found = possible().len();
                 Finding::new(
                     holds && found == stated.pick(stated.count() as usize, 4),
-                    format!("(m − 2)(n − 2) = 4, which has {found} pairs of divisors; {how}"),
+                    format!("(m − 2)(n − 2) = 4, and 4 has {found} pairs of divisors; {how}"),
                 )
             })
             .by(LimitCase, |stated| {
@@ -159,7 +159,7 @@ fn remarks() -> Vec<Claim> {
                 Finding::new(
                     holds && falls,
                     format!(
-                        "with a thousand, a million and 10⁹ slots the number of pins is above it by {}; {how}",
+                        "with a thousand, a million and 10⁹ slots, the number of pins exceeds this limit by {}; {how}",
                         joined(above)
                     ),
                 )
@@ -196,13 +196,9 @@ fn remarks() -> Vec<Claim> {
                         here.normalize().perp(&(there - here)) / step
                     })
                 });
-                every(
-                    parts,
-                    |part| part.abs() < 1e-5,
-                    "the parts of a small step of the pin that are off that line are",
-                )
+                every(parts, |part| part.abs() < 1e-5, "the components of a small step of the pin across that line are")
             })
-            .but_not("the path runs along it too if the follower has a slot more"),
+            .but_not("the path runs along it too if the follower has one more slot"),
     ]
 }
 

@@ -56,9 +56,9 @@ fn timing() -> Claim {
         })
         .but_not("it comes to the same motion with a fifth more friction")
         .read_as(
-            "We ask for a timing device of no stated accuracy, as in the abstract. Whether it starts from rest, \
-             slowly or fast forwards, every run comes to one terminal velocity, and its engagements then all take the \
-             same time, as long as nothing changes.",
+            "We ask for a timing device of no stated accuracy, as in the abstract. Whether it starts from rest or with \
+             a slow or fast forward motion, every run comes to one terminal velocity. All its engagements then take \
+             the same time, as long as nothing changes.",
         )
 }
 
@@ -75,8 +75,8 @@ fn of_groups(settled: Vec<bool>) -> Finding {
     Finding::new(
         count == series().count(),
         format!(
-            "in {count} of {} groups of runs the motion comes to one period, from rest and from a tenth to ten times the \
-             steady speed",
+            "in {count} of {} groups of runs, the motion comes to one period, whether it starts from rest or with a \
+             tenth to ten times the steady speed",
             series().count()
         ),
     )
@@ -90,12 +90,14 @@ fn small_variations() -> Claim {
             "small changes of the parameters change the motion little",
         )
         .missing(
-            "The thesis does not say what it would call a serious effect, and the three obvious measures disagree. In \
-             all runs, one per cent of torque, friction or an inertia changes peak, minimum and period of the steady \
-             motion by less than one per cent. In some runs it changes the rise time by more than one per cent, if the \
-             rise ends only when the velocity is steady at each angle. If it ends when the average of peak and minimum \
-             is steady, this happens in no run, but a few per cent can shorten the rise by a whole engagement, which \
-             is half of the rise time. And a clock that goes by the mechanism gains or loses minutes a day",
+            "The thesis does not say what it would call a serious effect, and the three obvious measures disagree. By \
+             the first measure, the effect is small: in all runs, a change of one per cent in the torque, the friction \
+             or one of the inertias changes peak, minimum and period of the steady motion by less than one per cent. \
+             The second measure is the rise time. If the rise ends only when the velocity is steady at each angle, \
+             such a change alters the rise time by more than one per cent in some runs. If the rise ends when the \
+             average of peak and minimum is steady, this happens in no run, but a change of a few per cent can shorten \
+             the rise by a whole engagement, which is half of the rise time. By the third measure, the effect is \
+             serious: a clock controlled by the mechanism gains or loses minutes a day",
         )
 }
 

@@ -153,8 +153,8 @@ fn by_quotient() -> Vec<Claim> {
                     r"\theta \dot{\theta})}{(1+a^2-2a \cos \theta)^4} \right\} \right]"
                 ),
                 miscopied(
-                    "By the rule for quotients the term is subtracted. The minus sign has moved into the bracket, but \
-                     the next display has it in its place. The brackets of the line do not match either.",
+                    "By the quotient rule, the term is subtracted. The minus sign has moved into the bracket, but the \
+                     next display has it in the right place. The brackets of the line do not match either.",
                 ),
             )
             .in_places(3),
@@ -172,7 +172,7 @@ fn by_speed() -> Vec<Claim> {
                     r"\dot{\theta})}{(1+a^2-2a \cos \theta)^2} - \frac{(a \cos \theta - 1)^2 (2)(2a \sin ",
                     r"\theta \dot{\theta})}{(1+a^2-2a \cos \theta)^3} \right]"
                 ),
-                "the part that comes from the turning of the follower's place, with common factors cancelled",
+                "the part that comes from the change of the velocity ratio, with common factors cancelled",
             )
             .proven_in(&CANCELLED, mechanism)
             .read_in(ClosedForm, &CANCELLED, holds),
@@ -185,7 +185,7 @@ fn by_speed() -> Vec<Claim> {
                     r"\cos \theta)^2} \left\{ 1 + \frac{2(a \cos \theta - 1)}{(1+a^2-2a \cos \theta)} ",
                     r"\right\} \right]"
                 ),
-                "the part that comes from the turning of the follower's place, with its factors outside the braces",
+                "the part that comes from the change of the velocity ratio, with its factors outside the braces",
             )
             .proven_in(&FACTORED, mechanism)
             .read_in(ClosedForm, &FACTORED, holds),
@@ -218,8 +218,8 @@ fn by_angle() -> Vec<Claim> {
                     r"\left[\frac{1}{2} \left\{ I_b + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos ",
                     r"\theta)^2} I_f \right\} \dot{\theta}^2 \right]"
                 ),
-                "the derivative with respect to θ, taken up again. The derivative does not depend on the letter, but \
-                 the expression in the brackets is not the kinetic energy",
+                "the derivative with respect to θ, taken up again. The derivative does not depend on the letter I_b, \
+                 but with this letter the expression in the brackets is not the kinetic energy",
             )
             .decided(proven_of_the_energy)
             .read(ClosedForm, of_the_energy)
@@ -292,7 +292,7 @@ fn letter_b(
         .equation(
             lines[0],
             printed,
-            "what the driver's acceleration adds to the rate of the derivative with respect to the speed",
+            "contribution of the driver's acceleration to the rate of the derivative with respect to the speed",
         )
         .proven_in(lines, mechanism)
         .read_in(ClosedForm, lines, holds)

@@ -59,7 +59,7 @@ fn torque() -> Vec<Claim> {
             .equation(
                 "meyer.friction-torque",
                 r"\tau_2 = h\mu N = c \sin \phi \mu N",
-                "size of the friction torque, whose moment arm c sin φ is how far the pin slides per radian",
+                "size of the friction torque, whose moment arm c sin φ is the distance that the pin slides per radian",
             )
             .proven_by(size)
             .read(ClosedForm, as_size),
@@ -106,7 +106,7 @@ fn normal_force() -> Vec<Claim> {
             .equation(
                 "meyer.moments",
                 r"NR = I_P \ddot{\theta}",
-                "moments on the follower about its axis, where friction along the slot has none",
+                "moments on the follower about its axis, to which friction along the slot contributes nothing",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
@@ -173,7 +173,7 @@ fn substituted() -> Vec<Claim> {
             .statement(
                 "meyer.outside-the-bars",
                 "always positive",
-                "r and the follower's inertia are positive, so they may stand outside the bars",
+                "r and the follower's inertia are positive, so they can be moved outside the bars",
             )
             .by(Vectors, |stated| {
                 equal(
@@ -210,7 +210,7 @@ fn substituted() -> Vec<Claim> {
                     "we evaluated the expression between the bars by the equation of motion, at 18 angles and three speeds",
                 )
             })
-            .but_not("the normal force is always positive too, so it may stand outside them"),
+            .but_not("the normal force is always positive too, so it can be moved outside them"),
     ]
 }
 
@@ -218,12 +218,13 @@ fn spring() -> Vec<Claim> {
     vec![
         at("Eq. (1-15)")
             .equation("meyer.eq-1-15", r"\tau_1 = K", "the driving torque is constant")
-            .by(Evidence::Quadrature, || {
+            .proven_by(mechanism)
+            .read(Vectors, holds)
+            .also_by(Evidence::Quadrature, || {
                 let holds =
                     frictionless().all(|(of, advance)| agrees_in_steps(energy_gained(&of), of.drive() * advance));
                 Finding::new(holds, "the energy gained over an engagement without friction is K times its angle")
-            })
-            .read(Vectors, holds),
+            }),
         no_rate(
             "meyer.spring-rate",
             at("Line after Eq. (1-15)"),
@@ -278,7 +279,7 @@ fn as_size(tex: &str) -> Option<bool> {
 
 /// A drawing of which the copy has only the caption.
 fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    let reason = "The copy we had does not contain the drawing. What the text reads off the drawing is in claims of \
-                  its own";
+    let reason = "The copy we had does not contain the drawing. What the text reads off the drawing is covered by \
+                  other claims";
     at(locator).figure(id, printed, meaning).missing(reason)
 }

@@ -41,7 +41,7 @@ fn tables() -> Vec<Claim> {
 /// Why the two lists of pages are open.
 const WITHOUT_PAGES: &str = "The copy we had has no page numbers to compare the list with. The listed page numbers \
                              rise, and each figure's page is in the part that the figure belongs to. But this would \
-                             still be true if many of these page numbers were replaced by the next number";
+                             still be true if many of these page numbers were one higher";
 
 /// The names of figures 12 to 14 in the list, each with its claim and its place.
 const DRAWN: [(&str, &str, &str, &str); 3] = [
@@ -59,8 +59,8 @@ fn mechanisms() -> Vec<Claim> {
             .by(Vectors, move |stated| has_its_distance(stated, which))
             .but_not("the mechanism of the next of the three drawings")
             .read_as(
-                "Appendix A computes the sizes for the drawings, which come after it, in its own order. We take its \
-                 first computation for the first drawing.",
+                "In an order of its own, Appendix A computes the sizes for the drawings, which come after it. We take \
+                 its first computation for the first drawing.",
             )
     };
     (0..DRAWN.len()).map(of).collect()

@@ -27,7 +27,7 @@ fn more_torque() -> Claim {
         .statement(
             "meyer.more-torque",
             "the lower the rise time, and the greater the terminal velocity",
-            "more torque gives more speed and less rise time",
+            "more torque gives more speed and a shorter rise time",
         )
         .by(Quadrature, |stated| {
             let pairs: Vec<_> = series().flat_map(|own| own.windows(2)).collect();
@@ -55,9 +55,9 @@ fn more_torque() -> Claim {
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 2)))
         .but_not("the lower the rise time, and in proportion the greater the terminal velocity")
         .read_as(
-            "We take the mechanisms, with all else kept. For the rise times of Appendix E, which the graphs sum up, \
-             the claim would fail in 4 of 37 pairs of neighbouring rows. In 2 of them the printed time goes up with \
-             the torque, and in 2 it stays the same.",
+            "We take the mechanisms themselves, with all else unchanged. For the rise times of Appendix E, which the \
+             graphs summarise, the claim would fail in 4 of 37 pairs of neighbouring rows. In 2 of them the printed \
+             time goes up with the torque, and in 2 it stays the same.",
         )
 }
 
@@ -66,7 +66,7 @@ fn least_rise_time() -> Claim {
         .statement(
             "meyer.least-rise-time",
             "reach a certain minimum",
-            "the rise time does not fall below a least value, however strong the spring",
+            "the rise time does not fall below a minimum, however strong the spring",
         )
         .by(Quadrature, |stated| {
             // The power of the torque with which a rise time goes where the torque is great.
@@ -84,24 +84,25 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series().count(),
                 format!(
-                    "from a million times the torque of the tables to four million times, the rise time goes as the \
-                     power {:.6} of the torque, with every mechanism and friction of the runs",
+                    "from one million to four million times the torque in the tables, the rise time varies as the \
+                     torque to the power {:.6}, with every mechanism at every friction value of the runs",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as("We read the sentence in this way: from some torque on, more torque does not shorten the rise.")
+        .read_as("We read the sentence as saying that, from some torque on, more torque does not shorten the rise.")
         .corrected(
-            "fall without end, as the inverse of the root of the torque, so that every increase of the torque reduces \
-             the rise time",
+            "fall without limit, in inverse proportion to the square root of the torque, so that every increase of the \
+             torque reduces the rise time",
             Slip {
                 id: "",
-                reason: "If the torque grows and all times shrink as the inverse of its root, Eq. (1-19) stays the \
-                         same. All times are in proportion to √(I_f/K), where I_f is the follower's inertia and K the \
-                         torque, and this root falls as far as we like as K grows. So there is no least time.",
-                witness: "We prove the law of similarity for the equation. We also show that the law fails if the \
-                          times are not changed.",
+                reason: "If the torque grows and all times shrink in inverse proportion to its square root, Eq. (1-19) \
+                         stays the same. So all times are proportional to √(I_f/K), where I_f is the follower's \
+                         inertia and K the torque. As K grows, this square root becomes as small as we like, and there \
+                         is no minimum.",
+                witness: "We proved the law of similarity for the equation and showed that it fails if the times are \
+                          left unchanged.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,
                 changes: "A stronger spring always shortens the rise. With four times the torque, the rise is half as \
@@ -123,7 +124,7 @@ fn graphs() -> Vec<Claim> {
                 "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \
                  cent refer to. If they refer to the velocity at each angle, you get one rise time, and if they refer \
                  to the average of peak and minimum, you get another. No definition that we tried reproduces even half \
-                 of the rise times of Appendix E, of which the figures are the summary",
+                 of the rise times of Appendix E, which the figures summarise",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),
@@ -136,7 +137,7 @@ fn almost_linear() -> Claim {
         .statement(
             "meyer.almost-linear",
             "An almost linear relationship exists",
-            "the terminal velocity is nearly a straight line over the torque",
+            "plotted over the torque, the terminal velocity is nearly a straight line",
         )
         .by(OtherPlaceInSource, |stated| {
             let found = series().map(|own| {
@@ -159,9 +160,9 @@ fn almost_linear() -> Claim {
         })
         .but_not("the terminal velocity is almost proportional to the driving torque")
         .read_as(
-            "Almost means that, over the torques of each graph, the best straight line misses each velocity by less \
-             than a twentieth. The line need not start at zero. The source has no measure of the word, so this \
-             measure is ours, and any from 3 to 16 per cent gives the same verdict.",
+            "“Almost” means that, over the torques of each graph, the best straight line misses each velocity by less \
+             than a twentieth. The line need not start at zero. The source does not define the word, so this measure \
+             is ours, and any measure from 3 to 16 per cent gives the same verdict.",
         )
 }
 
@@ -236,7 +237,7 @@ fn straight(misses: Vec<f64>, velocities: &str) -> Finding {
     Finding::new(
         complete && most < ALMOST,
         format!(
-            "of {} {velocities} velocities the line misses each by at most {:.1} per cent",
+            "the line misses each of {} {velocities} velocities by at most {:.1} per cent",
             misses.len(),
             100.0 * most
         ),

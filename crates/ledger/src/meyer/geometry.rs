@@ -5,6 +5,7 @@ use super::hand_over_letters::{HALVES, RATIO, RIGHT_TRIANGLE};
 use super::*;
 use crate::agreement::joined_numbers;
 use geneva_kinematics::escapement::{AtHandOver, Continuous};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
 const USUAL: Place = at("Chapter I, 1st paragraph");
@@ -21,10 +22,10 @@ fn conditions() -> Vec<Claim> {
             .statement(
                 "meyer.indexing",
                 "1/n",
-                "a turn of a driver with one pin moves the follower on by one slot of n",
+                "one turn of a driver with one pin moves the follower on by one slot of n",
             )
             .by(LimitCase, |stated| {
-                moved_on(stated, moved_by_a_turn, "a turn of the driver moves the follower on by as many slots")
+                moved_on(stated, moved_by_a_turn, "a turn of the driver moves the follower on by that many slots")
             })
             .by(Vectors, |stated| {
                 moved_on(
@@ -35,7 +36,7 @@ fn conditions() -> Vec<Claim> {
             })
             .but_not("two slots of n"),
         CONDITION
-            .statement("meyer.intermittent", "intermittent", "with one pin the follower moves by fits and starts")
+            .statement("meyer.intermittent", "intermittent", "with one pin, the follower moves intermittently")
             .by(ClosedForm, |stated| {
                 let dwells = stated.pick(single(), complete()).into_iter().map(|(pins, slots)| dwell(pins, slots));
                 every(dwells, |dwell| dwell > 0.0, "the parts of the driver's turn in which the follower dwells are")
@@ -45,7 +46,7 @@ fn conditions() -> Vec<Claim> {
                 every(
                     fewest,
                     |pins| pins == 0.0,
-                    "over a turn of the driver, the least numbers of pins within the rim are",
+                    "over a turn of the driver, the minimum numbers of pins within the rim are",
                 )
             })
             .but_not("it does so with the pins of the escapement too"),
@@ -56,21 +57,21 @@ fn conditions() -> Vec<Claim> {
                 "as an escapement, the mechanism needs a pin engaged at every instant",
             )
             .missing(
-                "The thesis does not say whether every such escapement needs an engaged pin at every instant, or only \
-                 that this design shall have one. Without an engaged pin the follower rests. The text calls such \
-                 intermittent motion undesirable, not impossible. If the sentence only states what the designer \
-                 chose, there is nothing to test. If the sentence states a need, it would be false. With some of the \
-                 pins taken away, and the follower held between two engagements, each of the three mechanisms comes \
-                 to a steady speed too, with each friction of the runs",
+                "The sentence can be read as a need of every such escapement, or as a choice made for this design, and \
+                 the thesis does not say which. Without an engaged pin, the follower rests. The text calls such \
+                 intermittent motion undesirable, not impossible. If the sentence states a choice, there is nothing to \
+                 test. If it states a need, it is false. Even with some pins taken away, and with the follower held \
+                 between engagements, each of the three mechanisms comes to a steady speed at each friction value of \
+                 the runs",
             ),
         at("Fig. 3, caption")
             .figure("meyer.fig-3", "four pin, four slot", "the mechanism that is drawn has four pins and four slots")
             .missing(
                 "The copy we had does not contain the drawing. Four pins and four slots do belong together, but so do \
-                 other numbers, and we cannot tell which of them are drawn",
+                 other numbers, and we cannot tell which numbers are drawn",
             ),
         INSTANT
-            .statement("meyer.hand-over", "must be entering", "as one pin leaves its slot the next enters one")
+            .statement("meyer.hand-over", "must be entering", "as one pin leaves its slot, the next pin enters a slot")
             .by(ClosedForm, |stated| {
                 let angles = neighbours(stated).into_iter().map(|(pins, slots)| {
                     let ratio = 1.0 / libm::sin(PI / f64::from(slots));
@@ -80,7 +81,7 @@ fn conditions() -> Vec<Claim> {
                 every(
                     angles,
                     |pitches| agrees(pitches, 1.0),
-                    "the quotients of the driver's turn in an engagement and its turn from pin to pin are",
+                    "the ratios of the driver's turn in an engagement to its turn from pin to pin are",
                 )
             })
             .by(Vectors, |stated| {
@@ -122,7 +123,7 @@ fn triangle() -> Vec<Claim> {
             .figure(
                 "meyer.right-triangle",
                 "large right triangle",
-                "at the hand-over crank and slot are at right angles",
+                "at the hand-over, crank and slot are at right angles",
             )
             .by(ExactIdentity, |stated| {
                 let found =
@@ -137,7 +138,7 @@ fn triangle() -> Vec<Claim> {
                 });
                 every(misfits, vanishes, "the squares of two sides minus the square of the third are")
             })
-            .but_not("they are at right angles too if the follower has a slot more"),
+            .but_not("they are at right angles too if the follower has one more slot"),
         at("3rd display before Eq. (1-1)")
             .equation(
                 "meyer.pin-circle",
@@ -173,7 +174,7 @@ pub fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
         more.is_some_and(|pair| pair.at_hand_over() == AtHandOver::Rests)
     };
     let all = stated.pick(true, Mechanism::ALL.iter().all(rests));
-    let but = if all { "" } else { "; with a slot more the follower is not at rest then" };
+    let but = if all { "" } else { "; with one more slot, the follower is not at rest then" };
     Finding::new(found.holds && all, format!("{}{but}", found.how))
 }
 

@@ -25,20 +25,20 @@ pub fn along_the_slot() -> Claim {
         .by(Vectors, entry_by_places)
         .corrected("along the centerline, as seen from the follower,", ENTRY_ALONG_THE_SLOT)
         .read_as(
-            "We take the velocity seen from the frame, because the text draws from it the right angle between crank \
-             and slot, and the follower at rest as a pin enters.",
+            "We take the velocity seen from the frame, because from it the text concludes that crank and slot are at \
+             right angles and that the follower is at rest as a pin enters.",
         )
 }
 
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. We count numbers of pins \
-                   and slots as a configuration if each pin takes over from the pin before without a gap, as chapter I \
-                   requires. We tested whether the motion reaches a terminal velocity for all configurations of up to \
-                   eight pins and eight slots, with the frictions of the runs and the inertias of the runs with six \
-                   pins. (With other inertias and more friction, some configurations have no terminal velocity, and \
-                   this is true of the thesis's three as well.)";
+    let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. A number of pins and a \
+                   number of slots count as a configuration if each pin takes over from the previous one without a \
+                   gap, as chapter I requires. For all configurations of up to eight pins and eight slots, we tested \
+                   whether the motion reaches a terminal velocity. In these tests we used the friction values of the \
+                   runs and the inertias of the six-pin runs. (With other inertias and more friction, some \
+                   configurations have no terminal velocity, and this is true of the thesis's three as well.)";
     vec![
         at(locator)
             .statement(
@@ -51,7 +51,7 @@ pub fn conclusion() -> Vec<Claim> {
             .read_as(reading)
             .corrected(
                 "All geometrical configurations of m pins and n slots with 1/m + 2/n < 1 and inertias that suit the \
-                 friction, of which only three have the follower at rest at each hand-over",
+                 friction, although only in three of them is the follower at rest at each hand-over",
                 ENTRY_ALONG_THE_SLOT,
             ),
         at(locator)
@@ -62,7 +62,7 @@ pub fn conclusion() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| named_work(stated, works_by_formula))
             .by(RungeKutta, |stated| named_work(stated, works_by_steps))
-            .but_not("each of the three works with a slot fewer")
+            .but_not("each of the three works with one slot fewer")
             .read_as(reading),
     ]
 }
@@ -176,7 +176,7 @@ fn entry(stated: Stated, jump: fn(&Coming) -> f64, across: fn(&Coming, f64) -> f
     }
     let holds = wrong.is_empty() && smooth > 0 && smooth < all;
     let but = wrong.first().map_or(String::new(), |(pins, slots)| {
-        format!("; it fails in {} of them, for example with {pins} pins and {slots} slots", wrong.len())
+        format!("; the statement fails for {} of them, for example with {pins} pins and {slots} slots", wrong.len())
     });
     Finding::new(holds, format!("{smooth} of {all} entries have no jump in the follower's speed{but}"))
 }

@@ -79,7 +79,11 @@ fn at_the_foot(distance: Expression, slot: &Turn<Expression>) -> Moment<Expressi
     Moment::default()
         .with([("c", distance), ("r", crank_radius), ("R", slot_radius)])
         .with_angles([(r"\phi_0", angle(slot)), (r"\phi_o", angle(slot)), (r"\theta_o", angle(&crank))])
+        // The program has N for n.
         .replacing(r"\sin(\pi/n)", slot.sin)
+        .replacing(r"\sin(\pi/N)", slot.sin)
+        .replacing(r"\cos(\pi/n)", slot.cos)
+        .replacing(r"\cos(\pi/N)", slot.cos)
 }
 
 /// The two angles make a quarter turn, by the line before. Variables: θ₀, φ₀.

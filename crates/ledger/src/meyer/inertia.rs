@@ -1,5 +1,6 @@
 //! The estimate of the inertias: two steel discs.
 
+use super::disc_letters::{DISC, ESTIMATE};
 use super::parameters::AFTER_THE_LIST;
 use super::*;
 use crate::Dimension as Exponents;
@@ -49,10 +50,13 @@ fn material() -> Vec<Claim> {
                 let part = metric_density(stated.number() - stated.pick(0.0, LIGHTER)) / IRON.density();
                 Finding::new(
                     (part - 1.0).abs() < 0.015,
-                    format!("the metal's crystal has {:.0} kg/m³, and the number is {part:.3} of it", IRON.density()),
+                    format!(
+                        "the metal's crystal has {:.0} kg/m³, and the number is {part:.3} times this",
+                        IRON.density()
+                    ),
                 )
             })
-            .but_not("a number that is less by five thousandths of a pound")
+            .but_not("a number that is smaller by five thousandths of a pound")
             .read_as(
                 "Steel is iron with little else in it, and steels differ by more than the last digit of the number.",
             ),
@@ -60,13 +64,16 @@ fn material() -> Vec<Claim> {
             .statement(
                 "meyer.like-discs",
                 "both taken to be approximately 0.5 inch in diameter and 0.1 inch in thickness",
-                "for the estimate driver and follower are discs of one size",
+                "for the estimate, driver and follower are discs of the same size",
             )
             .by(OtherPlaceInSource, |stated| {
                 let [diameter, thickness] = sizes(stated);
                 let [radius, said] = data().map_or([f64::NAN; 2], |data| [data.diameter / 2.0, data.thickness]);
                 let holds = agrees(diameter / 2.0, radius) && agrees(thickness, said);
-                Finding::new(holds, format!("the numbers of the estimate are a radius of {radius} and {said} inch"))
+                Finding::new(
+                    holds,
+                    format!("the estimate has a radius of {radius} inch and a thickness of {said} inch"),
+                )
             })
             .by(ClosedForm, |stated| {
                 let [diameter, thickness] = sizes(stated);
@@ -78,15 +85,15 @@ fn material() -> Vec<Claim> {
                 Finding::new(
                     least < result && result < most,
                     format!(
-                        "discs of such a size have {least:.2e} to {most:.2e} in lb sec²; the printed value is \
-                         {result:.1e}"
+                        "discs of this size have inertias of {least:.2e} to {most:.2e} in lb sec²; the printed value \
+                         is {result:.1e}"
                     ),
                 )
             })
             .but_not("a tenth of an inch more in diameter")
             .read_as(
-                "The sentence makes an assumption for the estimate of the inertias alone. A follower and a driver \
-                 that end where the pins are have one size with four slots only.",
+                "The sentence makes an assumption for the estimate of the inertias alone. A follower and a driver that \
+                 end where the pins are have the same size only if there are four slots.",
             ),
     ]
 }
@@ -99,13 +106,8 @@ fn estimate() -> Vec<Claim> {
                 r"I = \frac{1}{2} \pi m r^4 t",
                 "moment of inertia of a disc about its axis, by density, radius and thickness",
             )
-            .by(ClosedForm, || {
-                let (density, radius, thickness) = (1.5, 0.75, 0.25);
-                let sum = of_rings(density, radius, thickness);
-                let letters = [("m", density), ("r", radius), ("t", thickness)].map(|(n, v)| (n.to_owned(), v)).into();
-                same(reading::value(right_side("meyer.disc"), &letters), sum)
-            })
-            .by(Dimension, || {
+            .in_letters(DISC)
+            .also_by(Dimension, || {
                 // In other units, 2, 3 and 5 times as small for length, time and force, the numbers grow so.
                 let grown = |of: Exponents| {
                     [(2.0, of.length), (3.0, of.time), (5.0, of.force)]
@@ -121,8 +123,7 @@ fn estimate() -> Vec<Claim> {
                     reading::value(right_side("meyer.disc"), &quantities.map(number).into())
                 };
                 same(by(true) / by(false), grown(mass() * volume(2)))
-            })
-            .read_by(holds_for_a_disc),
+            }),
         FORMULA
             .statement(
                 "meyer.letter-m",
@@ -132,7 +133,10 @@ fn estimate() -> Vec<Claim> {
             .by(Dimension, |stated| {
                 let letter = stated.pick(mass(), Exponents::FORCE) / volume(3);
                 let (found, wanted) = (letter * volume(4) * Exponents::LENGTH, mass() * volume(2));
-                Finding::new(found == wanted, format!("the formula is then a {found}; a moment of inertia is {wanted}"))
+                Finding::new(
+                    found == wanted,
+                    format!("the formula then has the dimension {found}; a moment of inertia has {wanted}"),
+                )
             })
             .by(LimitCase, |stated| {
                 let (density, radius, thickness) = (1.5, 0.75, 0.25);
@@ -151,12 +155,11 @@ fn estimate() -> Vec<Claim> {
                 "moment of inertia with the numbers put in, where a weight per volume over the acceleration of \
                  gravity is a mass density",
             )
-            .by(Dimension, || unit_of_the_estimate(AS_PRINTED))
-            .corrected_form(|| unit_of_the_estimate(PUT_RIGHT))
-            .by(ClosedForm, || {
+            .in_letters(ESTIMATE)
+            .also_by(ClosedForm, || {
                 // The same disc in kilograms and metres, with the weight of a cubic inch for a mass.
                 let torque = POUND * 9.806_65 * INCH;
-                let of = |data: Data| {
+                let of = |data: Data<f64>| {
                     let [radius, thickness] = [data.diameter / 2.0, data.thickness].map(|inches| inches * INCH);
                     PI / 2.0 * metric_density(steel()) * radius * radius * radius * radius * thickness / torque
                 };
@@ -169,7 +172,6 @@ fn estimate() -> Vec<Claim> {
                     format!("{metric:.4e} in lb sec² by way of metres and kilograms, {inches:.4e} as corrected"),
                 )
             })
-            .read_by(holds_for_the_estimate)
             .corrected(
                 PUT_RIGHT,
                 Slip {
@@ -212,9 +214,9 @@ fn estimate() -> Vec<Claim> {
                 "0.45",
                 Slip {
                     id: "",
-                    reason: "The numbers of the display before this one give a little less than 0.45, which to one \
-                             digit is 0.4. The thesis writes “approximately equal” here, and its next sentence says \
-                             “about”. But here, as everywhere, we judge the digit that is printed.",
+                    reason: "The numbers in the display before this one give a little less than 0.45, which rounded to \
+                             one digit is 0.4. The thesis writes “approximately equal” here, and its next sentence \
+                             says “about”. But here, as everywhere, we judge the digit that is printed.",
                     witness: "We computed half of the disc's mass times the square of its radius.",
                     origin: Origin::Arithmetic,
                     consequence: Consequence::Number,
@@ -245,33 +247,6 @@ pub fn printed_inertia() -> f64 {
 fn sizes(stated: Stated) -> [f64; 2] {
     let [diameter, thickness] = stated.numbers().try_into().unwrap_or([f64::NAN; 2]);
     [diameter + stated.pick(0.0, 0.1), thickness]
-}
-
-/// Whether a formula for the moment of inertia holds for a disc made of rings.
-fn holds_for_a_disc(tex: &str) -> Option<bool> {
-    let moments = [(1.5, 0.75, 0.25), (0.5, 1.25, 2.0)].map(|(density, radius, thickness)| {
-        let letters = [("m", density), ("r", radius), ("t", thickness), ("I", of_rings(density, radius, thickness))];
-        reading::Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
-    });
-    reading::holds(tex, &moments)
-}
-
-/// Whether the estimate of the moment of inertia holds for the numbers of the text around it, in units of any size.
-fn holds_for_the_estimate(tex: &str) -> Option<bool> {
-    let Data { density, gravity, diameter, thickness } = data_of_the_sentences()?;
-    let (inch, pound, second) = (2.0, 3.0, 5.0);
-    // By discs of so many inches, in pounds, seconds and inches.
-    let inertia = of_rings(density / gravity, diameter / 2.0, thickness) * pound * second * second * inch;
-    let letters = [("in", inch), ("lb", pound), ("sec", second), ("I", inertia)];
-    let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
-    reading::holds(tex, &[reading::Moment::of(letters)])
-}
-
-/// Moment of inertia of a disc: the mass of its rings times the square of their radius, by Simpson's rule, which is
-/// exact for cubes.
-fn of_rings(density: f64, radius: f64, thickness: f64) -> f64 {
-    let ring = |at: f64| density * thickness * 2.0 * PI * at * at * at;
-    radius / 6.0 * (ring(0.0) + 4.0 * ring(radius / 2.0) + ring(radius))
 }
 
 /// Densities of steels in kg/m³, as handbooks have them.
@@ -306,15 +281,34 @@ fn metric_density(weight: f64) -> f64 {
     weight * POUND / (INCH * INCH * INCH)
 }
 
-/// The numbers of the estimate, from the display that has them all.
-struct Data {
-    density: f64,
-    gravity: f64,
-    diameter: f64,
-    thickness: f64,
+/// The numbers of the estimate.
+pub struct Data<T> {
+    pub density: T,
+    pub gravity: T,
+    pub diameter: T,
+    pub thickness: T,
 }
 
-fn data() -> Option<Data> {
+impl Data<String> {
+    /// As the sentences around the estimate print them.
+    pub fn in_sentences() -> Option<Self> {
+        let first = |id: &str| characters(id).split(' ').next().map(str::to_owned);
+        let [diameter, thickness] = numeric_tokens(characters("meyer.like-discs")).try_into().ok()?;
+        Some(Self { density: first("meyer.steel")?, gravity: first("meyer.gravity")?, diameter, thickness })
+    }
+
+    pub fn map<T>(self, read: impl Fn(&str) -> Option<T>) -> Option<Data<T>> {
+        Some(Data {
+            density: read(&self.density)?,
+            gravity: read(&self.gravity)?,
+            diameter: read(&self.diameter)?,
+            thickness: read(&self.thickness)?,
+        })
+    }
+}
+
+/// The numbers of the estimate, from the display that has them all.
+fn data() -> Option<Data<f64>> {
     let tokens = numeric_tokens(characters("meyer.disc.numbers"));
     let number = |at: usize| tokens.get(at)?.parse::<f64>().ok();
     // The first number stands behind a bare point: three digits of it.
@@ -322,10 +316,8 @@ fn data() -> Option<Data> {
 }
 
 /// The data as the sentences around the estimate state them.
-fn data_of_the_sentences() -> Option<Data> {
-    let [diameter, thickness] = sizes(Stated::right(characters("meyer.like-discs")));
-    let gravity = characters("meyer.gravity").split(' ').next()?.parse::<f64>().ok()?;
-    Some(Data { density: steel(), gravity, diameter, thickness })
+pub fn data_of_the_sentences() -> Option<Data<f64>> {
+    Data::in_sentences()?.map(|number| number.parse().ok())
 }
 
 /// The number of the paragraph before the estimate; it begins with its point.
@@ -341,16 +333,4 @@ pub fn volume(power: u32) -> Exponents {
 /// A force over an acceleration.
 pub fn mass() -> Exponents {
     Exponents::FORCE * Exponents::TIME * Exponents::TIME / Exponents::LENGTH
-}
-
-/// Whether the estimate has the unit of its result if the weight is per so many inches multiplied as its characters
-/// say.
-fn unit_of_the_estimate(characters: &str) -> Finding {
-    let behind = characters.split_once("lb/in}").map_or("", |(_, behind)| behind);
-    let exponent = behind.strip_prefix('^').and_then(|power| power.chars().next()?.to_digit(10));
-    let density =
-        Exponents::FORCE / volume(exponent.unwrap_or(1)) / (Exponents::LENGTH / Exponents::TIME / Exponents::TIME);
-    let found = density * volume(4) * Exponents::LENGTH;
-    let wanted = Exponents::FORCE * Exponents::LENGTH * Exponents::TIME * Exponents::TIME;
-    Finding::new(found == wanted, format!("the unit is {found}; the unit printed with the result is {wanted}"))
 }

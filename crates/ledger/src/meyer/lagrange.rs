@@ -4,7 +4,6 @@ use super::friction::energy_gained;
 use super::instants::{equal, holds, moments};
 use super::letters::{mechanism, opposed};
 use super::*;
-use geneva_dynamics::energy::MomentArmIsSliding;
 use geneva_dynamics::{Inertias, Parameters, Sign};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Jet, angular_velocity, pin_slot};
@@ -50,7 +49,7 @@ fn equations() -> Vec<Claim> {
 fn forces() -> Vec<Claim> {
     vec![
         FORCES
-            .statement("meyer.constraint-forces", "drop out", "the normal forces of the constraint do no work together")
+            .statement("meyer.constraint-forces", "drop out", "together, the normal forces of the constraint do no work")
             .by(Vectors, |stated| {
                 at_instants(|seen| {
                     // The velocity of pin against slot, with the follower's velocity by Eq. (1-7).
@@ -76,7 +75,7 @@ fn forces() -> Vec<Claim> {
             .statement(
                 "meyer.no-potential",
                 "no potential energy",
-                "no force is left to a potential energy, because the spring counts among the torques instead",
+                "no force is assigned to a potential energy, because the spring counts among the torques instead",
             )
             .by(Vectors, |stated| {
                 equal(
@@ -99,10 +98,10 @@ fn forces() -> Vec<Claim> {
                     "we compared the energy gained over an engagement without friction with the work of the spring's torque",
                 )
             })
-            .but_not("the spring's potential −K θ is in the equation beside its torque")
+            .but_not("the spring's potential −K θ is in the equation along with its torque")
             .read_as(
                 "No force is treated as conservative. (A constant torque could be, with the potential −K θ, but then \
-                 it would not stand among the torques.)",
+                 it would not count among the torques.)",
             ),
         FREEDOM
             .statement("meyer.one-degree", "one degree of freedom", "the mechanism has one degree of freedom")
@@ -122,7 +121,8 @@ fn forces() -> Vec<Claim> {
                         (-10..10)
                             .all(|k| 6 - constraints(&PinKinematics::new(at, instant(at, k))).rank(1e-9) == freedom)
                     },
-                    "we subtracted the rank of the constraints from the coordinates of two members in the plane",
+                    "we subtracted the rank of the constraints from the number of coordinates of two members in the \
+                     plane",
                 )
             })
             .but_not("it has two"),
@@ -132,7 +132,7 @@ fn forces() -> Vec<Claim> {
                 r"\delta W = Q_\theta \delta\theta = \tau \delta\theta",
                 "work of all torques on the driver in a small turn",
             )
-            .proven(MomentArmIsSliding)
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("3rd display after Eq. (1-9)")
             .equation(
@@ -166,7 +166,7 @@ fn vector_sum() -> Claim {
                 letter("I_D") * letter("theta''") + letter("I_f") * letter("phi''") * letter("phi'") / letter("theta'");
             vanishes((force - asked) / force.abs().max(asked.abs()).max(1.0))
         });
-        Finding::new(holds, "we computed it with a torque on the follower, by the forces between pin and slot")
+        Finding::new(holds, "with a torque on the follower, we computed it from the forces between pin and slot")
     })
     .by(Evidence::Quadrature, |stated| {
         for_each(
@@ -178,12 +178,13 @@ fn vector_sum() -> Claim {
                 let work = simpson(factor, -at.engagement_half_angle(), at.engagement_half_angle());
                 agrees_in_steps(work, at.follower_pitch_angle())
             },
-            "we compared the work of a torque on the follower over an engagement with the angle that the follower turns by",
+            "we compared the work of a torque on the follower over an engagement with the angle through which the \
+             follower turns",
         )
     })
     .but_not("a torque on the follower counts like a torque on the driver")
     .read_as(
-        "We sum what each torque contributes to τ, which the display before gives by δW = τ δθ. The next sentences \
+        "We sum what each torque contributes to τ, which the previous display defines by δW = τ δθ. The next sentences \
          speak of contributions too. The friction of the follower's bearing contributes φ'/θ' times its torque.",
     )
 }
@@ -252,7 +253,7 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
         .but_not(
             "it opposes the driving torque while the pin presses on one flank of the slot, and helps it on the other",
         )
-        .read_as("We take the driver as turning forwards, as it does from the start on.")
+        .read_as("We take the driver to turn forwards, as it does from the start.")
 }
 
 /// What friction takes per unit of time and inertia of the follower, by the equation of motion.

@@ -20,14 +20,17 @@ fn less_friction() -> Claim {
             "less friction makes the rise longer",
         )
         .missing(
-            "The thesis leaves open what counts as steady, and the readings disagree. With each of the three \
-             mechanisms, we went from the least friction of the runs to the greatest in small steps, 45 steps in all. \
-             If we go by the velocity at each angle, to one per cent, more friction lengthens the rise in 7 of these \
-             steps, by less than a tenth of a millisecond, while the tables have units of one millisecond. If we go \
-             by that velocity to two per cent, more friction lengthens the rise in none of the steps. If we assume \
-             that a difference of speed dies away evenly, the rise becomes shorter from each friction of the runs to \
-             the next. If we let the rise last until the first whole engagement whose average of peak and minimum is the steady average, more friction lengthens the rise in nearly every step, because each engagement takes longer. But wherever one engagement fewer is enough, the rise becomes shorter. In \
-             Appendix E, more friction goes with a longer rise time in 8 of 34 pairs of rows",
+            "The thesis leaves open what counts as steady, and the readings disagree. To compare them, we raised the \
+             friction in small steps, from the lowest value in the runs to the highest. That makes 45 steps for the \
+             three mechanisms together. First, suppose that the rise ends when the velocity at each angle is steady to \
+             one per cent. Then the rise becomes longer in 7 of the steps, but by less than a tenth of a millisecond, \
+             and the tables' unit is one millisecond. With two per cent instead of one, it becomes longer in none of \
+             the steps. If we assume that a difference in speed dies away evenly, each of the friction values in the \
+             runs gives a shorter rise than the value below it. Now suppose that the rise ends with the first \
+             engagement whose average of peak and minimum is the steady average. Then the rise becomes longer in \
+             nearly every step, because each engagement takes longer. But where the rise needs one engagement fewer \
+             than in the step before, it becomes shorter. In Appendix E, the row with more friction has the longer \
+             rise time in 8 of 34 pairs of rows",
         )
 }
 
@@ -74,7 +77,7 @@ fn no_friction() -> Claim {
             Finding::new(
                 parts.len() == series().count() && parts.iter().all(|part| (part - 1.0).abs() < 1e-6),
                 format!(
-                    "with six pins, after twelve engagements, the driver has {:.6} of the work of the spring",
+                    "with six pins, after twelve engagements, the driver's energy is {:.6} of the spring's work",
                     parts.first().copied().unwrap_or(f64::NAN)
                 ),
             )

@@ -27,9 +27,10 @@ pub const RATES: Vocabulary = Vocabulary::new(moving_triangle, Vectors, instants
 
 /// The moving mechanism: chapter I from the kinetic energy to Eq. (1-19).
 ///
-/// Variables: R, a, sin θ, θ', θ'', I_D, I_f, μ, r; θ grows. That sine and cosine are of one angle is nowhere needed.
+/// Variables: R, a, sin θ, θ', θ'', I_D, I_f, μ, r, δθ; θ grows. That sine and cosine are of one angle is nowhere needed.
 pub fn mechanism(bars: i64) -> Moment<Expression> {
-    let [distance, a, sine, speed, acceleration, driver, follower, friction, radius] = from_fn(Expression::variable);
+    let [distance, a, sine, speed, acceleration, driver, follower, friction, radius, turn] =
+        from_fn(Expression::variable);
     let square = distance * distance;
     let cosine = (1 + a * a - square) / (2 * a);
     let pose = Pose::from_square(&square, &(a * cosine - 1), &(a * sine));
@@ -49,10 +50,12 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
     )
     .rate();
     let follower_acceleration = (in_time * speeds).rate();
-    // Virtual work of the inertias; and the balance of power, with what friction takes by μ N over R dR/dθ = (R²)'/2.
+    // Virtual work of the inertias; the growth of the energy per radian; what friction takes by μ N over R dR/dθ = (R²)'/2.
     let force = driver * acceleration + follower * follower_acceleration * ratio.value();
-    let rubbing = -bars * follower * friction * follower_acceleration * (turning.radius_squared.rate() / 2) / square;
-    let torque = follower * energy.rate() / speed - rubbing;
+    let growth = follower * energy.rate() / speed;
+    let sliding = turning.radius_squared.rate() / 2;
+    let rubbing = -bars * follower * friction * follower_acceleration * sliding / square;
+    let torque = force - rubbing;
     let factors = Coefficients::of_pose(&pose, &inertias, &friction, &(torque / follower));
     let momentum_letters = ["dT/dtheta'", "dT/dq'_k"];
     let letters = [
@@ -70,10 +73,15 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
         ("mu", friction),
         ("N", follower * follower_acceleration / (radius * distance)),
         ("K", torque),
-        ("tau_1", torque),
+        // K by virtual work, the torque of the spring by energy.
+        ("tau_1", growth - rubbing),
         ("tau_2", rubbing),
-        ("tau", torque + rubbing),
+        ("tau", growth),
         ("Q_theta", force),
+        // The work in a small turn, by Lagrange.
+        ("delta theta", turn),
+        ("delta W", follower * (momentum.rate() - by_angle) * turn),
+        ("h", radius * sliding / distance),
         ("Q_k", force),
         ("T", follower * energy.value()),
         ("dT/dtheta", follower * by_angle),
@@ -213,6 +221,25 @@ pub fn vibration(_: i64) -> Moment<Expression> {
     let [mass, damping, stiffness, place, speed] = from_fn(Expression::variable);
     let acceleration = -(damping * speed + stiffness * place) / mass;
     of([("m", mass), ("c", damping), ("k", stiffness), ("x", place), ("x'", speed), ("x''", acceleration)])
+}
+
+/// The vibration in the program's letters. Variables as in [`vibration`], then those at the start, and LDX, which is a slip for
+/// 1DX, with its rate.
+pub fn vibration_of_program(bars: i64) -> Moment<Expression> {
+    let vibration = vibration(bars);
+    let letter = |name: &str| vibration.letters()[name];
+    let [start_speed, start_place, odd, odd_rate] = from_fn(|index| Expression::variable(5 + index));
+    let names = [("M", "m"), ("C", "c"), ("K", "k"), ("X", "x"), ("1DX", "x'"), ("2DX", "x''")];
+    of(names.map(|(name, ours)| (name, letter(ours))))
+        .with([("A", start_speed), ("B", start_place), (r"\text{LDX}", odd)])
+        .changing(By::Time, [("X", letter("x'")), ("1DX", letter("x''")), ("LDX", odd_rate)])
+}
+
+/// The vibration at its start, where A and B are its speed and its place. Variables as in [`vibration_of_program`].
+pub fn vibration_at_start(bars: i64) -> Moment<Expression> {
+    let moment = vibration_of_program(bars);
+    let [speed, place] = ["1DX", "X"].map(|name| moment.letters()[name]);
+    moment.with([("A", speed), ("B", place)])
 }
 
 fn of<'a>(letters: impl IntoIterator<Item = (&'a str, Expression)>) -> Moment<Expression> {

@@ -2,7 +2,6 @@
 
 use super::instants::{holds, miscopied};
 use super::letters::mechanism;
-use super::reading::decide;
 use super::slips::{ARC, LOST_BARS, MISSING_SQUARE};
 use super::*;
 
@@ -192,7 +191,7 @@ fn factors() -> Vec<Claim> {
         )
         .in_places(4),
         at("5th substitution before Eq. (1-19)")
-            .equation("meyer.factor-e", r"E = \frac{K}{I_f}", "E, what drives")
+            .equation("meyer.factor-e", r"E = \frac{K}{I_f}", "E, the driving term")
             .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("Eq. (1-19)")
@@ -214,16 +213,5 @@ fn arc(
     printed: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    at(locator)
-        .equation(id, printed, meaning)
-        .by(ClosedForm, move || reads_printed(id))
-        .corrected_form(move || decide(corrected, mechanism))
-        .read(ClosedForm, holds)
-        .corrected(corrected, ARC)
-}
-
-/// Whether the printed characters hold, of a display whose slip no identity can express.
-fn reads_printed(id: &str) -> Finding {
-    let holds = holds(characters(id)) == Some(true);
-    Finding::new(holds, "we read and evaluated it with an inverse cosine")
+    at(locator).equation(id, printed, meaning).proven_by(mechanism).read(ClosedForm, holds).corrected(corrected, ARC)
 }

@@ -1,4 +1,4 @@
-//! Driver and follower by Newton's laws, for any numbers of pins and slots and in any unit of length.
+//! Driver and follower by Newton's laws, for any number of pins and any number of slots and in any unit of length.
 //!
 //! Places and velocities are vectors, the forces in the slot follow from what the follower's acceleration asks for.
 //! Nothing here is a display of the source or a formula of the other crates: it is a second route to the motion.

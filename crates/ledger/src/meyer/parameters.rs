@@ -22,7 +22,7 @@ pub fn six() -> Claim {
         )
         .by(RungeKutta, |stated| count_that_matter(stated, &Quantity::ALL))
         .by(Dimension, |stated| count_that_may_enter(stated, &Quantity::ALL))
-        .but_not("there are six, and no two of them can be put into one")
+        .but_not("there are six, and no two of them can be combined into one")
         .read_as(PARAMETER)
 }
 
@@ -41,7 +41,7 @@ pub fn after_the_list() -> Vec<Claim> {
                     let slot = PI / f64::from(at.slots());
                     stated.pick(PI / 2.0 - slot, slot) - PI / pins
                 });
-                every(off, vanishes, "with m by Eq. (1-3), the differences of that angle and π/m are")
+                every(off, vanishes, "with m by Eq. (1-3), the differences between that angle and π/m are")
             })
             .by(Vectors, |stated| {
                 let across = Mechanism::ALL.into_iter().map(|at| {
@@ -61,15 +61,15 @@ pub fn after_the_list() -> Vec<Claim> {
             )
             .by(RungeKutta, |stated| count_that_matter(stated, &Quantity::OF_A_MECHANISM))
             .by(Dimension, |stated| count_that_may_enter(stated, &Quantity::OF_A_MECHANISM))
-            .but_not("there are four, and no two of them can be put into one")
+            .but_not("there are four, and no two of them can be combined into one")
             .read_as(PARAMETER),
     ]
 }
 
 /// What a parameter is.
 const PARAMETER: &str = "A parameter is a quantity that the program is given and that changes the motion if it alone \
-                         is changed. (The torque and the inertias count only by their ratios, so two numbers would do \
-                         for these three.)";
+                         is changed. (The torque and the inertias matter only through their ratios, so two numbers \
+                         would do for these three.)";
 
 /// A quantity that the motion might depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,7 +140,7 @@ fn count_that_matter(stated: Stated, quantities: &[Quantity]) -> Finding {
     Finding::new(
         found.iter().all(|count| *count == stated.count() as usize),
         format!(
-            "of {}, the numbers that change an engagement are {} for the three mechanisms",
+            "among {}, the numbers of quantities that change an engagement are {} for the three mechanisms",
             named(quantities),
             joined(found)
         ),
@@ -178,7 +178,7 @@ fn count_that_may_enter(stated: Stated, quantities: &[Quantity]) -> Finding {
     Finding::new(
         stated.pick(entering.len(), products) == stated.count() as usize,
         format!(
-            "the matrix of dimensions has the rank {full}, so of {} these may enter, in {products} products: {}",
+            "the matrix of dimensions has rank {full}, so among {} the following can enter, in {products} products: {}",
             named(quantities),
             named(&entering)
         ),

@@ -19,40 +19,43 @@ const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
     reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the pin \
-             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the \
-             friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
-             distance a in crank radii. This acceleration is zero at one speed only, and in every run the steady speed \
-             at entry is a different one. How far the peak is from the entry depends on the ratio of the inertias. In \
-             the runs of six pins the driver is heavy, and the peak follows so soon after the entry that the peak is \
-             higher than the speed at entry by one unit of the tables at most. In the runs of four and three pins the \
-             driver is light. While the pin still bears on the trailing flank, the friction already exceeds the \
-             spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as in \
-             the thesis's own estimate of the inertias, all three drivers are fastest within three degrees past the \
-             entry. At the entry they already have 98 per cent of that speed or more, so for these drivers the \
-             sentence is nearly right.",
-    witness: "We went through every mechanism and friction in steps of the angle.",
+             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the friction \
+             μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre distance \
+             a in crank radii. This acceleration is zero at one speed only, and in no run is that the steady speed at \
+             entry. How far the peak is from the entry depends on the ratio of the inertias. In the runs with six pins \
+             the driver is heavy. The peak follows so soon after the entry that it exceeds the speed at entry by at \
+             most 1 rad/s, the unit of the tables. In the runs with four and three pins the driver is light. While the \
+             leaving pin still bears on the trailing flank, the friction already exceeds the spring's torque, so the \
+             peak comes before the pin leaves. If driver and follower are equal discs, as in the thesis's own estimate \
+             of the inertias, the drivers of all three mechanisms are fastest within three degrees past the entry. At \
+             the entry they already have 98 per cent of that speed or more, so for these drivers the sentence is \
+             nearly right.",
+    witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
+              angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "In the runs of four and three pins the peaks of the driver's speed do not mark the entry of a pin, and \
-              the follower turns while the driver is fastest.",
+    changes: "In the runs with four and three pins the peaks of the driver's speed do not mark the entry of a pin, and \
+              the follower is turning when the driver is fastest.",
 };
 
 /// The extremes between two peaks are put on the line of centres.
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
     reason: "On the line of centres the pin does not slide, so the spring acts unbraked. By Eq. (1-19), A θ'' = E \
-             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver therefore has its \
-             minimum before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
+             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver is therefore \
+             slowest before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
              the follower's acceleration φ'' is this ratio times θ'' and is positive as well. The follower is fastest \
-             where the pin goes over to the trailing flank of its slot. In the runs of six and four pins the driver's \
-             minimum is so flat that its speed on the line of centres is above the minimum by less than a unit of the \
-             tables. In some runs of three pins, the driver's speed on the line is above the minimum by more than a \
-             unit. In all runs, the follower's speed on the line is below its maximum by more than a unit.",
-    witness: "We went through every mechanism and friction in steps of the angle.",
+             where the pin goes over to the trailing flank of its slot. In the runs with six and four pins the \
+             driver's minimum is so flat that the driver's speed on the line of centres exceeds the minimum by less \
+             than 1 rad/s, the unit of the tables. In some runs with three pins, the driver's speed on the line \
+             exceeds the minimum by more than that. In all runs, the follower's speed on the line is below its maximum \
+             by more than that.",
+    witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
+              angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "The follower goes on to gain speed past the line of centres, and the driver already gains some speed \
-              before that line.",
+    changes: "The driver begins to speed up before the line of centres, and past the line the follower is still \
+              speeding up.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -80,9 +83,9 @@ fn at_entry() -> Vec<Claim> {
             "meyer.peaks-at-entry",
             "the driver is fastest when a pin enters",
             "the driver velocity is a maximum at pin entry",
-            "in the runs of six pins (driver's inertia 0.6 of the follower's) the driver velocity is a maximum at pin \
-             entry, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) it is one 7.7 to 14° \
-             before pin entry",
+            "in the runs with six pins (driver's inertia 0.6 of the follower's) the driver velocity is a maximum at \
+             pin entry, to within one unit of the tables; in the runs with four and three pins (inertia 0.06 and 0.075 \
+             of the follower's) it is a maximum 7.7 to 14° before pin entry",
         ),
         PEAKS
             .statement(
@@ -115,9 +118,9 @@ fn at_entry() -> Vec<Claim> {
             "meyer.peaks-at-rest",
             "the driver is fastest when the follower stands still",
             "the peaks in driver velocity coincide with the zero points",
-            "in the runs of six pins (driver's inertia 0.6 of the follower's) the greatest peaks in driver velocity coincide \
-             with the zero points, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) they \
-             come 7.7 to 14° before them",
+            "in the runs with six pins (driver's inertia 0.6 of the follower's) the greatest peaks in driver velocity \
+             coincide with the zero points, to within one unit of the tables; in the runs with four and three pins \
+             (inertia 0.06 and 0.075 of the follower's) the peaks come 7.7 to 14° before the zero points",
         ),
         PEAKS
             .statement(
@@ -132,7 +135,7 @@ fn at_entry() -> Vec<Claim> {
                         .map(|of| lines.iter().filter(|line| line.angle <= until).map(of).collect::<Vec<_>>());
                     falls(&driver) && falls(&reversed(&follower))
                 });
-                all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
+                all_of(found.collect(), rows().len(), "runs, to within one unit of the tables")
             })
             .by(RungeKutta, |stated| {
                 // The energies of the two members at the ends of the stretch: what the driver loses and the follower gains.
@@ -154,9 +157,10 @@ fn at_entry() -> Vec<Claim> {
             })
             .but_not("the driver slows down all the way from the entry to the exit")
             .read_as(
-                "We take the motion from the entry until the driver is slowest, to one unit of the tables' speeds. To \
-                 half a unit the claim holds in 46 of 49 runs, and exactly in 28. In the other runs the driver goes \
-                 on to gain speed past the entry, by up to 0.70 rad/s.",
+                "We test the sentence against the motion from the entry until the driver is slowest, to within 1 \
+                 rad/s, the unit of the tables. To within half a unit, the claim holds in 46 of 49 runs, and it holds \
+                 exactly in 28. In the other runs, the driver goes on gaining speed past the entry, by up to 0.70 \
+                 rad/s.",
             ),
     ]
 }
@@ -169,7 +173,9 @@ fn at_the_centres() -> Vec<Claim> {
                 "the driver velocity is a minimum and the follower velocity is a maximum",
                 "on the line of centres the driver is slowest and the follower fastest",
             )
-            .by(Quadrature, |stated| extremes(stated, cycles().iter().filter_map(Cycle::middle).collect(), rows().len()))
+            .by(Quadrature, |stated| {
+                extremes(stated, cycles().iter().filter_map(Cycle::middle).collect(), rows().len())
+            })
             .by(RungeKutta, |stated| {
                 let middle = |group: &Group, row: &Row| {
                     let (motion, steady) = (&group.motion, group.motion.steady()?);
@@ -184,19 +190,20 @@ fn at_the_centres() -> Vec<Claim> {
                 extremes(stated, all.collect(), rows().len())
             })
             .read_as(
-                "We take every run, in steady motion. An extreme counts as on the line of centres if the speed on the \
-                 line is the extreme speed, to one unit of the tables' speeds.",
+                "We test the sentence against the steady motion of every run. An extreme counts as being on the line \
+                 of centres if the speed on the line is within 1 rad/s, the unit of the tables, of the extreme speed.",
             )
             .corrected(
-                "the driver velocity is a minimum 0.48 to 5.8° earlier, and on the line it is up to 2.1 rad/s greater; the \
-                 follower velocity is a maximum 9.3 to 25° later, and that maximum is 4.9 to 15 rad/s greater",
+                "the driver velocity is a minimum 0.48 to 5.8° before the line, and on the line it is up to 2.1 rad/s \
+                 greater; the follower velocity is a maximum 9.3 to 25° past the line, and on the line it is 4.9 to 15 \
+                 rad/s less",
                 EXTREMES_ON_CENTRES,
             ),
         PEAKS
             .statement(
                 "meyer.follower-decreases",
                 "(and the follower velocity decreases)",
-                "the follower's speed falls from the line of centres on",
+                "the follower's speed falls from the line of centres onwards",
             )
             .by(Quadrature, |stated| {
                 let found = cycles().iter().filter_map(|Cycle { state, lines }| {
@@ -204,7 +211,7 @@ fn at_the_centres() -> Vec<Claim> {
                     let own = lines.iter().filter(|line| line.angle >= stated.pick(change, 0.0));
                     Some(falls(&own.map(|line| line.follower_speed).collect::<Vec<_>>()))
                 });
-                all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
+                all_of(found.collect(), rows().len(), "runs, to within one unit of the tables")
             })
             .by(RungeKutta, |stated| {
                 let found = groups().iter().filter_map(|group| {
@@ -218,8 +225,8 @@ fn at_the_centres() -> Vec<Claim> {
                 all_of(found.collect(), groups().len(), "groups of runs, from step to step")
             })
             .read_as(
-                "We ask whether the follower's speed falls from the line of centres to the exit, to one unit of the \
-                 tables' speeds.",
+                "We ask whether the follower's speed falls from the line of centres to the exit, to within 1 rad/s, \
+                 the unit of the tables.",
             )
             .corrected(
                 "(and the follower velocity increases until the pin goes over to the trailing flank of the slot, and \
@@ -236,9 +243,9 @@ fn at_exit() -> Vec<Claim> {
             "meyer.peaks-at-exit",
             "past the line of centres the driver is fastest again as the pin leaves",
             "until it again reaches a maximum as the pin leaves the slot",
-            "until it is fastest again, in the runs of six pins (driver's inertia 0.6 of the follower's) as the pin leaves \
-             the slot, to one unit of the tables and after a dip of up to 1.8 rad/s, in the runs of four and three pins \
-             (0.06 and 0.075) 7.7 to 14° before",
+            "until it is fastest again: in the runs with six pins (driver's inertia 0.6 of the follower's) as the pin \
+             leaves the slot, to within one unit of the tables and after a dip of up to 1.8 rad/s, and in the runs \
+             with four and three pins (inertia 0.06 and 0.075 of the follower's) 7.7 to 14° before the pin leaves",
         ),
     ]
 }
@@ -265,11 +272,14 @@ fn driver_increases() -> Claim {
         )
         .by(Quadrature, |stated| increases(stated, all_peaks()))
         .by(RungeKutta, |stated| increases(stated, all_peaks_in_steps()))
-        .read_as("We take every run, in steady motion, all the way to the exit and to one unit of the tables' speeds.")
+        .read_as(
+            "We test the sentence against the steady motion of every run, all the way to the exit and to within 1 \
+             rad/s, the unit of the tables.",
+        )
         .corrected(
-            "the driver velocity increases, in the runs of six pins (driver's inertia 0.6 of the follower's) but for a dip \
-             of up to 1.8 rad/s, in the runs of four and three pins (0.06 and 0.075) until 7.7 to 14° before the pin \
-             leaves",
+            "the driver velocity increases: in the runs with six pins (driver's inertia 0.6 of the follower's) except \
+             for a dip of up to 1.8 rad/s, and in the runs with four and three pins (inertia 0.06 and 0.075 of the \
+             follower's) until 7.7 to 14° before the pin leaves",
             PEAKS_AT_ENTRY,
         )
 }
@@ -281,9 +291,8 @@ fn increases(stated: Stated, found: Vec<Peak>) -> Finding {
     Finding::new(
         !found.is_empty() && stated.pick(rounds_to(&said, stated), rising == found.len()),
         format!(
-            "in {rising} of {} motions the speed rises all the way, to one unit of the tables. With six pins it falls \
-             back by up to {:.2} rad/s on the way. With four and three pins it begins to fall {:.2} to {:.2}° before \
-             the exit",
+            "in {rising} of {} motions the speed rises all the way, to within 1 rad/s. With six pins it falls back by \
+             up to {:.2} rad/s on the way. With four and three pins it begins to fall {:.2} to {:.2}° before the exit",
             found.len(),
             said[1],
             said[4],
@@ -305,8 +314,8 @@ fn beside_the_hand_over(
         .by(Quadrature, move |stated| peaks(stated, all_peaks(), with_dip))
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
-            "We take every run, in steady motion. A peak counts as at entry or exit if the driver's speed there is \
-             the peak speed, to one unit of the tables' speeds.",
+            "We test the sentence against the steady motion of every run. A peak counts as being at entry or exit if \
+             the driver's speed there is within 1 rad/s, the unit of the tables, of the peak speed.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }
@@ -385,9 +394,9 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
     Finding::new(
         holds,
         format!(
-            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs of six pins \
-             and by {least:.0} to {most:.0} in the runs of four and three, where the peak is {:.2} to {:.2}° before \
-             the exit",
+            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs with six pins, \
+             and by {least:.0} to {most:.0} rad/s in the runs with four and three pins, where the peak is {:.2} to \
+             {:.2}° before the exit",
             before[0], before[1]
         ),
     )
@@ -443,9 +452,9 @@ fn extremes(stated: Stated, found: Vec<Middle>, count: usize) -> Finding {
     Finding::new(
         holds && found.len() == count,
         format!(
-            "the driver is slowest {:.2} to {:.2}° before the line of centres, and in {} of {count} runs its speed on \
-             the line is this minimum, to one unit of the tables. The follower is fastest {:.1} to {:.1}° past the \
-             line, and in {} runs its speed on the line is this maximum",
+            "the driver is slowest {:.2} to {:.2}° before the line of centres, and its speed on the line is within 1 \
+             rad/s of this minimum in {} of {count} runs. The follower is fastest {:.1} to {:.1}° past the line, and \
+             its speed on the line is within 1 rad/s of this maximum in {} of {count} runs",
             before[0],
             before[1],
             there(0),

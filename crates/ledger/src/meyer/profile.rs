@@ -30,11 +30,11 @@ pub fn claims() -> Vec<Claim> {
         shape(),
         scales(),
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
-            "The text does not name the run. In the four-pin runs of the tables the velocity is steady only after 29 \
-             ms or more, whether we go by the velocity at each angle or by the average of peak and minimum, and no row \
-             has the 25 ms that the text gives. The first minima of two of these runs are at times that round to 25 \
-             ms, but the rise times of these two runs are longer by half or more. Besides, the run that is drawn need \
-             not be one of the runs of the tables",
+            "The text does not name the run, and it need not be one of the runs in the tables. In the four-pin runs of \
+             the tables the velocity takes 29 ms or more to become steady, whether we go by the velocity at each angle \
+             or by the average of peak and minimum, and no row has the 25 ms that the text gives. In two of these runs \
+             the time of the first minimum rounds to 25 ms, but the rise times of these two runs are longer by half or \
+             more",
         ),
         first_minimum(),
     ]
@@ -61,10 +61,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "Of the printed sentence, we ask only that with each mechanism the curve goes up and down equally often in \
-             all runs, as far as we can see this in whole units of the tables. That is the least that a shape can \
-             mean. In the correction, the shape is how deep the minimum is, and how high the speed at entry is, both \
-             relative to the peak.",
+            "We hold the printed sentence only to this: with each mechanism, the curve goes up and down equally often \
+             in all runs, as far as speeds rounded to the tables' whole units can show. That is the least that “shape” \
+             can mean. In the correction, “shape” means how low the minimum is and how high the speed at entry is, \
+             both relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",
@@ -72,13 +72,16 @@ fn shape() -> Claim {
                 id: "",
                 reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \
                          change how deep the minimum is relative to the peak and how fast a pin enters. They even \
-                         change how often the curve goes up and down in an engagement. With six pins the speed dips shortly before the hand-over and rises again until just after it. With little friction this second rise is too small to be seen in the tables' units, but with more friction it can be seen. The tables themselves have curves that are no copies of \
-                         each other: with four pins, one run has a least speed of 25 and a peak of 206, and another \
-                         has the same least speed but a peak of 163.",
-                witness: "We computed the motions in steps of the angle.",
+                         change how often the curve goes up and down in an engagement. With six pins the speed dips \
+                         shortly before the hand-over and rises again until just after it. With little friction this \
+                         second rise is too small to show in the whole numbers of the tables, but with more friction \
+                         it shows. Even in the tables, the curves are not scaled copies of each other: with four pins, \
+                         one run has a minimum of 25 and a peak of 206, and another has the same minimum but a peak of \
+                         163.",
+                witness: "We computed the motions in small steps of the driver's angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
-                changes: "Two curves are copies of one another only if nothing but the torque is different.",
+                changes: "Two speed curves are scaled copies of each other only if nothing but the torque differs.",
             },
         )
 }
@@ -92,14 +95,14 @@ fn scales() -> Claim {
         )
         .by(Quadrature, |stated| changed(stated, quantities()))
         .by(RungeKutta, |stated| changed(stated, quantities_in_steps()))
-        .but_not("changing torque and both inertias in one proportion will change them")
+        .but_not("changing torque and both inertias in the same proportion will change them")
         .read_as(
-            "In all runs, each of the three changes by a thousandth or more if we change some of torque, friction and \
-             the two inertias, alone, by a tenth up or down. A change as small counts for the shape too. The torque \
-             changes all three, and velocity and period change with each of the four. The rise time does not change \
-             everywhere. With six pins and a friction of .35, the driver's inertia changes the rise time, taken to \
-             the average, by 0.02 per cent. That is some hundredths of a millisecond, and the tables have units of \
-             one.",
+            "In all runs, each of the three changes by a thousandth or more if we change a suitable one of torque, \
+             friction and the two inertias, and nothing else, by a tenth up or down. Changes of this size count for \
+             the shape too. The torque changes all three, and velocity and period change with each of the four. The \
+             rise time does not always change. With six pins and a friction of .35, the driver's inertia changes the \
+             rise time, measured to the average, by 0.02 per cent. That is a few hundredths of a millisecond, and the \
+             tables' unit is one millisecond.",
         )
 }
 
@@ -107,7 +110,7 @@ fn first_minimum() -> Claim {
     RISE.statement(
         "meyer.first-minimum",
         "by the first minimum in velocity, the driver has achieved its steady state",
-        "by the first minimum of its speed the driver moves as it always will from then on",
+        "by the first minimum of its speed, the driver has reached its steady motion",
     )
     .by(Quadrature, |stated| {
         let lacks = |(row, state): &(&Row, SteadyState)| {
@@ -124,24 +127,24 @@ fn first_minimum() -> Claim {
         achieved(stated, &groups().iter().filter_map(lacks).collect::<Vec<_>>(), groups().len())
     })
     .read_as(
-        "We take all runs, as the sentence before this one in the thesis says. Steady means within one per cent, as \
-         for the rise time. If we take only the four-pin run of Fig. 8, the claim fails too, whichever run of the \
-         tables that is.",
+        "We test the sentence against all runs, because the sentence before it in the thesis speaks of all runs. \
+         “Steady” means to within one per cent, as for the rise time. The claim also fails if it is meant only for the \
+         four-pin run of Fig. 8, whichever run of the tables that is.",
     )
     .corrected(
-        "at the first minimum in velocity, the driver is still slower by 1.8 to 28 per cent than at the minimum of its \
+        "at the first minimum in velocity, the driver is still 1.8 to 28 per cent slower than at the minimum of its \
          steady state",
         Slip {
             id: "",
             reason: "The first minimum belongs to an engagement that begins at rest. In every run it is lower than the \
-                     minimum of the steady state, and the less the friction, the lower it is. In a few runs the \
-                     difference is one unit of the tables or less, so the tables, whose speeds have no decimals, \
-                     hardly show it.",
-            witness: "We computed the motions in steps of the angle.",
+                     minimum of the steady state, and the less friction there is, the lower it is. In a few runs the \
+                     difference is 1 rad/s or less, so the tables, whose speeds have no decimals, hardly show it.",
+            witness: "We computed the motions in small steps of the driver's angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
             changes: "The time of the first minimum is no measure of the rise time, although the text takes a rise \
-                      time from it. We leave that rise time open, because its run is not named.",
+                      time from it. We leave the claim about that rise time open, because the text does not name the \
+                      run.",
         },
     )
 }
@@ -208,7 +211,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         .collect();
     Finding::new(
         counts.iter().all(same),
-        format!("in a cycle, the driver's speed turns from rising to falling, or back, {}", joined(&each)),
+        format!("in a cycle, the driver's speed changes between rising and falling {}", joined(&each)),
     )
 }
 
@@ -303,8 +306,8 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
     Finding::new(
         groups.len() == series().count() && least >= 100.0 * VISIBLE,
         format!(
-            "changing some parameter by a tenth changes each by {least:.1} per cent or more in all groups, and \
-             changing any parameter by a tenth does so by {least_alone:.2} per cent or more"
+            "in all groups, changing a suitable parameter by a tenth changes each of them by {least:.1} per cent or \
+             more, and changing any parameter by a tenth changes each by {least_alone:.2} per cent or more"
         ),
     )
 }

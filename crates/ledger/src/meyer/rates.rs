@@ -100,5 +100,5 @@ fn acceleration() -> Vec<Claim> {
 
 /// A line of the derivation: its characters, with the break between two lines for a space.
 fn step(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    at(locator).equation(id, printed, meaning).said_in_letters(RATES, |tex| tex.replace(r"\ldots", " "))
+    at(locator).equation(id, printed, meaning).rewritten_and_proven(RATES, |tex| tex.replace(r"\ldots", " "))
 }

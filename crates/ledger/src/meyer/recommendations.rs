@@ -41,8 +41,7 @@ fn not_fast_enough() -> Claim {
         })
         .but_not("they are too long for a timer of three hundredths of a second")
         .read_as(
-            "A timer of milliseconds times less than ten of them, so a rise longer than that is not fast enough for \
-             it.",
+            "A timer of milliseconds measures less than ten milliseconds, so a longer rise is not fast enough for it.",
         )
 }
 
@@ -86,11 +85,11 @@ fn cyclic_oscillations() -> Claim {
             })
         })
         .read_as(
-            "“Excessively high” means ten times the greatest torque that the tables have for a mechanism and a \
-             friction. “Significant” means that, once the rise is over, the greatest and the least peak differ by 1 \
-             rad/s or more, which is one unit of the tables' peaks. In this sense the printed velocities of all groups \
-             of runs swing from about five times that greatest torque on. With three times that torque, not all groups \
-             swing.",
+            "A group of runs has one mechanism and one friction value. We read “excessively high” as ten times the \
+             greatest torque that the tables have for the group. We call an oscillation “significant” if, once the \
+             rise is over, the highest and the lowest peak differ by 1 rad/s or more, because the tables give peaks in \
+             whole rad/s. By this measure, the printed velocities oscillate in every group from about five times that \
+             greatest torque on, but not in every group at three times.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \
@@ -134,7 +133,7 @@ fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
     Finding::new(
         swings.len() == series().count() && least >= 1.0,
         format!(
-            "on {lines_of}, the greatest and the least peak of a run differ by {least:.2} to {most:.2} rad/s in {} \
+            "with {lines_of}, the highest and the lowest peak of a run differ by {least:.2} to {most:.2} rad/s in {} \
              groups of runs",
             swings.len()
         ),

@@ -5,23 +5,21 @@
 //! more.
 
 use super::instants::moments;
-use super::reading::{Letters, Moment};
+use super::reading::decide_multiple;
+use super::singularity_letters::*;
 use super::*;
 use crate::agreement::{joined, joined_numbers};
 use geneva_dynamics::existence::least_margin;
-use geneva_dynamics::singularity::{AtOne, BoundAsSquare, SingularAngle};
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
-use nalgebra::Complex;
 
 const FLAW: Place = at("Line after Eq. (1-18)");
 const END: Place = at("Paragraph before the substitutions of Eq. (1-19)");
 /// What the word means in the paragraph.
-const SINGULARITY: &str = "A singularity, as the paragraph uses the word, is a place where something that Eq. (1-18) \
-                           divides by, as it is written, is zero, so that the equation would not be valid there. That \
-                           the equation has one solution for the acceleration is a stronger claim, and the paragraph \
-                           does not make it.";
+const SINGULARITY: &str = "As the paragraph uses the word, a singularity is a place where Eq. (1-18), as it is \
+                           written, divides by zero, so that the equation would not be valid there. The paragraph does \
+                           not make the stronger claim that the equation has one solution for the acceleration.";
 
 pub fn claims() -> Vec<Claim> {
     [quantity(), bounds(), slots()].concat()
@@ -101,7 +99,8 @@ fn quantity() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "we read and evaluated the quantity and compared it with the pin's distance by coordinates",
+                    "we read and evaluated the quantity and compared it with the pin's distance computed in \
+                     coordinates",
                 )
             })
             .by(ClosedForm, |stated| {
@@ -128,7 +127,7 @@ fn quantity() -> Vec<Claim> {
                 r"1 + a^2 - 2a \cos \theta_\infty = 0",
                 "condition for an angle at which 1 + a² − 2a cos θ would be zero",
             )
-            .proven(SingularAngle)
+            .decided(|tex| decide_multiple(tex, on_the_axis))
             .read(ClosedForm, with_imaginary_angles),
         at("2nd display of θ_∞")
             .equation(
@@ -136,7 +135,7 @@ fn quantity() -> Vec<Claim> {
                 r"\theta_\infty = \cos^{-1} \left(\frac{1 + a^2}{2a} \right)",
                 "the angle at which 1 + a² − 2a cos θ would be zero",
             )
-            .proven(SingularAngle)
+            .decided(|tex| decide_multiple(tex, on_the_axis_by_cosine))
             .read(ClosedForm, with_imaginary_angles),
     ]
 }
@@ -153,24 +152,28 @@ fn bounds() -> Vec<Claim> {
             "1st inequality",
             "a cosine is at most one",
             r"\left(\frac{1 + a^2}{2a} \right) \leq 1",
+            nearest_on_the_axis_by_cosine,
         ),
         bound(
             "meyer.singularity.cleared",
             "2nd inequality",
             "the first inequality multiplied by 2a",
             r"1 + a^2 \leq 2a",
+            nearest_on_the_axis,
         ),
         bound(
             "meyer.singularity.collected",
             "3rd inequality",
             "the second inequality with all its terms on one side",
             r"a^2 - 2a + 1 \leq 0",
+            nearest_on_the_axis,
         ),
         bound(
             "meyer.singularity.square",
             "4th inequality",
             "the third inequality written as a square",
             r"(a - 1)^2 \leq 0",
+            nearest_on_the_axis,
         ),
         at("Line after the inequalities")
             .statement("meyer.singularity.only-one", "a = 1", "1 + a² − 2a cos θ can be zero only for a ratio of one")
@@ -191,7 +194,7 @@ fn bounds() -> Vec<Claim> {
                 let found: Vec<f64> = ratios().filter(|ratio| vanishes(nearest(ratio))).collect();
                 Finding::new(
                     found == [stated.pick(stated.number(), NEXT_RATIO)],
-                    format!("of 80 centre distances, the pin comes onto the follower's axis at {}", joined(&found)),
+                    format!("among 80 centre distances, the pin reaches the follower's axis at {}", joined(&found)),
                 )
             })
             .but_not("only the next greater ratio that we tried, seventeen sixteenths, allows it"),
@@ -206,7 +209,7 @@ fn slots() -> Vec<Claim> {
                 r"a = \frac{1}{\sin(\pi/n)} = 1",
                 "the condition that the ratio is one, by Eq. (1-2)",
             )
-            .proven(AtOne)
+            .decided(|tex| decide_multiple(tex, ratio_of_one))
             .read(ClosedForm, only_for_two),
         at("2nd display before the substitutions of Eq. (1-19)")
             .equation(
@@ -214,7 +217,7 @@ fn slots() -> Vec<Claim> {
                 r"\sin\left(\frac{\pi}{n}\right) = 1",
                 "the same condition for the sine",
             )
-            .proven(AtOne)
+            .decided(|tex| decide_multiple(tex, ratio_of_one_by_sine))
             .read(ClosedForm, only_for_two),
         END.statement("meyer.singularity.two-slots", "n=2", "only two slots would give a ratio of one")
             .by(ClosedForm, |stated| {
@@ -366,67 +369,26 @@ fn divisors(display: &str) -> Option<Vec<bool>> {
 }
 
 /// One of the four inequalities; all are one statement.
-fn bound(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    at(locator).equation(id, printed, meaning).proven(BoundAsSquare).read(ClosedForm, only_for_one)
+fn bound(
+    id: &'static str,
+    locator: &'static str,
+    meaning: &'static str,
+    printed: &'static str,
+    letters: fn() -> Condition,
+) -> Claim {
+    let decide = move |tex: &str| match at_most(tex) {
+        Some(apart) => decide_multiple(&apart, letters),
+        None => Finding::of_reading(None),
+    };
+    at(locator).equation(id, printed, meaning).decided(decide).read(ClosedForm, only_for_one)
 }
 
 fn named((name, value): (&str, f64)) -> (String, f64) {
     (name.to_owned(), value)
 }
 
-/// The least of these ratios that is greater than one.
+/// The least of the ratios that are tried that is greater than one.
 const NEXT_RATIO: f64 = 1.0625;
-
-/// Ratios of the axes' distance to the pins' radius, from 1/16 to 5.
-fn ratios() -> impl Iterator<Item = f64> {
-    (1..=80).map(|k| f64::from(k) / 16.0)
-}
-
-/// Whether an inequality allows a ratio; none if it cannot be read.
-fn allows(inequality: &str, ratio: f64) -> Option<bool> {
-    let letters: Letters = [named(("a", ratio))].into();
-    let sides = |relation: &str| {
-        let (left, right) = inequality.split_once(relation)?;
-        let values = [left, right].map(|side| reading::value(side, &letters));
-        values.iter().all(|value| value.is_finite()).then_some(values)
-    };
-    match (sides(r"\leq"), sides(r"\geq")) {
-        (Some([left, right]), _) => Some(left <= right),
-        (_, Some([left, right])) => Some(left >= right),
-        _ => None,
-    }
-}
-
-/// Whether an inequality allows the ratio one and no other.
-fn only_for_one(inequality: &str) -> Option<bool> {
-    let allowed: Vec<bool> = ratios().map(|ratio| allows(inequality, ratio)).collect::<Option<_>>()?;
-    Some(ratios().zip(allowed).all(|(ratio, allowed)| allowed == (ratio == 1.0)))
-}
-
-/// Whether a display of θ_∞ holds. The cosine of that angle is greater than one unless a = 1, so it is imaginary.
-fn with_imaginary_angles(tex: &str) -> Option<bool> {
-    let moments = [1.0, 1.25, 1.5, 2.0, 3.5].map(|ratio: f64| {
-        // cosh(ln a) = (a + 1/a)/2.
-        let letters = [("a", Complex::new(ratio, 0.0)), ("theta_infty", Complex::new(0.0, libm::log(ratio)))];
-        Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
-    });
-    reading::holds(tex, &moments)
-}
-
-/// For which numbers of slots, of 1 to 100, a display holds if the ratio is one; none if it cannot be read.
-fn slots_that_satisfy(display: &str) -> Option<Vec<u32>> {
-    let holds = |slots: u32| {
-        let letters = [("a", 1.0), ("n", f64::from(slots))].map(named).into();
-        reading::holds(display, &[Moment::of(letters)])
-    };
-    let found: Vec<(u32, bool)> = (1..=100).map(|slots| Some((slots, holds(slots)?))).collect::<Option<_>>()?;
-    Some(found.into_iter().filter(|(_, holds)| *holds).map(|(slots, _)| slots).collect())
-}
-
-/// Whether a display holds for two slots and for no other number, if the ratio is one.
-fn only_for_two(display: &str) -> Option<bool> {
-    slots_that_satisfy(display).map(|found| found == [2])
-}
 
 /// The factors of the equation of motion for a torque of one.
 fn factors(mechanism: Mechanism, inertia: f64, angle: f64, friction: f64) -> Coefficients<f64> {

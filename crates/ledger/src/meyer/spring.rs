@@ -31,8 +31,9 @@ pub fn constant(id: &'static str, place: Place, meaning: &'static str, printed: 
         .by(OtherPlaceInSource, in_the_equation)
         .but_not(RATE)
         .read_as(
-            "The constant of a spring whose torque is constant is that torque. (For other springs the constant is a \
-             torque for each radian of winding. Elsewhere the word rate says this of our spring.)",
+            "If the torque of a spring is constant, the spring's constant is that torque. (For other springs, the \
+             constant is a torque for each radian of winding, which is what the word “rate” elsewhere says of this \
+             spring.)",
         )
 }
 
@@ -68,9 +69,9 @@ fn gives_the_periods(stated: Stated) -> Finding {
     Finding::new(
         near == all,
         format!(
-            "driven with {}, {near} of {all} runs with four pins have their printed period after {ENGAGEMENTS} \
+            "if the torque is {}, {near} of {all} runs with four pins have their printed period after {ENGAGEMENTS} \
              engagements",
-            stated.pick("the torque K", "K times the angle turned")
+            stated.pick("K", "K times the angle turned")
         ),
     )
 }
@@ -109,11 +110,11 @@ fn in_the_equation(stated: Stated) -> Finding {
         let letters = [("K".to_owned(), TORQUE / stated.pick(1.0, turned)), ("theta".to_owned(), turned)].into();
         agrees(reading::value(right, &letters), TORQUE)
     });
-    let what = stated.pick("a torque", "a torque over an angle");
+    let what = stated.pick("a torque", "a torque per unit of angle");
     Finding::new(
         agrees == [true; 3],
         format!(
-            "with {what} for K, Eq. (1-15) gives the torque at {} of 3 angles",
+            "if K is {what}, Eq. (1-15) gives the torque at {} of 3 angles",
             agrees.iter().filter(|agrees| **agrees).count()
         ),
     )

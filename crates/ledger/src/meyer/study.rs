@@ -40,14 +40,14 @@ pub fn of_parameters() -> Vec<Claim> {
             Finding::new(
                 holds,
                 format!(
-                    "we asked how the pin's distance changes just past the angles of Appendix D, {} degrees before the \
-                     line of centres",
+                    "we checked how the pin's distance changes just past the angles of Appendix D, {} degrees before \
+                     the line of centres",
                     joined(&angles)
                 ),
             )
         })
         .but_not("it is where the pin leaves")
-        .read_as("We take the angle with its sign, as Appendix D has it. Chapter I and Appendix A have its size."),
+        .read_as("We take the angle with its sign, as Appendix D has it. Chapter I and Appendix A give its size."),
         spring::constant(
             "meyer.parameter.spring",
             LIST,
@@ -88,15 +88,16 @@ pub fn of_parameters() -> Vec<Claim> {
                 "were 6 to 100 times this figure",
                 Slip {
                     id: "",
-                    reason: "The least inertia of the tables is several times the estimate, and the greatest is a \
+                    reason: "The smallest inertia in the tables is several times the estimate, and the largest is a \
                              hundred times the estimate. We do not know how the estimate came to be printed beside \
                              such inertias.",
-                    witness: "To within a unit of the last place, only inertias of about the tables' size give the \
-                              printed periods of the four-pin table.",
+                    witness: "Only inertias of about the size given in the tables reproduce the printed periods of the \
+                              four-pin table to within one unit of the last place.",
                     origin: Origin::Concept,
                     consequence: Consequence::Remark,
                     changes: "The parts behind the tables are not like the parts described. For the greatest inertia, \
-                              discs of the described thickness would have to be more than three times as wide.",
+                              a disc of the described thickness would have to be more than three times as wide as \
+                              described.",
                 },
             ),
     ]

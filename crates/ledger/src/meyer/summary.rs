@@ -27,8 +27,8 @@ pub fn claims() -> Vec<Claim> {
                 Finding::new(
                     left.len() == rows().len() && worst < 1.0,
                     format!(
-                        "{} of {} runs have a steady motion, and an engagement leaves {worst:.2} or less of a \
-                         difference of speeds",
+                        "{} of {} runs have a steady motion, and an engagement reduces a difference of speeds to \
+                         {worst:.2} of its size or less",
                         left.len(),
                         rows().len()
                     ),
@@ -67,37 +67,38 @@ pub fn claims() -> Vec<Claim> {
                 let most = [0, 1].map(|reading| longest(reading).fold(0.0, f64::max));
                 let beyond = [0, 1].map(|reading| longest(reading).filter(|time| *time > FIFTY).count());
                 let said = stated.decimals();
-                let as_said = || said.len() == 3 && (0..2).all(|reading| said[reading + 1].is_rounding_of(most[reading]));
+                let as_said =
+                    || said.len() == 3 && (0..2).all(|reading| said[reading + 1].is_rounding_of(most[reading]));
                 Finding::new(
                     starts().len() == rows().len()
                         && stated.pick(beyond.iter().all(|count| *count > 0) && as_said(), beyond == [0, 0]),
                     format!(
-                        "to one per cent, the velocity at each angle becomes steady only after {FIFTY} ms in {} runs, \
-                         and in the slowest of them after {:.1} ms. The average of peak and minimum becomes steady \
-                         only after {FIFTY} ms in {} runs, and in the slowest of them after {:.1} ms",
+                        "in {} runs it takes more than {FIFTY} ms until the velocity at each angle is steady to one \
+                         per cent, and {:.1} ms in the slowest run. In {} runs it takes more than {FIFTY} ms until the \
+                         average of peak and minimum is steady to one per cent, and {:.1} ms in the slowest run",
                         beyond[0], most[0], beyond[1], most[1]
                     ),
                 )
             })
-            .read_as("“As much as” means that no run takes longer.")
+            .read_as("We read “as much as” as saying that no run takes longer.")
             .corrected(
-                "more than fifty milliseconds: up to 101 in Appendix E, and for the mechanisms themselves up to 103, or up to \
-                 145 if the rise ends when the average of peak and minimum is reached",
+                "more than fifty milliseconds: up to 101 in Appendix E and, for the mechanisms themselves, up to 103, \
+                 or up to 145 if the rise ends only when the average of peak and minimum is steady",
                 Slip {
                     id: "",
-                    reason: "The claim disagrees with the thesis's own tables. A good part of the rise times of \
-                             Appendix E is longer than fifty milliseconds, with six pins and with four. The column of \
-                             these rise times does not show what is right, because no definition of the rise time that \
-                             we tried explains the column. But some of the computed motions take longer than the \
-                             abstract's time to come within one per cent of the terminal velocity, whether we read \
-                             this as the velocity at each angle or as the average of peak and minimum.",
+                    reason: "The claim disagrees with the thesis's own tables. Many of the rise times in Appendix E \
+                             are longer than fifty milliseconds, both with six pins and with four. The printed rise \
+                             times do not show which time is right, because no definition of the rise time that we \
+                             tried reproduces them. But some of the computed motions take longer than the abstract's \
+                             time to come within one per cent of the terminal velocity, whether we read this as the \
+                             velocity at each angle or as the average of peak and minimum.",
                     witness: "We solved the equation of motion for the ideal mechanisms.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Conclusion,
-                    changes: "If you plan with the abstract's time, you allow too little. The longest rise of the \
-                              tables is twice as long. The longest rise of the ideal mechanisms is twice as long if we \
-                              go by the velocity at each angle, and nearly three times as long if we go by the average \
-                              of peak and minimum.",
+                    changes: "If you plan with the time given in the abstract, you allow too little time. The longest \
+                              rise in the tables takes twice that time. In the ideal mechanisms, the longest rise also \
+                              takes twice that time if we go by the velocity at each angle, and nearly three times as \
+                              long if we go by the average of peak and minimum.",
                 },
             ),
     ]

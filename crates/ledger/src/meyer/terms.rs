@@ -45,7 +45,8 @@ pub const TERMS: [Term; 8] = [
         known_by: &["terminal velocit"],
         meaning: "the velocity in the motion that repeats itself from engagement to engagement. As one number, it is \
                   the mean of its peak and its minimum",
-        rests_on: "introduction, which calls it steady state too; chapter II, paragraph on the rise time, for the average",
+        rests_on: "introduction, which also calls it steady state; chapter II, paragraph on the rise time, for the \
+                   average",
         measure: "terms::Start::by_integrals",
         claims: &[
             "meyer.abstract.terminal",
@@ -74,8 +75,8 @@ pub const TERMS: [Term; 8] = [
                   which velocity this is, so both readings count. In one, the velocity at each angle must be steady \
                   from then on. In the other, the average of peak and minimum of an engagement must be steady, and \
                   the time is counted to the end of that engagement",
-        rests_on: "introduction, which defines it; axes of Figs. 10 and 11, for the one per cent; chapter II, paragraph on \
-                   the rise time, for the steady state velocity profile and for the average",
+        rests_on: "introduction, which defines it; axes of Figs. 10 and 11, for the one per cent; chapter II, \
+                   paragraph on the rise time, for the steady state velocity profile and for the average",
         measure: "terms::Start::by_integrals",
         claims: &[
             "meyer.abstract.fifty",
@@ -133,8 +134,8 @@ pub const TERMS: [Term; 8] = [
         word: "is a maximum, is a minimum, coincides, slows down, decreases",
         known_by: &[],
         meaning: "within one unit of the tables' speeds, 1 rad/s, of the greatest or the least speed of the cycle. A \
-                  speed slows down or decreases if it is nowhere more than one such unit above the least value that \
-                  it had before",
+                  member slows down, or its speed decreases, if the speed is nowhere more than one such unit above the \
+                  least value that it had before",
         rests_on: "Appendix E, whose speeds have no decimals",
         measure: "terms::is_there",
         claims: &[
@@ -148,7 +149,7 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "almost",
         known_by: &["almost"],
-        meaning: "a straight line misses each velocity by less than a twentieth. The source has no measure of the word",
+        meaning: "a straight line misses each velocity by less than a twentieth. The source does not define the word",
         rests_on: "no place in the thesis, because the measure is ours. Any measure between the greatest miss of the \
                    straight lines and the least miss of the straight lines through the origin gives the same verdict",
         measure: "general_statements::straight",
@@ -157,7 +158,7 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "seriously, small",
         known_by: &["seriously"],
-        meaning: "left open, because the source has no measure of it and the measures that suggest themselves disagree",
+        meaning: "left open, because the source has no measure of it and the obvious measures disagree",
         rests_on: "Conclusion 2",
         measure: "",
         claims: &["meyer.small-variations"],

@@ -45,7 +45,7 @@ pub fn claims() -> Vec<Claim> {
                 r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots^{\circ}",
                 "law of cosines for the side OP",
             )
-            .said_in_letters(SPEEDS, filled(&[r"\theta^\circ"])),
+            .rewritten_and_proven(SPEEDS, filled(&[r"\theta^\circ"])),
         COSINES
             .value("pin.angle-at-driver", "30", "°", "angle of the triangle at B")
             .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))

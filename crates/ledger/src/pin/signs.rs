@@ -53,12 +53,7 @@ pub fn letter_v() -> Claim {
 
 pub fn letter_f() -> Claim {
     at("Problem, 2nd paragraph")
-        .statement(
-            "pin.letter-f",
-            "f",
-            "the letter f (φ, it seems) means the angle of the crank from the direction \
-                                         OB",
-        )
+        .statement("pin.letter-f", "f", "the letter f (φ, it seems) means the angle of the crank from the direction OB")
         .by(Vectors, |stated| {
             // The pin is on its circle about B, and as far from O as the printed r says.
             let (radius, distance) = (printed("pin.crank-radius"), printed("pin.crank-radius") * 2f64.sqrt());
@@ -255,7 +250,7 @@ pub(crate) fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], st
     let holds = fitting == [arrow];
     Finding::new(
         holds,
-        format!("the directions are {pointing} from the right, and of eight arrows {} fits", fitting.len()),
+        format!("the directions are {pointing} from the right, and {} of eight arrows fits", fitting.len()),
     )
 }
 

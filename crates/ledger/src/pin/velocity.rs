@@ -55,9 +55,9 @@ fn triangle_of_velocities() -> Vec<Claim> {
             .equation(
                 "pin.velocity-angle-equation",
                 r"g=90^{\circ}-\ldots^{\circ}-\ldots^{\circ}",
-                "γ is a right angle less the angle at O and less the angle at B",
+                "γ is a right angle less the angles at O and B",
             )
-            .said_in_letters(SPEEDS, filled(&[r"\theta^\circ", r"b^\circ"])),
+            .rewritten_and_proven(SPEEDS, filled(&[r"\theta^\circ", r"b^\circ"])),
         ANGLE
             .value("pin.velocity-angle", "17.6", "°", "γ, angle between the pin's velocity and the slot")
             .by(ClosedForm, || triangle(|t| t.velocity_angle).to_degrees())
@@ -130,7 +130,7 @@ const ROUNDED_ANGLE: Slip = Slip {
     id: "pin.slot-point-speed",
     reason: "Four digits are printed, but they come from the sine of an angle that was rounded to three digits, so \
              the fourth digit is wrong.",
-    witness: "If we differentiate the pin's position, which uses no angle, we get the corrected digits.",
+    witness: "Differentiating the pin's position needs no rounded angle and gives the corrected digits.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
     changes: "The fourth digit of this speed changes. The wheel's angular velocity, which is computed from this \

@@ -69,7 +69,7 @@ fn known() -> Vec<Claim> {
                 r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
                 "the pin has no tangential acceleration while the crank's speed is constant",
             )
-            .said_in_letters(SIZES, |tex| tex.replace(r"\text{ since }", ","))
+            .rewritten_and_proven(SIZES, |tex| tex.replace(r"\text{ since }", ","))
             .also_by(Series, || {
                 // Along the circle, the polar components of the whole acceleration cancel, and at no other speed.
                 let along = |acceleration: f64| {
@@ -125,16 +125,8 @@ fn known() -> Vec<Claim> {
                 r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
                 "there is no relative normal acceleration in a straight slot",
             )
-            .evaluated(Vectors, |tex| Finding::of_reading(normal_in_the_slot(tex)))
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
-                    let [_, _, pin] = crank.pin_motion();
-                    let across = quarter_turn(&frames::along_the_slot(crank)).dot(&pin);
-                    meets(across, distance * growth + 2.0 * sliding * turning)
-                })
-            })
-            .read_by(normal_in_the_slot),
+            .evaluated(Vectors, |tex| Finding::of_reading(normal_by_diagrams(tex)))
+            .read(AutomaticDerivative, normal_by_duals),
         SLIDING_NORMAL
             .statement(
                 "quick-return.infinite-radius",
@@ -172,11 +164,13 @@ fn known() -> Vec<Claim> {
                     let bend = if vanishes(sine) { 0.0 } else { arcsine(sine) };
                     Some(Finding::new(
                         vanishes(sine),
-                        format!("three places that are 20° of the crank apart are {bend:.1}° off a line"),
+                        format!(
+                            "three places that are 20° of the crank apart deviate from a straight line by {bend:.1}°"
+                        ),
                     ))
                 })
             })
-            .but_not("the radius of the pin's path over the ground is infinite"),
+            .but_not("the radius of the pin's path relative to the ground is infinite"),
     ]
 }
 
@@ -188,7 +182,7 @@ fn found() -> Vec<Claim> {
                 r"A_{P2/P4}^t = A_{P2}^n \cos \ldots - A_{P4}^n",
                 "sliding acceleration, towards the lever's pivot",
             )
-            .said_in_letters(SIZES, filled(&[r"\beta"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\beta"]))
             .read_as(DEGREES),
         SLIDING
             .value(
@@ -212,7 +206,7 @@ fn found() -> Vec<Claim> {
                 "tangential acceleration of the lever's point, in the sense of the pin's acceleration across the \
                  lever",
             )
-            .said_in_letters(SIZES, filled(&[r"\beta"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\beta"]))
             .read_as(DEGREES),
         LEVER_TANGENTIAL
             .value("quick-return.lever-tangential", "2.266", "m/s^2", "tangential acceleration of the lever's point")
@@ -275,22 +269,39 @@ pub fn in_names(tex: &str, side: &'static str, names: &'static [&'static str]) -
     holds(&equal_to(side)(&filled(names)(tex)), (SIZES.numbers)())
 }
 
-/// Whether the chain holds up to its last sign of equality in a curved slot, and as a whole in the straight one.
-fn normal_in_the_slot(tex: &str) -> Option<bool> {
-    let moment = |normal: f64, speed: f64, radius: f64| {
-        [Moment::default().with([("A_{P2/P4}^n", normal), ("v_{P2/P4}", speed), ("R", radius)])]
-    };
+/// The letters of the normal component, at one instant.
+fn normal(normal: f64, speed: f64, radius: f64) -> [Moment; 1] {
+    [Moment::default().with([("A_{P2/P4}^n", normal), ("v_{P2/P4}", speed), ("R", radius)])]
+}
+
+/// Whether a display of the normal component holds by vectors: in the slot, and but for its last side on circles.
+fn normal_by_diagrams(tex: &str) -> Option<bool> {
     let (chain, _) = tex.rsplit_once('=')?;
     // A point on a circle, by its coordinates: the component of its acceleration towards the centre.
     let curved = |radius: f64| {
         let (place, speed, angular_acceleration) = (Turn::from_degrees(40.0).direction() * radius, 1.7, -2.3);
         let velocity = quarter_turn(&place) * speed;
         let acceleration = quarter_turn(&velocity) * speed + quarter_turn(&place) * angular_acceleration;
-        holds(chain, &moment(-place.normalize().dot(&acceleration), velocity.norm(), radius))
+        holds(chain, &normal(-place.normalize().dot(&acceleration), velocity.norm(), radius))
     };
     let motion = Instant::printed().ok()?.by_diagrams()?;
     let slot = Instant::printed().ok()?.position.lever.direction();
     let across = slot.perp(&motion.accelerations.sliding_tangential);
-    let straight = holds(tex, &moment(across, motion.velocities.sliding_velocity.norm(), f64::INFINITY));
+    let straight = holds(tex, &normal(across, motion.velocities.sliding_velocity.norm(), f64::INFINITY));
     Some(curved(0.6)? && curved(3.0)? && straight?)
+}
+
+/// Whether it holds by the paths of pins: of one on a crank about the pivot, and of the pin as the lever sees it.
+fn normal_by_duals(tex: &str) -> Option<bool> {
+    let (chain, _) = tex.rsplit_once('=')?;
+    let on = |tex: &str, [_, velocity, acceleration]: [Vector2<f64>; 3], radius: f64| {
+        holds(tex, &normal(velocity.perp(&acceleration) / velocity.norm(), velocity.norm(), radius))
+    };
+    let curved = |radius: f64| {
+        on(chain, Crank { ground: 0.0, radius, angle: 0.4, speed: 2.3, acceleration: 1.9 }.pin_motion(), radius)
+    };
+    let crank = Instant::printed().ok()?.by_duals();
+    let slot = crank.polar()[1][0];
+    let seen = path(|t| turned(crank.pin(t), -(crank.slot(t) - slot)));
+    Some(curved(0.7)? && curved(2.5)? && on(tex, seen, f64::INFINITY)?)
 }

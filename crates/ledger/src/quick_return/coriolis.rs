@@ -15,7 +15,7 @@ pub fn claims() -> Vec<Claim> {
                 r"2\omega_4 v_{P2/P4}",
                 "magnitude of the Coriolis acceleration, whose factors are at right angles",
             )
-            .said_in_letters(SIZES, equal_to(r"a_\mathrm{Cor}")),
+            .rewritten_and_proven(SIZES, equal_to(r"a_\mathrm{Cor}")),
         CORIOLIS
             .equation(
                 "quick-return.factor-two",
@@ -77,10 +77,10 @@ pub fn claims() -> Vec<Claim> {
                 "the sense of the sliding velocity, as in the velocity diagram",
             )
             .missing(
-                "The copy we had does not include the diagram. Suppose that the crank turns counter-clockwise and has \
-                 passed the line of centres. If the lever is on that side, the pin slides towards the lever's pivot. \
-                 In the mirror image, which has the same printed numbers, it slides away from the pivot. The sense of \
-                 the Coriolis acceleration goes with the sense of the sliding",
+                "The copy we had does not include the diagram. Suppose that the crank turns counter-clockwise. If the \
+                 pin has passed the line of centres, it slides towards the lever's pivot. In the mirror image, which \
+                 has the same printed numbers, the pin has yet to reach this line, and it slides away from the pivot. \
+                 The sense of the Coriolis acceleration depends on the sense of the sliding",
             ),
     ]
 }

@@ -72,7 +72,7 @@ pub fn acceleration_from_the_lever() -> Claim {
             "quick-return.acceleration-from-the-lever",
             "P2 moving, P4 fixed",
             "the normal and tangential relative accelerations are the pin's accelerations as seen by an observer who \
-             holds the lever still, and the Coriolis term comes on top of them",
+             holds the lever still, and the Coriolis term is added to them",
         )
         .by(AutomaticDerivative, |stated| {
             from_duals(|crank| {
@@ -98,8 +98,8 @@ pub fn acceleration_from_the_lever() -> Claim {
         .but_not("think of P4 moving and of P2, on the crank, as fixed")
         .read_as(
             "We take this to be about the normal and the tangential term, which follow the remark. The whole a(P2/P4) \
-             of the equation contains the Coriolis term. It is 3.326 m/s², as seen by an observer who goes with P4 and \
-             does not turn. An observer on the lever sees 2.689 m/s².",
+             of the equation contains the Coriolis term. It is 3.326 m/s², as seen by an observer who moves with P4 \
+             without turning. An observer on the lever sees 2.689 m/s².",
         )
 }
 

@@ -75,8 +75,10 @@ pub fn claims() -> Vec<Claim> {
         DRAWING
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
-                "The copy we had does not include the drawing. The lengths and the angle follow from the solution, and so does the point of the crank's circle at which the pin is, the far one. But the solution does not show on which side of the line of centres the lever is. Without \
-                 that side, we do not know the senses of the sliding, of the Coriolis acceleration and of the lever's \
+                "The copy we had does not include the drawing. The lengths and the angle follow from the solution. So \
+                 does the place of the pin on the crank's circle: of the two possible points, it is the far one. But \
+                 the solution does not show on which side of the line of centres the lever is. Without knowing the \
+                 side, we cannot tell the senses of the sliding, of the Coriolis acceleration and of the lever's \
                  angular acceleration",
             ),
     ]
@@ -171,7 +173,7 @@ fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
     let gap = choices.map(|choice| sum(choice).norm() / longest).fold(f64::INFINITY, f64::min);
     let closes = vanishes(gap);
     let gap = if closes { 0.0 } else { gap };
-    Finding::new(closes, format!("the best choice of {count} terms leaves over {gap:.2} of the longest"))
+    Finding::new(closes, format!("the best choice of {count} terms adds up to {gap:.2} of the longest"))
 }
 
 /// Whether so many terms stand in the printed equation.

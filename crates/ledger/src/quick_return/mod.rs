@@ -18,7 +18,7 @@ mod with_printed_angle;
 pub use symbols::SYMBOLS;
 pub use with_printed_angle::{WithPrintedAngle, with_printed_angle};
 
-use crate::agreement::{agrees, coincide, meets, pair, vanishes};
+use crate::agreement::{agrees, coincide, pair, vanishes};
 use crate::by_id::{interval, printed, rounds};
 use crate::duals::{Crank, Time, advance, path, turned};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};

@@ -89,7 +89,8 @@ pub fn claims() -> Vec<Claim> {
                         Some(holds) => Finding::new(
                             holds && !vanishes(later),
                             format!(
-                                "p is {now:.3} of the crank's radius, and {later:.3} of it after another 1° of the crank"
+                                "p is {now:.3} of the crank's radius, and {later:.3} of it when the crank has turned \
+                                 by another 1°"
                             ),
                         ),
                     })

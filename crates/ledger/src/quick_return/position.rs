@@ -17,7 +17,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.ground",
                 "0.45",
                 "",
-                "distance of the two axes, a value from the lost drawing, in metres as the speeds show, which the \
+                "distance of the two axes in metres (as the speeds show), a value from the lost drawing that the \
                  printed angles and lengths reproduce",
             )
             .by(OtherPlaceInSource, || {
@@ -49,7 +49,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.crank",
                 "0.20",
                 "",
-                "radius of the crank, a value from the lost drawing, in metres as the speeds show",
+                "radius of the crank in metres (as the speeds show), a value from the lost drawing",
             )
             .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.driver-rate"))
             .by(OtherPlaceInSource, || {
@@ -62,7 +62,7 @@ pub fn claims() -> Vec<Claim> {
                 r"\ldots \sin \ldots^\circ = \ldots \sin \beta",
                 "law of sines at the lever's pivot and at the pin",
             )
-            .said_in_letters(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
+            .rewritten_and_proven(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
         SINES
             .value("quick-return.angle-at-pin", "50.31", "°", "β, the angle at the pin between lever and crank")
             .by(Vectors, || position_of(|position| position.angle_at_pin().to_degrees()))
@@ -103,7 +103,7 @@ pub fn claims() -> Vec<Claim> {
                 r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
                 "length of the lever, as the projections of ground and crank on it",
             )
-            .said_in_letters(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
+            .rewritten_and_proven(SIZES, filled(&["l", r"\varphi^\circ", "l_2"])),
         PROJECTIONS
             .value(
                 "quick-return.lever-length",
@@ -122,7 +122,7 @@ pub fn claims() -> Vec<Claim> {
                 ),
                 "revolutions per minute to radians per second",
             )
-            .said_in_letters(UNITS, equal_to(r"\frac{\text{rev}}{\text{min}}"))
+            .rewritten_and_proven(UNITS, equal_to(r"\frac{\text{rev}}{\text{min}}"))
             .also_by(OtherPlaceInSource, || {
                 let circumference = 2.0 * PI * printed("quick-return.crank");
                 let turns = printed("quick-return.pin-speed") * 60.0 / circumference;
@@ -142,7 +142,7 @@ pub fn claims() -> Vec<Claim> {
                 r"\gamma = 180^\circ - \ldots^\circ - \beta",
                 "the third angle of the triangle",
             )
-            .said_in_letters(SIZES, filled(&[r"\varphi^\circ"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\varphi^\circ"]))
             .also_by(OtherPlaceInSource, || {
                 let left = 180.0 - printed("quick-return.lever-angle") - printed("quick-return.angle-at-pin");
                 Finding::new(rounds("quick-return.angle-at-axis", left), format!("the printed angles leave {left:.2}°"))
@@ -166,7 +166,7 @@ pub fn claims() -> Vec<Claim> {
                 r"180^\circ - \gamma",
                 "half a turn less γ is the angle of the crank from the line of centres",
             )
-            .said_in_letters(SIZES, equal_to(r"\psi"))
+            .rewritten_and_proven(SIZES, equal_to(r"\psi"))
             .also_by(OtherPlaceInSource, || {
                 let left = 180.0 - printed("quick-return.angle-at-axis");
                 Finding::new(rounds("quick-return.crank-angle", left), format!("the printed γ leaves {left:.2}°"))

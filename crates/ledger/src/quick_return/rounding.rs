@@ -5,16 +5,16 @@ use super::*;
 /// Every step rounded, and the next one computed from it.
 pub const STEPS: Slip = Slip {
     id: "quick-return.pin-speed",
-    reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The rate \
-             of the crank is printed with three digits, the length of the lever with two and the speeds with three, \
-             but the results that are computed from these numbers are printed with three or four. No rounding of one \
-             step alone gives all of these results. Rounding the crank's rate gives the printed speed of the pin, and \
-             rounding the lever's length is enough to spoil the lever's angular velocity.",
-    witness: "The loop closure, differentiated by power series, gives the corrected digits too.",
+    reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The \
+             angular velocity of the crank is printed with three digits, the length of the lever with two and the \
+             speeds with three, but the results that are computed from these numbers are printed with three or four. \
+             No rounding of one step alone gives all of these results. Rounding the crank's angular velocity gives the \
+             printed speed of the pin, and rounding the lever's length is enough to spoil the lever's angular \
+             velocity.",
+    witness: "Differentiating the loop closure with power series gives the corrected digits, too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
-    changes: "Eight results change in their last digits, and the lever's angular velocity and acceleration are among \
-              them.",
+    changes: "Eight results change in their last digits, among them the lever's angular velocity and acceleration.",
 };
 
 #[cfg(test)]

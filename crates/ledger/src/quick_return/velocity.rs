@@ -34,7 +34,7 @@ fn across() -> Vec<Claim> {
                 r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
                 "the pin's velocity across the lever, from an angle between crank and lever",
             )
-            .said_in_letters(SIZES, filled(&[r"\psi^\circ"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\psi^\circ"]))
             .also_by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine))
             .corrected(r"v_{P4} = v_{P2} \cos\beta", OTHER_ANGLE),
         ACROSS
@@ -63,7 +63,7 @@ fn along() -> Vec<Claim> {
                 r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
                 "the pin's velocity along the lever, from an angle between crank and lever",
             )
-            .said_in_letters(SIZES, filled(&[r"\psi^\circ"]))
+            .rewritten_and_proven(SIZES, filled(&[r"\psi^\circ"]))
             .also_by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine))
             .corrected(r"v_{P2/P4} = v_{P2} \sin\beta", OTHER_ANGLE),
         ALONG
@@ -79,9 +79,10 @@ const OTHER_ANGLE: Slip = Slip {
     reason: "The pin's velocity v(P2) is at right angles to the crank, and its part v(P4) across the lever is at right \
              angles to the lever. So the angle between these two velocities is the angle between crank and lever. That \
              angle is β, at the pin. The printed angle is the angle between the crank and the line of centres. It \
-             appears in two equations and is a result of the solution, so we do not put this mistake down to the copy.",
-    witness: "The printed speeds alone show the mistake. Their ratios are the cosine and the sine of an angle, and \
-              within the printed digits this angle is β.",
+             appears in two equations, and the solution itself computes it, so we do not put this mistake down to the \
+             copy.",
+    witness: "The printed speeds alone show the mistake. Divided by the speed of the pin, they are the cosine and the \
+              sine of an angle, and to the printed digits this angle is β.",
     origin: Origin::Misprint,
     consequence: Consequence::Derivation,
     changes: "No number changes, because both speeds were computed with β.",

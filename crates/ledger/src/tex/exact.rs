@@ -63,17 +63,21 @@ pub fn decide(tex: &str, letters: Exact) -> Finding {
     all_zero(parts, conditions, root)
 }
 
-/// Proves an equation that holds only where something vanishes: its two sides are that many times as far apart as that is
-/// from zero.
+/// Proves an equation that holds only where something vanishes: its two sides, times a factor, are as far apart as that is from
+/// zero. Of a chain, some sides may be equal everywhere, but not all.
 pub fn decide_multiple(tex: &str, letters: fn() -> (Moment<Expression>, Expression, Expression)) -> Finding {
     let (moment, factor, vanishing) = letters();
-    match Display::read_line(tex).and_then(|display| display.differences(&moment, 1)) {
-        Ok(differences) => {
-            let parts = differences.into_iter().map(|part| part * factor - vanishing).collect();
-            all_zero(parts, moment.conditions(), moment.under_root())
-        }
-        Err(illegible) => Finding::not_evaluated(illegible.to_string()),
+    let differences = match Display::read_line(tex).and_then(|display| display.differences(&moment, 1)) {
+        Ok(differences) => differences,
+        Err(illegible) => return Finding::not_evaluated(illegible.to_string()),
+    };
+    let (equal, apart): (Vec<_>, Vec<_>) =
+        differences.into_iter().partition(|part| zero(*part, moment.under_root()).holds);
+    if apart.is_empty() {
+        return Finding::new(false, "the two sides are equal everywhere");
     }
+    let parts = apart.into_iter().map(|part| part * factor - vanishing).chain(equal).collect();
+    all_zero(parts, moment.conditions(), moment.under_root())
 }
 
 /// Whether all parts are zero, and all conditions. The third part of a vector of the plane is so without a proof.

@@ -129,9 +129,13 @@ pub fn holds<'a, N: Number>(tex: &str, moments: impl IntoIterator<Item = &'a Mom
 
 /// The value of a formula without an equals sign; not a number if it cannot be read or a letter has no value.
 pub fn value(formula: &str, letters: &Letters) -> f64 {
+    value_at(formula, &Moment::of(letters.clone()))
+}
+
+/// The value of a formula without an equals sign at an instant; not a number if it cannot be read or a letter has no value.
+pub fn value_at(formula: &str, moment: &Moment) -> f64 {
     let display = Display::read_line(formula).ok();
-    let value = display.and_then(|display| Moment::of(letters.clone()).number(display.alone()?).ok());
-    value.unwrap_or(f64::NAN)
+    display.and_then(|display| moment.number(display.alone()?).ok()).unwrap_or(f64::NAN)
 }
 
 /// The letters that a formula needs; none if it cannot be read.

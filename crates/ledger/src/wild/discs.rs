@@ -88,8 +88,8 @@ fn centre(place: Place, id: &'static str) -> Claim {
 }
 
 /// What the formulas of the cut are meant to give.
-const EDGES: &str = "We read the cut as one whose edges are where the pin enters and leaves, so that the disc lets the \
-                     wheel go as the pin takes it. The cut meets the disc's rim at right angles.";
+const EDGES: &str = "We read the cut as one whose edges are where the pin enters and leaves, so that the disc releases \
+                     the wheel as the pin takes it over. The cut meets the disc's rim at right angles.";
 
 impl Drawn {
     /// A wheel that fits a crank, with this rim, with nothing cut out of the disc.
@@ -228,9 +228,9 @@ fn freecad() -> Claim {
         .corrected(
             "m = c z/a, R = b z/a",
             cut_in_the_middle(
-                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.17 mm, although the \
+                "The tips of the wheel's horns (the walls beside the slots) run into the disc by 0.17 mm, although the \
                  play is 0.01 mm. The program computes the radius b z/a, which would clear the horns, but it does not \
-                 use this radius. The version of the macro that opens a window uses it.",
+                 use this radius. The version of the macro that opens a window does.",
             ),
         )
 }
@@ -241,8 +241,8 @@ fn freecad_arcs() -> Claim {
         .example(
             "wild.freecad.arcs",
             "x = y - b/2",
-            "place x, from the driver's axis, of the centre of the wheel's arc at rest, for wheel radius b and arcs of \
-             radius y, with the wheel's axis at −c",
+            "position x, from the driver's axis, of the centre of an arc of the wheel at rest, for wheel radius b and \
+             arcs of radius y, with the wheel's axis at −c",
         )
         .by(ClosedForm, move |stated| {
             rests(freecad_wheels().map(|wheel| {
@@ -271,9 +271,9 @@ fn freecad_arcs() -> Claim {
             slip(
                 "While the wheel rests, the disc turns in one of the wheel's arcs, so the arc's centre must be on the \
                  driver's axis. In the program, the disc's radius is the radius of the arcs less the tolerance.",
-                "We checked places all along an arc, by coordinates.",
+                "We used coordinates to check points all along an arc.",
                 "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
-                 loose while it should rest. The version of the macro that opens a window puts this centre on the \
+                 loose when it should rest. The version of the macro that opens a window puts this centre on the \
                  driver's axis.",
             ),
         )
@@ -307,7 +307,7 @@ fn cosmo() -> Claim {
         )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
-        .read_as("We ask whether the wheel clears the disc with its clearances, in millimetres.")
+        .read_as("We ask whether the wheel clears the disc, with its clearances in millimetres.")
         .but_not("the wheel clears the disc without them")
 }
 
@@ -323,7 +323,8 @@ fn openscad() -> Claim {
         .example(
             "wild.openscad.cut",
             "v = 25 z/a, 5 slots",
-            "radius v of the cut in the locking disc, of radius z, of the wheel that is shipped, for crank radius a",
+            "radius v of the cut in the locking disc of the wheel as it is shipped, for disc radius z and crank radius \
+             a",
         )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
@@ -354,13 +355,13 @@ fn sdfx() -> Claim {
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as(
-            "We put the pin where the program puts it, although the wheel then starts with a jump of its speed. We \
-             only ask whether the horns clear the disc.",
+            "We put the pin where the program puts it, although the wheel then starts with a jump in speed. We ask \
+             only whether the horns clear the disc.",
         )
         .corrected(
             "a cut whose edges are where the pin enters and leaves",
             cut_in_the_middle(
-                "The tips of the wheel's horns, the walls beside the slots, run into the disc by 0.05 mm, although the \
+                "The tips of the wheel's horns (the walls beside the slots) run into the disc by 0.05 mm, although the \
                  clearance is 0.1 mm on either side.",
             ),
         )
@@ -368,9 +369,9 @@ fn sdfx() -> Claim {
 /// The slip of a program that cuts its locking disc along the rim as the rim stands in the middle of a move.
 const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
-        "The program cuts out of the disc a circle of the wheel's radius about the wheel's axis, with the driver in \
-         the middle of a move. But the disc turns together with its cut, so before and after the middle of the move \
-         the horns run into the disc.",
+        "With the driver in the middle of a move, the program cuts a circle of the wheel's radius about the wheel's \
+         axis out of the disc. But the disc turns together with its cut, so the horns run into the disc before and \
+         after the middle of the move.",
         "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )

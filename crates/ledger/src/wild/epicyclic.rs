@@ -24,13 +24,7 @@ pub fn claims() -> Vec<Claim> {
         // An internal wheel is driven on the rest of the turn.
         gears(MECHA_INTERNAL, "wild.mecha-internal.gears", GEARS[1], LEAST[1], |fit| fit.resting).in_places(2),
         MECHA_INTERNAL
-            .value(
-                "wild.mecha-internal.teeth",
-                "80",
-                "",
-                "teeth of the fixed gear for four slots, with a pinion of \
-                                                           20",
-            )
+            .value("wild.mecha-internal.teeth", "80", "", "teeth of the fixed gear for four slots, with a pinion of 20")
             .by(ClosedForm, || 20.0 * least(&by_turns(&Fit::by_wheel(4), |fit| fit.resting)))
             .by(Vectors, || 20.0 * least(&by_places(&Fit::by_vectors(4), |fit| fit.resting)))
             .read_as("We take the least ratio with which the mechanism works."),
@@ -44,22 +38,22 @@ const LEAST: [&str; 2] = [r"\frac{Z_g}{Z_p} = k \frac{2 n}{n - 2}", r"\frac{Z_g}
 /// The slip of a ratio that need not be an integer. For an internal wheel, the page gives the ratio of an external one.
 const FRACTION: Slip = slip(
     WHOLE_TURNS,
-    "We computed the pin's motion by coordinates, for all ratios up to twice the number of slots in steps of a twelfth. The pin must move \
-     along the slot as it leaves one slot and as it comes to the next one.",
-    "The formula is right for three, four and six slots. For five it gives 10/3, so the pin comes back to its place in \
-     every third turn of the crank only. Five slots need the ratio 10.",
+    "We computed the pin's motion in coordinates for all ratios up to twice the number of slots, in steps of one \
+     twelfth. The pin must move along the slot as it leaves one slot and as it comes to the next one.",
+    "The formula is right for three, four and six slots. For five it gives 10/3, so the pin comes back to its place \
+     only in every third turn of the crank. Five slots need the ratio 10.",
 );
 
-const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and \
-                           also in a full turn of the crank. By the first condition, the ratio must be a multiple of \
-                           the printed 2n/(n − 2) for an external wheel, and of 2n/(n + 2) for an internal wheel. By \
-                           the second condition, the ratio must be an integer. So k is the least integer that makes \
-                           the ratio an integer.";
+const WHOLE_TURNS: &str = "The pinion must make a whole number of turns relative to the crank while the wheel moves, \
+                           and also in a full turn of the crank. By the first condition, the ratio must be a multiple \
+                           of the printed expression: 2n/(n − 2) for an external wheel and 2n/(n + 2) for an internal \
+                           one. By the second condition, the ratio must be an integer. So k is the least integer that \
+                           makes the ratio an integer.";
 
 /// What the ratio of teeth is for, with an external and with an internal wheel.
 const GEARS: [&str; 2] = [
-    "number of teeth of the fixed gear over the number of teeth of the pinion, for an external wheel of n slots",
-    "number of teeth of the fixed gear over the number of teeth of the pinion, for an internal wheel of n slots",
+    "number of teeth of the fixed gear over the number of teeth of the pinion, for an external wheel with n slots",
+    "number of teeth of the fixed gear over the number of teeth of the pinion, for an internal wheel with n slots",
 ];
 
 fn gears(place: Place, id: &'static str, meaning: &'static str, corrected: &'static str, moving: Moving) -> Claim {

@@ -3,6 +3,7 @@
 use super::*;
 use crate::agreement::joined;
 use crate::tex::{Moment, holds};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::ops::RangeInclusive;

@@ -36,8 +36,8 @@ pub fn claims() -> Vec<Claim> {
                 word(
                     "The program draws a slot whose length is s. The slot's width is another length, and it is the \
                      same at the slot's centre as everywhere else.",
-                    "Coordinates give the rim and the deepest place of the pin's centre, for 3 to 60 slots. The slot \
-                     extends from one to the other.",
+                    "For 3 to 60 slots, we used coordinates to find the rim and the deepest position of the pin's \
+                     centre. The slot extends from one to the other.",
                     "The drawing does not change.",
                 ),
             ),
@@ -74,7 +74,7 @@ const WINDOW_BOX: Boxed = ([25.0, 25.0 * 1.732_050_807_568_877_2], SHIPPED);
 const WORKBENCH_BOX: Boxed = ([15.0, 15.0], WORKBENCH_SHIPPED);
 
 const ALONG: &str = "We read it as how far the slot extends along its centre line, from the rim to the deepest place \
-                     of the pin's centre. The width from side to side is the next line of the same list.";
+                     of the pin's centre. The next line of the same list gives the width from side to side.";
 
 fn pin_diameter() -> Claim {
     MACRO
@@ -99,8 +99,8 @@ fn pin_diameter() -> Claim {
             r"p = \text{Drive Pin Radius}",
             word(
                 "The program makes the pin a cylinder of radius p, and it cuts a slot that reaches w = p + t to either \
-                 side of its middle, where t is the tolerance. So pin and slot are twice as wide as the program's list \
-                 of sizes says.",
+                 side of its centre line, where t is the tolerance. So pin and slot are twice as wide as the program's \
+                 list of sizes says.",
                 "The version of the macro that opens a window calls p the radius.",
                 "If you enter the pin's diameter for p, the pin and the slot are twice as wide as you want them.",
             ),
@@ -177,7 +177,8 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
         .corrected(
             r"w = p + t = \text{half the Slot Width}",
             word(
-                "The program cuts a slot that reaches w to either side of its middle and ends in an arc of radius w.",
+                "The program cuts a slot that reaches w to either side of its centre line and ends in an arc of radius \
+                 w.",
                 "A slot of width w would be narrower than the pin.",
                 "The drawing does not change.",
             ),
@@ -253,8 +254,8 @@ fn stop_arc() -> Claim {
         .corrected(
             "1.5 × pin diameter",
             word(
-                "In y = a − 1.5 p, the letter p is the pin's diameter, because the program says so and draws the pin \
-                 with the radius p/2.",
+                "In y = a − 1.5 p, the letter p is the pin's diameter. The program says so, and it draws the pin with \
+                 the radius p/2.",
                 "We looked at the pin as the program draws it.",
                 "The drawing does not change.",
             ),
@@ -300,7 +301,7 @@ fn aligned() -> Claim {
             remark(
                 "The pin moves at right angles to the crank, and it must move along the slot. If the slot were along \
                  the crank, the pin would move across the slot at full speed.",
-                "Coordinates give the pin's place at entry, for 3 to 60 slots.",
+                "Coordinates give the pin's position at entry, for 3 to 60 slots.",
                 "Nothing changes, because the next line of the page puts the right angle at the pin, and the page's \
                  formulas follow from this.",
             ),
@@ -344,8 +345,8 @@ fn from_entry() -> Claim {
         .statement(
             "wild.oxiphysics.from-entry",
             "from start of driving phase",
-            "where the driver's angle φ is counted from, if the wheel's angle is the inverse tangent of r sin φ/(a − r \
-             cos φ), with crank radius r and centre distance a",
+            "where the driver's angle φ is measured from, if the wheel's angle is the inverse tangent of r sin φ/(a − \
+             r cos φ), with crank radius r and centre distance a",
         )
         .by(ClosedForm, move |stated| {
             let off = |slots: u32| {
@@ -363,7 +364,7 @@ fn from_entry() -> Claim {
             };
             let holds = ANY.filter(|slots| !vanishes(off(*slots))).count() == 0;
             let lost = off(4).to_degrees().abs();
-            Finding::new(holds, format!("in one move of a four-slot wheel {lost:.1} degrees are missing"))
+            Finding::new(holds, format!("the move of a four-slot wheel falls short by {lost:.1} degrees"))
         })
         .by(Vectors, move |stated| {
             let aside = |slots: u32| {
@@ -376,8 +377,8 @@ fn from_entry() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "at the start of a move, the scalar product of crank and slot is {:.2} of crank radius times \
-                     centre distance, and it would be zero if crank and slot were at right angles",
+                    "at the start of a move, the scalar product of crank and slot is {:.2} times the product of crank \
+                     radius and centre distance (zero means that crank and slot are at right angles)",
                     aside(4)
                 ),
             )
@@ -387,9 +388,9 @@ fn from_entry() -> Claim {
             remark(
                 "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. But \
                  the driving phase starts half a move earlier. The formula for the wheel's speed, printed beside this \
-                 one, counts the angle from the line of centres, too.",
-                "Coordinates give the pin, and the direction of the slot as the pin enters.",
-                "If you pass an angle counted from the entry, the wheel moves by only half a step.",
+                 one, measures the angle from the line of centres, too.",
+                "Coordinates give the pin's position and the slot's direction as the pin enters.",
+                "If you pass an angle measured from the entry, the wheel moves by only half a step.",
             ),
         )
 }

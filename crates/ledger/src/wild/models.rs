@@ -12,9 +12,9 @@ use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use nalgebra::Vector2;
 
-const TWICE: &str = "We compared the pin's velocity with the slot's direction, by coordinates.";
+const TWICE: &str = "We used coordinates to compare the pin's velocity with the slot's direction.";
 const EXAMPLE: &str = "We take the sizes as an example of a wheel whose pin enters along the slot, although the page \
-                       does not say that the pin does so.";
+                       does not say that it does.";
 
 /// A wheel as it is drawn, lengths in one unit.
 #[derive(Clone, Copy)]
@@ -154,7 +154,7 @@ fn freecad() -> Claim {
             slip(
                 "For any two radii, the program makes the triangle of the two axes and the pin right-angled. The angle \
                  at the wheel's axis is then half the angle between two slots for at most one number of slots. A \
-                 comment of the program gives formulas in which you can choose only one radius.",
+                 comment in the program gives formulas in which you can choose only one radius.",
                 TWICE,
                 "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",
@@ -201,7 +201,7 @@ fn freecad_count() -> Claim {
         .corrected(
             "range(n), 360/n",
             slip(
-                "The loops that cut slots and arcs contain the number and the angle of six slots, not the number that \
+                "The loops that cut slots and arcs use the number and the angle for six slots, not for the number that \
                  you ask for.",
                 "We went through the directions of all slots, one by one.",
                 "If you ask for more or fewer slots than six, the wheel still gets six. The version of the macro that \
@@ -224,11 +224,11 @@ fn model3d() -> Claim {
         (
             "4 slots: driven radius 0.9 √2, centres 1.8",
             slip(
-                "The rim is cut short. So when the pin comes to the rim, the pin has passed the place where it would \
-                 slide in along the slot.",
+                "The rim is cut short. So by the time the pin comes to the rim, the pin has passed the place where it \
+                 would slide in along the slot.",
                 TWICE,
-                "A pin without thickness or play starts the wheel with a jump of speed, although the page says that a \
-                 3D-printed mechanism works.",
+                "An ideal pin, without thickness or play, starts the wheel with a jump in speed, although the page \
+                 says that a 3D-printed mechanism works.",
             ),
         ),
     )
@@ -247,10 +247,10 @@ fn cadbuildr() -> Claim {
         (
             "4 slots: cross 2 · 50/√2, centres 50",
             slip(
-                "The rim is cut short. So when the pin comes to the rim, the pin has passed the place where it would \
-                 slide in along the slot.",
+                "The rim is cut short. So by the time the pin comes to the rim, the pin has passed the place where it \
+                 would slide in along the slot.",
                 TWICE,
-                "A pin without thickness or play starts the wheel with a jump of speed.",
+                "An ideal pin, without thickness or play, starts the wheel with a jump in speed.",
             ),
         ),
     )
@@ -261,7 +261,7 @@ fn sdfx() -> Claim {
         SDFX_EXAMPLE,
         "wild.sdfx.example",
         "6 slots: centres 50.0, driven radius 40.0",
-        "centre distance and wheel radius of a program's first example, where the pin is put so that it meets the \
+        "centre distance and wheel radius of a program's first example, where the pin is placed so that it meets the \
          mouth of the slot",
         |stated| {
             let [centres, rim] = ["centres", "driven radius"].map(|name| size(stated.characters(), name));
@@ -272,11 +272,11 @@ fn sdfx() -> Claim {
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
-                "With any other wheel radius than the right one, the pin still meets the mouth of the slot, but it \
+                "With any wheel radius other than the right one, the pin still meets the mouth of the slot, but it \
                  does not move along the slot there.",
                 TWICE,
-                "A pin without thickness or play starts the wheel with a jump of speed. In the second example of the \
-                 program, with ten slots, the pin first pushes the wheel back.",
+                "An ideal pin, without thickness or play, starts the wheel with a jump in speed. In the second example \
+                 of the program, with ten slots, the pin first pushes the wheel back.",
             ),
         ),
     )
@@ -287,7 +287,7 @@ fn counter() -> Claim {
         COUNTER,
         "wild.counter.example",
         "5 slots: r/tan(180/5) - 5 - 0.35",
-        "radius of the wheel as it is drawn, with the pin's radius and a clearance taken off, for crank radius r",
+        "radius of the wheel as it is drawn, less the pin's radius and a clearance, for crank radius r",
         |stated| {
             let (slots, crank) = (stated.count(), 25.0);
             let (_, rim) = stated.characters().split_once(": ").unwrap_or_default();
@@ -300,7 +300,7 @@ fn counter() -> Claim {
                 "Because the wheel is drawn too small, the pin's centre comes to the rim late, when it has passed the \
                  centre line of the slot.",
                 TWICE,
-                "A pin without thickness or play starts the wheel with a jump of speed.",
+                "An ideal pin, without thickness or play, starts the wheel with a jump in speed.",
             ),
         ),
     )
@@ -309,7 +309,7 @@ fn counter() -> Claim {
 fn pitter() -> Claim {
     let drawn = Drawn { slots: 6, crank: 30.0, centres: 60.0, rim: f64::NAN };
     PITTER_WHEEL
-        .value("wild.cherry-pitter.rim", "52", "mm", "radius of a wheel of six slots, for a centre distance of 60 mm")
+        .value("wild.cherry-pitter.rim", "52", "mm", "radius of a wheel with six slots, for a centre distance of 60 mm")
         .by(ClosedForm, move || drawn.with_fitting_rim().rim)
         .by(Vectors, move || drawn.fitting().rim)
 }
@@ -337,8 +337,7 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "the cam keeps an arc of {arc:.1}°, and as the pin enters, it reaches {past:.0}° past the line of \
-                 centres"
+                "the cam keeps an arc of {arc:.1}°, which reaches {past:.0}° past the line of centres as the pin enters"
             ),
         )
     };
@@ -346,7 +345,7 @@ fn pitter_cam() -> Claim {
         .example(
             "wild.cherry-pitter.cam",
             "cam radius 22.0, cut width 30.0",
-            "width of what is cut out of the locking cam, which keeps an arc of 240° according to the drawing",
+            "width of the cut in the locking cam, which keeps an arc of 240° according to the drawing",
         )
         .by(ClosedForm, move |stated| {
             let [radius, width] = sizes(stated);
@@ -363,7 +362,7 @@ fn pitter_cam() -> Claim {
             slip(
                 "The cut must reach 60° to either side of the pin, because the pin enters 60° before the line of \
                  centres. But the box that makes the cut is narrower.",
-                "We checked places all along the cam's rim, by coordinates.",
+                "We used coordinates to check points all along the cam's rim.",
                 "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
                  centres and holds the wheel.",
             ),
@@ -393,7 +392,7 @@ fn pitter_arcs() -> Claim {
             slip(
                 "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the slot \
                  that the pin has left and the slot that it enters next are half a pitch to either side of the arc.",
-                "Coordinates give the place where the pin leaves.",
+                "We used coordinates to find where the pin leaves.",
                 "The arcs cut away the mouths of the slots, and at rest no slot is where the pin arrives.",
             ),
         )

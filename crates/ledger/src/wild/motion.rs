@@ -5,8 +5,9 @@ use super::*;
 use crate::agreement::vanishes;
 use crate::duals::{Crank, Time};
 use crate::tex::Moment;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
-use geneva_kinematics::wheel::{Wheel, entry_acceleration};
+use geneva_kinematics::wheel::Wheel;
 use geneva_kinematics::{Jet, Turn, angular_velocity};
 
 const TWICE: &str =
@@ -99,9 +100,9 @@ fn formulas() -> Vec<Claim> {
                     "A factor r is missing before the fraction. Any derivation from the wheel's angle gives this \
                      factor.",
                     TWICE,
-                    "The speed is too high by a factor, the centre distance over the crank radius: 1.4 times the right \
-                     speed at four slots, and twice at six. Loads that go with the square of the speed are four times \
-                     too high at six slots.",
+                    "The speed is too high by a factor of the centre distance over the crank radius: 1.4 times the \
+                     right speed with four slots, and twice the right speed with six. Loads that grow as the square of \
+                     the speed are four times too high with six slots.",
                 )
             },
         ),
@@ -118,19 +119,19 @@ fn formulas() -> Vec<Claim> {
             },
         )
         .read_as(
-            "The page counts the driver's angle from the line of centres. The formula is not right for an angle \
-             counted from any other place, because even with the best choice the ratio for six slots differs from the \
-             right ratio by up to 0.50.",
+            "The page measures the driver's angle from the line of centres. Measuring from any other place does not \
+             make the formula right, because even with the best choice the ratio for six slots differs from the right \
+             ratio by up to 0.50.",
         )
         .corrected(
             r"\omega_g/\omega_d = \frac{r (d \cos\phi - r)}{d^2 + r^2 - 2 d r \cos\phi}",
             slip(
                 "The wheel's speed is the pin's speed across the slot over the pin's distance from the wheel's axis. \
                  Both this speed and this distance depend on the cosine of the driver's angle from the line of \
-                 centres. The printed ratio is another quantity, because it is not zero where the pin enters.",
+                 centres. The printed ratio must be a different quantity, because it is not zero where the pin enters.",
                 TWICE,
-                "On the line of centres the printed formula gives too small a ratio: with six slots less than one \
-                 half, although the true ratio is one. At entry the printed ratio is not zero, as if the pin struck \
+                "On the line of centres, the printed formula gives too small a ratio: less than one half with six \
+                 slots, although the true ratio is one. At entry the printed ratio is not zero, as if the pin struck \
                  the wheel. Another module of the same library has the right formula.",
             ),
         )
@@ -194,7 +195,7 @@ fn statements() -> Vec<Claim> {
                 "discontinuity in the acceleration",
                 "the wheel's acceleration jumps as the pin enters and leaves",
             )
-            .by(ClosedForm, |stated| jumps(stated, |wheel| [1.0, -1.0].map(|sign| sign * entry_acceleration(wheel))))
+            .by(ClosedForm, |stated| jumps(stated, |wheel| [1.0, -1.0].map(|sign| sign * wheel.entry_acceleration())))
             .by(Series, |stated| {
                 jumps(stated, |wheel| [-1.0, 1.0].map(|end| acceleration(wheel, end * wheel.engagement_half_angle())))
             })
@@ -207,7 +208,10 @@ fn statements() -> Vec<Claim> {
             )
             .by(Series, |stated| extremes(stated, acceleration))
             .by(AutomaticDerivative, |stated| extremes(stated, acceleration_by_duals))
-            .read_as("We look for where the curve is level, over a whole turn of the crank in a slot that goes on.")
+            .read_as(
+                "We look for the places where the curve is level, over a whole turn of the crank in a slot without \
+                 end.",
+            )
             .but_not("the acceleration has its extremes on the part that belongs to the internal wheel"),
     ]
 }

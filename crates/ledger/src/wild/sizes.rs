@@ -3,8 +3,8 @@
 use super::fit::ANY;
 use super::*;
 
-const TWICE: &str = "The foot of the perpendicular from the driver's axis on the slot's line confirms the corrected form for 3 to 60 \
-    slots.";
+const TWICE: &str = "The foot of the perpendicular from the driver's axis to the slot's line confirms the corrected \
+                     form for 3 to 60 slots.";
 
 pub fn claims() -> Vec<Claim> {
     [wrong(), oxiphysics(), right(), generators(), both_ways(), slots(), of_four()].concat()
@@ -25,7 +25,7 @@ fn both_ways() -> Vec<Claim> {
     };
     vec![
         formula(MACRO, "wild.freecad.centres", r"c = \sqrt{a^2 + b^2}", "centre distance", ANY, both)
-            .read_as("We take the two radii of a wheel that fits. For other radii see the example."),
+            .read_as("We take the two radii of a wheel that fits. For other radii, see the example."),
         rim(MACRO, "wild.freecad.keep-crank-rim"),
         crank(MACRO, "wild.freecad.keep-rim-crank"),
         centres(WINDOW, "wild.freecad-window.keep-rim", r"c = b/\cos(\pi/n)", by_rim),
@@ -94,7 +94,7 @@ fn wrong() -> Vec<Claim> {
                  sine gives the crank. For four slots the two sides are the same.",
                 TWICE,
                 "The formula puts the axes too far apart for more than four slots, and too close together for three. \
-                 At six slots the distance is 1.7 times what it should be.",
+                 With six slots the distance is 1.7 times what it should be.",
             ),
         ),
         formula(
@@ -107,7 +107,7 @@ fn wrong() -> Vec<Claim> {
         )
         .read_as(
             "The page says that the pin sits at the driver's radius. We use the right centre distance. With the page's \
-             own formula for the centre distance, the pin's distance is right for six slots alone, and even then the \
+             own formula for the centre distance, the pin's distance is right for six slots only, and even then the \
              wheel's radius does not fit.",
         )
         .corrected(
@@ -118,7 +118,7 @@ fn wrong() -> Vec<Claim> {
                  the wheel, in a slot, so the pin's circle must cut the wheel's rim.",
                 TWICE,
                 "The pin's circle touches the wheel's rim from outside. So the pin never enters a slot, and the wheel \
-                 is not moved.",
+                 does not move.",
             ),
         )
         .in_places(2),
@@ -131,8 +131,8 @@ fn wrong() -> Vec<Claim> {
             centres_by_the_root,
         )
         .read_as(
-            "We take the pin radius as the radius of the pin's circle. With the radius of the pin itself, or of the \
-             wheel, the formula holds for no integer number of slots either.",
+            "We take the pin radius as the radius of the pin's circle. If we take it as the radius of the pin itself \
+             or of the wheel, the formula does not hold for any integer number of slots either.",
         )
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
@@ -242,7 +242,7 @@ fn right() -> Vec<Claim> {
             ANY,
             |fit| vec![("p", fit.crank), ("d", fit.centres), ("r", fit.rim), (r"\theta", fit.step / 2.0)],
         )
-        .read_as("We take the radius that fits the centre distance. For other radii see the example."),
+        .read_as("We take the radius that fits the centre distance. For other radii, see the example."),
     ]
 }
 
@@ -345,7 +345,7 @@ fn of_four() -> Vec<Claim> {
             DRIVE,
             "wild.firgelli-drive.centres",
             r"C = R \sqrt{2}",
-            "centre distance of a wheel of four slots",
+            "centre distance of a wheel with four slots",
             4..=4,
             |fit| vec![("C", fit.centres), ("R", fit.crank)],
         ),
@@ -364,7 +364,7 @@ fn of_four() -> Vec<Claim> {
             .statement(
                 "wild.compass.bottom",
                 "tangent to circle",
-                "the slots of a wheel of four end on the circle about the wheel's axis that touches the pin's circle",
+                "the slots of a four-slot wheel end on the circle about the wheel's axis that touches the pin's circle",
             )
             .by(ClosedForm, |stated| bottom(&Fit::by_wheel(4), stated))
             .by(Vectors, |stated| bottom(&Fit::by_vectors(4), stated))

@@ -24,19 +24,21 @@ pub fn claims() -> Vec<Claim> {
                 let room = |slots| 2.0 * PI * (1.0 + 1e-12) / Fit::by_vectors(slots).moving;
                 steps(stated, Fit::by_vectors, |slots| PINS.rev().find(|pins| f64::from(*pins) <= room(slots)))
             })
-            .read_as("We take wheels with 3 to 18 slots, and with one pin or as many as there is room for.")
+            .read_as(
+                "We take wheels with 3 to 18 slots, and drivers with one pin or with as many pins as there is room \
+                 for.",
+            )
             .corrected(
                 "3 to 18 steps per turn of the wheel",
                 Slip {
                     consequence: Consequence::Remark,
                     origin: Origin::Misprint,
                     ..slip(
-                        "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
-                         of steps in a turn of the wheel. A turn of the driver makes one step for each pin. The most \
-                         pins that fit are six, and only with a wheel of three slots. So there are 1 to 6 steps in a \
-                         turn of the driver.",
-                        "Each move takes a certain part of a turn of the driver, and one turn has no room for as many \
-                         moves as the page says.",
+                        "One pin moves the wheel once in a turn of the driver, by one slot. So the 3 to 18 steps are \
+                         per turn of the wheel. A turn of the driver makes one step for each pin. At most six pins \
+                         fit, and only with three slots. So there are 1 to 6 steps in a turn of the driver.",
+                        "Each move takes a certain part of a turn of the driver, so one turn cannot hold as many moves \
+                         as the page says.",
                         "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
                     )
                 },
@@ -88,8 +90,7 @@ pub fn claims() -> Vec<Claim> {
         fewest(WORKBENCH, "wild.gear-workbench.least", "n >= 3", 1).but_not("two slots will do"),
         fewest(GENERATOR, "wild.generator.least", "n at least 3", 1).but_not("two slots will do"),
         fewest(SDFX, "wild.sdfx.least", "> 2", 1).but_not("two slots will do").read_as(
-            "We read it as what the message of the program says of the sectors, although the program itself lets two \
-             pass.",
+            "We read it as the program's message says it of the sectors, although the program itself accepts two.",
         ),
         fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0)
             .read_as("The page speaks of “separators”, which we read as the slots.")
@@ -98,8 +99,9 @@ pub fn claims() -> Vec<Claim> {
                 Slip {
                     consequence: Consequence::Remark,
                     ..slip(
-                        "Wheels of three and of four slots work, and all formulas of the page hold for them.",
-                        "By coordinates, in a wheel with three slots the pin comes into a slot and leaves it again, but in a wheel with two it never does.",
+                        "Wheels with three or four slots work, and all the formulas on the page hold for them.",
+                        "Coordinates show that the pin enters a slot and leaves it again in a wheel with three slots, \
+                         but never in a wheel with two.",
                         "The commonest wheel, which has four slots, is excluded by the page.",
                     )
                 },
@@ -150,7 +152,7 @@ fn more(by: fn(u32) -> Fit, stated: Stated) -> Finding {
     Finding::new(
         holds,
         format!(
-            "the move takes {:.1} degrees of the driver more with four slots than with three",
+            "the move takes {:.1} more degrees of the driver's turn with four slots than with three",
             longer(4).to_degrees()
         ),
     )
@@ -185,7 +187,7 @@ fn fewer(by: fn(u32) -> Fit, stated: Stated) -> Finding {
     Finding::new(
         holds,
         format!(
-            "the rest takes {:.1} degrees of the driver more with three slots than with four",
+            "the rest takes {:.1} more degrees of the driver's turn with three slots than with four",
             longer(4).to_degrees()
         ),
     )

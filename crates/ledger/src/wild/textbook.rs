@@ -86,7 +86,7 @@ pub fn claims() -> Vec<Claim> {
                         "500 mm times the square of 10 rad/s is 50,000 mm/s², ten times the printed product. With the \
                          crank radius of the problem, 50 mm, the product is right.",
                         "We used the crank radius of the problem that the page continues.",
-                        "Nothing changes in what is printed after this number.",
+                        "Nothing that is printed after this number changes.",
                     )
                 },
             ),

@@ -4,12 +4,12 @@ use super::fit::ANY;
 use super::*;
 use crate::Decimal;
 
-const TWICE: &str = "The pin's place at entry, by coordinates, confirms the corrected form for 3 to 60 slots.";
+const TWICE: &str = "The coordinates of the pin at entry confirm the corrected form for 3 to 60 slots.";
 
 /// The page takes the wheel's turn for the driver's turn.
-const TURNED: &str = "While a wheel of n slots turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because \
-                      the crank is at right angles to the slot at the start and at the end. The page takes the wheel's \
-                      angle for the driver's angle, but they are equal for four slots only.";
+const TURNED: &str = "While a wheel with n slots turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because \
+                      the crank is at right angles to the slot at the start and at the end. The page uses the wheel's \
+                      angle in place of the driver's angle, but the two are equal for four slots only.";
 
 /// How long a wheel moves, of the calculator.
 const DWELL: Slip = Slip {
@@ -17,8 +17,8 @@ const DWELL: Slip = Slip {
     ..slip(
         TURNED,
         TWICE,
-        "For more than four slots, a machine is planned with too long a rest and too short a move. For three slots, \
-         the rest is too short and the move too long. At six slots the move takes twice as long as planned, and at \
+        "For more than four slots, the formula gives too long a rest and too short a move. For three slots, it gives \
+         too short a rest and too long a move. With six slots the real move takes twice as long as planned, and with \
          eight it takes three times as long.",
     )
 };
@@ -66,8 +66,8 @@ fn calculator() -> Vec<Claim> {
             index,
         )
         .read_as(
-            "We take the index angle as the wheel's step, as the page says. If it were the driver's angle, the time \
-             would be right, but the page's own dwell angle would not fit this angle.",
+            "We take the index angle as the wheel's step, as the page says. If it were the angle that the driver turns \
+             through, the time would be right, but the page's own dwell angle would not fit.",
         )
         .corrected(r"t_{index} = \frac{180^{\circ} - \theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}", DWELL),
     ]
@@ -87,9 +87,9 @@ fn unseel() -> Vec<Claim> {
             .in_error_for(rounded, MORE_SLOTS)
     };
     vec![
-        dwell("wild.unseel.four", "75", 4, "rest of a wheel of four slots, as a part of the cycle"),
-        wrong("wild.unseel.six", "83", 6, "", "rest of a wheel of six slots, as a part of the cycle"),
-        wrong("wild.unseel.eight", "87", 8, "62.5", "rest of a wheel of eight slots, as a part of the cycle"),
+        dwell("wild.unseel.four", "75", 4, "rest of a wheel with four slots, as a part of the cycle"),
+        wrong("wild.unseel.six", "83", 6, "", "rest of a wheel with six slots, as a part of the cycle"),
+        wrong("wild.unseel.eight", "87", 8, "62.5", "rest of a wheel with eight slots, as a part of the cycle"),
     ]
 }
 
@@ -110,7 +110,7 @@ fn star() -> Vec<Claim> {
             "wild.geneva-star.four",
             "3/4",
             "",
-            "part of the time that a wheel of four slots rests",
+            "part of the time that a wheel with four slots rests",
             4,
             resting,
         ),
@@ -127,8 +127,8 @@ fn star() -> Vec<Claim> {
         .in_error(slip(
             TURNED,
             TWICE,
-            "The rest is longer than the page says, and the move takes half of the time that the page says. So a \
-             wheel of three slots is quick and rough.",
+            "The rest is longer than the page says, and the move takes only half the time that the page gives. So a \
+             wheel with three slots is quick and rough.",
         )),
     ]
 }
@@ -151,7 +151,7 @@ fn oxiphysics() -> Vec<Claim> {
                  other end of the line of centres. In the right-angled triangle of the two axes and the pin, the \
                  driver's angle is a right angle less the wheel's angle.",
                 TWICE,
-                "By the printed formula a wheel of n slots moves during 1/n of the cycle, which is right for four \
+                "By the printed formula a wheel with n slots moves during 1/n of the cycle, which is right for four \
                  slots only. Another module of the same library has the right formula.",
             ),
         ),
@@ -216,13 +216,13 @@ fn fractions() -> Vec<Claim> {
             .by(ClosedForm, |stated| parts(stated, Fit::by_wheel))
             .by(Vectors, |stated| parts(stated, Fit::by_vectors))
             .but_not("the wheels rest in these parts"),
-        number(ANVILATE, "wild.anvilate.four", "75", "%", "rest of a wheel of four slots", 4, |fit| {
+        number(ANVILATE, "wild.anvilate.four", "75", "%", "rest of a wheel with four slots", 4, |fit| {
             100.0 * fit.resting / (2.0 * PI)
         }),
-        number(ANVILATE, "wild.anvilate.six", "66.7", "%", "rest of a wheel of six slots", 6, |fit| {
+        number(ANVILATE, "wild.anvilate.six", "66.7", "%", "rest of a wheel with six slots", 6, |fit| {
             100.0 * fit.resting / (2.0 * PI)
         }),
-        number(ANVILATE, "wild.anvilate.eight", "62.5", "%", "rest of a wheel of eight slots", 8, |fit| {
+        number(ANVILATE, "wild.anvilate.eight", "62.5", "%", "rest of a wheel with eight slots", 8, |fit| {
             100.0 * fit.resting / (2.0 * PI)
         }),
         formula(
@@ -263,9 +263,9 @@ fn fractions() -> Vec<Claim> {
                 consequence: Consequence::Derivation,
                 origin: Origin::Misprint,
                 ..slip(
-                    "The page divides the time of a move by the angle through which the driver turns during a rest. \
-                     The page must mean the time of the rest, because the two times have the ratio of the two angles \
-                     on the right side.",
+                    "The page divides the time of a move by the angle through which the driver turns during a rest. It \
+                     must mean the time of the rest, because the right side is the ratio of the two angles, and the \
+                     two times have the same ratio.",
                     TWICE,
                     "Nothing changes, because the formulas for the two times, which follow on the page, are right.",
                 )
@@ -329,7 +329,7 @@ fn others() -> Vec<Claim> {
             ANY,
             |fit| vec![("x", fit.resting / fit.moving), ("n", fit.slots)],
         ),
-        number(DRIVE, "wild.firgelli-drive.ratio", "3", "", "rest over move of a wheel of four slots", 4, |fit| {
+        number(DRIVE, "wild.firgelli-drive.ratio", "3", "", "rest over move of a wheel with four slots", 4, |fit| {
             fit.resting / fit.moving
         }),
         formula(
@@ -345,7 +345,7 @@ fn others() -> Vec<Claim> {
             "wild.style-sheet.moving",
             "24.9",
             "%",
-            "part of the cycle in which a wheel of four slots moves, measured on its animation at 800 instants",
+            "part of the cycle in which a wheel with four slots moves, measured on its animation at 800 instants",
             4,
             |fit| 100.0 * fit.moving / (2.0 * PI),
         )
@@ -357,18 +357,18 @@ fn others() -> Vec<Claim> {
             "wild.cherry-pitter.dwell",
             "240",
             "°",
-            "arc of the locking cam, which is how far the driver turns while a wheel of six rests",
+            "arc of the locking cam, which is how far the driver turns while a wheel with six slots rests",
             6,
             |fit| fit.resting.to_degrees(),
         )
-        .read_as("We read it as the arc that the mechanism needs. For the cam as it is built see the example."),
+        .read_as("We read it as the arc that the mechanism needs. For the cam as it is built, see the example."),
     ]
 }
 
 fn twelve() -> Vec<Claim> {
     let of = |id, printed, unit, meaning, quantity| number(ARTOBOLEVSKY, id, printed, unit, meaning, 12, quantity);
     vec![
-        of("wild.dmg-lib.idle", "210", "°", "how far the driver turns while a wheel of twelve slots rests", |fit| {
+        of("wild.dmg-lib.idle", "210", "°", "how far the driver turns while a wheel with twelve slots rests", |fit| {
             fit.resting.to_degrees()
         }),
         of("wild.dmg-lib.moving", "150", "°", "how far the driver turns while the wheel turns", |fit| {

@@ -1,6 +1,6 @@
 //! Flat code: a list of instructions over a list of registers, run from the first to the last.
 
-use super::trouble::told;
+use super::trouble::eight_digits;
 
 /// What an instruction does. A truth is 1, its opposite 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -192,7 +192,7 @@ impl Instruction {
     /// What made a number that is none out of numbers, in words.
     pub(super) fn reason(&self, registers: &[f64]) -> String {
         let [first, b, ..] = self.from.map(|register| registers[register as usize]);
-        let (a, other) = (told(first), told(b));
+        let (a, other) = (eight_digits(first), eight_digits(b));
         match self.operation {
             Operation::Divide if b == 0.0 => format!("{a} divided by zero"),
             Operation::Divide => format!("{a} divided by {other} is too large"),

@@ -37,7 +37,7 @@ pub static CARDS: [Card; 17] = [
         "parameters: read from the data cards that follow; the program runs once for each set. A set may take several data \
          cards",
     ),
-    card("DT", "number", Thesis, "time from printed point to printed point; without such a card, 0.1, which we assume"),
+    card("DT", "number", Thesis, "time between two printed points; without such a card, 0.1, which we assume"),
     card("DTMIN", "number", Assumed, "smallest step; without such a card, DT over 2 to the power 30"),
     card("DTMAX", "number", Assumed, "largest step; without such a card, DT"),
     card(

@@ -3,7 +3,7 @@
 use super::code::execute;
 use super::origin::Origin;
 use super::program::{Memory, More, Program, State, TIME};
-use super::trouble::{Trouble, told};
+use super::trouble::{Trouble, eight_digits};
 use crate::step::Attempt;
 use crate::{Cause, DelayError, DelayLine, Parameters, System};
 use core::cell::Cell;
@@ -279,7 +279,7 @@ impl Machine<'_> {
         let program = self.program;
         let longest = parameters.largest_step;
         if longest < parameters.print_interval && 2.0 * time > longest * steps as f64 {
-            let reason = format!("most are as long as DTMAX, {}, allows", told(longest));
+            let reason = format!("most are as long as DTMAX, {}, allows", eight_digits(longest));
             return Origin { card: 0, text: String::new(), reason };
         }
         // To locate a change takes less than a hundred steps.

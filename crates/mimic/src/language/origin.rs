@@ -2,7 +2,7 @@
 
 use super::code::Operation;
 use super::program::{Code, Program, TIME};
-use super::trouble::told;
+use super::trouble::eight_digits;
 use core::fmt;
 
 /// The instruction that made it.
@@ -64,7 +64,7 @@ impl Program {
         }
         let value = registers[register as usize];
         let name = self.names.iter().find(|(_, of)| *of == register).map_or("a value", |(name, _)| name.as_str());
-        Origin { card: 0, text: String::new(), reason: format!("{name} is {}", told(value)) }
+        Origin { card: 0, text: String::new(), reason: format!("{name} is {}", eight_digits(value)) }
     }
 }
 

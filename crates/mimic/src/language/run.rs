@@ -5,7 +5,7 @@ use super::data::DataSet;
 use super::deck::Plot;
 use super::machine::{Line, Machine, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
-use super::trouble::{RunError, Trouble, told};
+use super::trouble::{RunError, Trouble, eight_digits};
 use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, Work};
 use core::cell::Cell;
 use nalgebra::SVector;
@@ -299,7 +299,7 @@ impl Program {
             return refused(
                 "DTMIN",
                 smallest,
-                format!("it must not be above DTMAX, which is {}{way_out}", told(largest)),
+                format!("it must not be above DTMAX, which is {}{way_out}", eight_digits(largest)),
             );
         }
         let mut end: Option<f64> = None;
@@ -323,7 +323,7 @@ impl Program {
             let allowed = format!(
                 "to the end at T = {} there would be more than {most_steps} steps, which is the most{}; give a \
                  longer {name} or an earlier FIN",
-                told(end),
+                eight_digits(end),
                 self.what_steps_have(choices)
             );
             return refused(name, longest, allowed);

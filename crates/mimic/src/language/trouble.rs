@@ -24,7 +24,7 @@ pub enum Trouble {
         most: usize,
     },
     /// DT, DTMIN or DTMAX out of their ranges.
-    #[error("{name} is {}: {allowed}", told(*.value))]
+    #[error("{name} is {}: {allowed}", eight_digits(*.value))]
     Step {
         /// Which.
         name: &'static str,
@@ -37,7 +37,7 @@ pub enum Trouble {
     #[error(
         "card {card} ({text}): the run would end at T = {value}; it must be above zero, and at most {most} DT away \
          (numbers in a row: {numbers}); give a longer DT, another FIN or fewer names on OUT and PLO cards",
-        value = told(*.value)
+        value = eight_digits(*.value)
     )]
     RunLength {
         /// The FIN card.
@@ -52,7 +52,7 @@ pub enum Trouble {
         numbers: usize,
     },
     /// A value that is no number.
-    #[error("at T = {}: {origin}{}{}", told(*.time), after_forced(*.forced), way_out(*.time, origin))]
+    #[error("at T = {}: {origin}{}{}", eight_digits(*.time), after_forced(*.forced), way_out(*.time, origin))]
     NonFinite {
         /// When, in the unit of T.
         time: f64,
@@ -65,8 +65,8 @@ pub enum Trouble {
     #[error(
         "at T = {time}: card {card} ({text}) changes too quickly: with a step of {step} the error of {name} is {excess:.1} \
          times what is allowed; give a smaller DTMIN or a larger tolerance, or let such steps be kept",
-        time = told(*.time),
-        step = told(*.step)
+        time = eight_digits(*.time),
+        step = eight_digits(*.step)
     )]
     StepTooSmall {
         /// When, in the unit of T.
@@ -86,7 +86,7 @@ pub enum Trouble {
     #[error(
         "at T = {time}: FIN is not reached after {steps} steps; {origin}; give a larger tolerance, DTMIN, DTMAX \
          or gap between switching on and off, or an earlier FIN",
-        time = told(*.time)
+        time = eight_digits(*.time)
     )]
     TooManySteps {
         /// When, in the unit of T.
@@ -100,7 +100,7 @@ pub enum Trouble {
     #[error(
         "at T = {time}: FIN is not reached after {rows} printed rows; give a longer DT or an earlier FIN, or print \
              fewer names",
-        time = told(*.time)
+        time = eight_digits(*.time)
     )]
     TooManyRows {
         /// When, in the unit of T.
@@ -109,7 +109,7 @@ pub enum Trouble {
         rows: u64,
     },
     /// A delay that does not work.
-    #[error("at T = {time}: card {card} ({text}): {error}", time = told(*.time))]
+    #[error("at T = {time}: card {card} ({text}): {error}", time = eight_digits(*.time))]
     Delay {
         /// When, in the unit of T.
         time: f64,
@@ -125,8 +125,8 @@ pub enum Trouble {
         "at T = {time}: card {card} ({text}): the delay of {delay} spans more than {capacity} kept steps, and no \
          more values are remembered; give a larger tolerance or DTMIN, or let the delay keep as many values as its \
          third argument says (--delay-keeps as-asked)",
-        time = told(*.time),
-        delay = told(*.delay)
+        time = eight_digits(*.time),
+        delay = eight_digits(*.delay)
     )]
     DelayFull {
         /// When, in the unit of T.
@@ -145,8 +145,8 @@ pub enum Trouble {
         "at T = {time}: {delays} TDL, the longest of which goes back by {longest}, need room for more than {most} values, \
          the most that is remembered; give fewer or shorter delays, longer steps (DTMAX or DT) or an earlier FIN, or let each \
          delay keep as many values as its third argument says (--delay-keeps as-asked)",
-        time = told(*.time),
-        longest = told(*.longest)
+        time = eight_digits(*.time),
+        longest = eight_digits(*.longest)
     )]
     DelaysFull {
         /// When, in the unit of T.
@@ -191,7 +191,7 @@ impl Trouble {
 }
 
 /// A number in a message: eight significant digits, and a power of ten rather than a row of zeros.
-pub(super) fn told(value: f64) -> String {
+pub(super) fn eight_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.7e}").parse().unwrap_or(value);
     let text = format!("{rounded:?}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)

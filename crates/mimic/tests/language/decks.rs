@@ -1,4 +1,4 @@
-//! The decks of this project against the same equations in Rust, to the last bit, and against other integrators.
+//! Compares the decks of this project with the same equations in Rust, to the last bit, and with other integrators.
 
 use super::own;
 use geneva_mimic::language::{Choices, DECKS, Deck, Layout, Program, Run};

@@ -1,4 +1,4 @@
-//! The escapement's deck against its formulas in Rust, to the last bit.
+//! Compares the escapement's deck with its formulas in Rust, to the last bit.
 
 use super::native::{Escapement, parameters};
 use super::own;

@@ -1,4 +1,4 @@
-//! What is wrong with a deck is told all at once: the card, the column, what is allowed, the nearest known name.
+//! Everything that is wrong with a deck is reported at once: the card, the column, what is allowed, the nearest known name.
 
 use super::{deck, told as faults_of};
 use geneva_mimic::language::{Deck, Layout, Problem, Program};

@@ -1,4 +1,4 @@
-//! Each function, by what its line in the table says.
+//! Each function, tested by what its line in the table says.
 
 use super::{last, runs};
 use geneva_mimic::language::{CARDS, Choices, DataSet, FUNCTIONS};

@@ -1,4 +1,4 @@
-//! Results that keep their value while no control variable of theirs is true: latches, and switches with a gap.
+//! Results that keep their value while none of their control variables is true: latches, and switches with a gap.
 
 use super::{own, program, runs};
 use geneva_mimic::language::{Choices, DataSet, Program, Run};

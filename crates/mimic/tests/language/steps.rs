@@ -1,4 +1,4 @@
-//! How many steps a run may have, and how many all runs of a deck together.
+//! How many steps a run may take, and how many all runs of a deck may take together.
 
 use super::program;
 use geneva_mimic::language::{Choices, DataSet, Program, Run, Runs};

@@ -1,4 +1,4 @@
-//! What stands on a card: names, numbers and signs, each with its columns.
+//! What is on a card: names, numbers and signs, each with its columns.
 
 use super::runs;
 use geneva_mimic::language::{Deck, Layout, Problem};

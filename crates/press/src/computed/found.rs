@@ -30,8 +30,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.recall", || Ok(precision(errata_found()?, errata()?.len()))),
     ("found.errata-numbers", || errata_of("number")),
     ("found.errata-units", || errata_of("unit")),
-    ("found.results", || planted(|run| (run.results, run.results_noticed))),
-    ("found.operands", || planted(|run| (run.operands, run.operands_noticed))),
+    ("found.results", || planted(|of| [of.results])),
+    ("found.operands", || planted(|of| [of.operands])),
+    ("found.planted", || planted(|of| [of.results, of.operands])),
+    ("found.results-visible", || planted(|of| [of.results.visible()])),
+    ("found.operands-visible", || planted(|of| [of.operands.visible()])),
+    ("found.operands-invisible", invisible),
     ("found.first.texts", || texts("first")),
     ("found.first.flags", || Ok(round("first")?.len().to_string())),
     ("found.first.real", || Ok(right(&round("first")?).to_string())),
@@ -62,6 +66,22 @@ pub const NUMBERS: &[(&str, Number)] = &[
         flags.retain(|flag| flag.text != "Solid state physics");
         Ok(format!("{} of {}, {}", right(&flags), flags.len(), share(&flags)?))
     }),
+    ("found.fourth.texts", || Ok(listed("fourth", ENOUGH)?.0.to_string())),
+    ("found.fourth.flags", || Ok(listed("fourth", ENOUGH)?.1.len().to_string())),
+    ("found.fourth.real", || Ok(right(&listed("fourth", ENOUGH)?.1).to_string())),
+    ("found.fourth.precision", || share(&listed("fourth", ENOUGH)?.1)),
+    ("found.fourth.run", || texts("fourth")),
+    ("found.fourth.all", || all_of("fourth")),
+    ("found.fourth.commands", || Ok(because("fourth", "a command that isn't known")?.to_string())),
+    ("found.fifth.flags", || Ok(first_of("fifth")?.len().to_string())),
+    ("found.fifth.real", || Ok(right(&first_of("fifth")?).to_string())),
+    ("found.fifth.precision", || share(&first_of("fifth")?)),
+    ("found.fifth.faults", || Ok(distinct(&first_of("fifth")?).to_string())),
+    ("found.fifth.cut", || {
+        Ok(first_of("fifth")?.iter().filter(|flag| flag.judgement == Judgement::Rounding).count().to_string())
+    }),
+    ("found.fifth.all", || all_of("fifth")),
+    ("found.after.fourth", || after_repairs("fourth")),
     ("found.after.first", || after_repairs("first")),
     ("found.after.second", || after_repairs("second")),
     ("found.after.third", || after_repairs("third")),
@@ -159,10 +179,40 @@ fn of_run(name: &str) -> anyhow::Result<Vec<Run>> {
     Ok(runs()?.into_iter().filter(|run| run.run == name).collect())
 }
 
+/// How many flags of a round are judged.
+const ENOUGH: usize = 40;
+
+/// The flags of a round in the order of its texts and files, up to the end of the file with the flag that makes them enough, and in how
+/// many texts they are.
+fn listed(name: &str, enough: usize) -> anyhow::Result<(usize, Vec<Contact>)> {
+    let all = round(name)?;
+    let last = all.get(enough - 1).or(all.last()).cloned();
+    let is_last = |flag: &&Contact| last.as_ref().is_some_and(|last| last.text == flag.text && last.file == flag.file);
+    let end = all.iter().rposition(|flag| is_last(&flag)).map_or(0, |at| at + 1);
+    let order = of_run(name)?;
+    let texts = order.iter().position(|run| last.as_ref().is_some_and(|last| last.text == run.text));
+    Ok((texts.map_or(0, |at| at + 1), all.into_iter().take(end).collect()))
+}
+
+/// The first flags of a round, as many as are enough.
+fn first_of(name: &str) -> anyhow::Result<Vec<Contact>> {
+    Ok(round(name)?.into_iter().take(ENOUGH).collect())
+}
+
+/// The confirmed flags of a round among all, with their share.
+fn all_of(name: &str) -> anyhow::Result<String> {
+    let flags = round(name)?;
+    Ok(format!("{} of {}, {}", right(&flags), flags.len(), share(&flags)?))
+}
+
+/// How many flags of a round have such a reason.
+fn because(name: &str, reason: &str) -> anyhow::Result<usize> {
+    Ok(round(name)?.iter().filter(|flag| flag.why.contains(reason)).count())
+}
+
 /// How many texts of the third round were needed for forty flags, by the rule that was written down before, and their flags.
 fn until_stop() -> anyhow::Result<(usize, Vec<Contact>)> {
     const FEWEST_TEXTS: usize = 6;
-    const ENOUGH: usize = 40;
     let all = round("third")?;
     let (mut texts, mut found) = (0, Vec::new());
     for run in of_run("third")? {
@@ -187,8 +237,12 @@ fn share(flags: &[Contact]) -> anyhow::Result<String> {
 
 /// How many faults of the texts the confirmed flags of a round come from.
 fn faults(name: &str) -> anyhow::Result<usize> {
-    let is_fault = |flag: &&Contact| flag.judgement == Judgement::Real && flag.repeats == Answer::No;
-    Ok(round(name)?.iter().filter(is_fault).count())
+    Ok(distinct(&round(name)?))
+}
+
+/// How many faults of the texts these flags come from.
+fn distinct(flags: &[Contact]) -> usize {
+    flags.iter().filter(|flag| flag.judgement == Judgement::Real && flag.repeats == Answer::No).count()
 }
 
 /// In how many texts of a round at least one flag was confirmed.
@@ -232,12 +286,54 @@ fn precision(part: usize, all: usize) -> String {
     format!("{share:.0}&nbsp;% (95&nbsp;% interval {:.0} to {:.0}&nbsp;%)", 100.0 * low, 100.0 * high)
 }
 
-/// The share of planted errors that were noticed, in per cent.
-fn planted(of: fn(&Run) -> (Option<u32>, Option<u32>)) -> anyhow::Result<String> {
+/// Errors that were planted in one kind of number.
+#[derive(Clone, Copy)]
+struct Planted {
+    tried: u32,
+    noticed: u32,
+    invisible: u32,
+}
+
+impl Planted {
+    /// Without those that don't show in the printed digits.
+    fn visible(self) -> Self {
+        Self { tried: self.tried - self.invisible, invisible: 0, ..self }
+    }
+}
+
+/// The errors that were planted in results and in operands.
+struct Errors {
+    results: Planted,
+    operands: Planted,
+}
+
+fn errors() -> anyhow::Result<Errors> {
     let run = run("old")?;
-    let (Some(tried), Some(noticed)) = of(&run) else { anyhow::bail!("no errors were planted") };
+    let of = |tried: Option<u32>, noticed: Option<u32>, invisible: Option<u32>| {
+        let all = tried.zip(noticed).zip(invisible);
+        let ((tried, noticed), invisible) = all.ok_or_else(|| anyhow::anyhow!("no errors were planted"))?;
+        anyhow::ensure!(noticed + invisible <= tried, "{noticed} and {invisible} are more than {tried} planted errors");
+        Ok(Planted { tried, noticed, invisible })
+    };
+    Ok(Errors {
+        results: of(run.results, run.results_noticed, run.results_invisible)?,
+        operands: of(run.operands, run.operands_noticed, run.operands_invisible)?,
+    })
+}
+
+/// The share of planted errors that were noticed, in per cent.
+fn planted<const N: usize>(of: fn(&Errors) -> [Planted; N]) -> anyhow::Result<String> {
+    let kinds = of(&errors()?);
+    let sum = |what: fn(&Planted) -> u32| kinds.iter().map(what).sum::<u32>();
+    let (tried, noticed) = (sum(|of| of.tried), sum(|of| of.noticed));
     let share = 100.0 * f64::from(noticed) / f64::from(tried.max(1));
-    Ok(format!("{} of {} ({share:.0}&nbsp;%)", thousands(noticed), thousands(tried)))
+    Ok(format!("{} of {} ({share:.1}&nbsp;%)", thousands(noticed), thousands(tried)))
+}
+
+/// The share of changed operands that don't change the result in its printed digits.
+fn invisible() -> anyhow::Result<String> {
+    let of = errors()?.operands;
+    Ok(format!("{:.1}&nbsp;%", 100.0 * f64::from(of.invisible) / f64::from(of.tried.max(1))))
 }
 
 /// An integer with a comma between thousands.

@@ -2,9 +2,8 @@
 
 use super::{Number, least, most};
 use crate::numbers::fixed;
-use crate::rows::{parameters, weakest};
-use crate::tables::joints::effect;
-use geneva_dynamics::joints::{Joints, effects};
+use crate::rows::{number, number_with, weakest};
+use crate::tables::joints::{CHANGE, effect};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::comparable;
 
@@ -19,7 +18,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("joints.pin.most", || Ok(per_cent(most(&with(WITH_PIN)?)))),
     ("joints.journals.least", || Ok(fixed(100.0 * least(&slower()?), 0))),
     ("joints.journals.most", || Ok(per_cent(most(&slower()?)))),
-    ("joints.friction", || Ok(parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?.friction().to_string())),
+    ("joints.friction", || Ok(number(weakest(comparable(Mechanism::FOUR_PIN))?, "friction")?.to_string())),
     ("joints.driver-over-follower.4", || driver_over_follower(Mechanism::FOUR_PIN)),
     ("joints.driver-over-follower.3", || driver_over_follower(Mechanism::THREE_PIN)),
     ("joints.driver-over-follower.6", || driver_over_follower(Mechanism::SIX_PIN)),
@@ -39,19 +38,15 @@ fn slower() -> anyhow::Result<[f64; 3]> {
 fn with(joints: (f64, f64, f64)) -> anyhow::Result<[f64; 3]> {
     let mut changes = [0.0; 3];
     for (change, mechanism) in changes.iter_mut().zip(Mechanism::ALL) {
-        *change = effect(mechanism, joints)?.mean_speed - 1.0;
+        *change = effect(mechanism, joints, CHANGE)?;
     }
     Ok(changes)
 }
 
 /// How many times as much of the mean speed the driver's journal takes as the follower's, alone.
 fn driver_over_follower(mechanism: Mechanism) -> anyhow::Result<String> {
-    let (_, radius, bearing_friction) = WITH_JOURNALS;
-    let alone = [
-        Joints { driver_journal: radius, bearing_friction, ..Joints::IDEAL },
-        Joints { follower_journal: radius, bearing_friction, ..Joints::IDEAL },
-    ];
-    let found = effects(&parameters(weakest(comparable(mechanism))?)?, alone.map(|joints| (0.0, joints)))?;
-    let lost: Vec<f64> = found.iter().map(|effect| 1.0 - effect.mean_speed).collect();
-    Ok(fixed(lost.first().zip(lost.get(1)).map_or(f64::NAN, |(driver, follower)| driver / follower), 1))
+    let (_, radius, friction) = WITH_JOURNALS;
+    let row = weakest(comparable(mechanism))?;
+    let lost = |journal| number_with(row, &format!("--{journal} {radius} --bearing-friction {friction}"), CHANGE);
+    Ok(fixed(lost("driver-journal")? / lost("follower-journal")?, 1))
 }

@@ -4,7 +4,6 @@ mod built;
 mod escapement;
 mod found;
 mod front;
-mod jazar;
 mod joints;
 pub mod making;
 mod method;
@@ -19,7 +18,8 @@ mod terminal_speed;
 pub mod timer;
 mod wild;
 
-use crate::{lookup, numbers};
+use crate::lookup;
+use crate::numbers::significant;
 
 /// A number with its unit, as HTML.
 pub type Number = fn() -> anyhow::Result<String>;
@@ -30,10 +30,8 @@ const ALL: &[&[(&str, Number)]] = &[
     escapement::NUMBERS,
     found::NUMBERS,
     front::NUMBERS,
-    jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
-    making::ADVICE,
     method::NUMBERS,
     mimic::NUMBERS,
     mistake::NUMBERS,
@@ -58,13 +56,16 @@ pub fn by_name(name: &str) -> anyhow::Result<String> {
     found.ok_or_else(|| lookup::unknown("number", name, names()))?()
 }
 
-/// A number to so many significant digits, trailing zeros kept, with its unit.
-pub(crate) fn with_unit(number: f64, digits: i32, unit: &str) -> String {
-    let after_first = usize::try_from(digits - 1).unwrap_or(0);
-    let scientific = format!("{number:.after_first$e}");
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
-    let decimals = usize::try_from(digits - 1 - exponent).unwrap_or(0);
-    format!("{}&nbsp;{unit}", numbers::fixed(scientific.parse().unwrap_or(number), decimals))
+/// A number to so many digits that count, with its unit.
+fn with_unit(number: f64, digits: usize, unit: &str) -> String {
+    format!("{}&nbsp;{unit}", significant(number, digits))
+}
+
+/// From the least to the greatest of some numbers, with so many decimals.
+fn over(values: &[f64], decimals: usize) -> anyhow::Result<String> {
+    anyhow::ensure!(!values.is_empty(), "there are no rows");
+    let [least, greatest] = [least(values), most(values)].map(|end| format!("{end:.decimals$}"));
+    Ok(if least == greatest { least } else { format!("{least} to {greatest}") })
 }
 
 /// An angle in degrees with one decimal.
@@ -80,15 +81,4 @@ fn least(all: &[f64]) -> f64 {
 /// The greatest of some numbers.
 fn most(all: &[f64]) -> f64 {
     all.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::with_unit;
-
-    #[test]
-    fn digits_count_from_the_first() {
-        let written = [0.0999, 9.999, 233.32, 1234.5, -4.1].map(|number| with_unit(number, 3, "m"));
-        assert_eq!(written, ["0.0999&nbsp;m", "10.0&nbsp;m", "233&nbsp;m", "1230&nbsp;m", "−4.10&nbsp;m"]);
-    }
 }

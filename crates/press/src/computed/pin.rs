@@ -3,8 +3,9 @@
 use super::{Number, degrees, with_unit};
 use anyhow::Context;
 use geneva_kinematics::Turn;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_triangle::TriangleSolution;
-use geneva_kinematics::wheel::{Wheel, acceleration_peak, acceleration_ratio, peak_velocity};
+use geneva_kinematics::wheel::{Wheel, acceleration_ratio};
 use geneva_ledger::pin::Instant;
 
 /// The numbers of the chapter.
@@ -12,11 +13,11 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("pin.acceleration", || acceleration(&Instant::printed()?)),
     ("pin.peak-speed", || {
         let driver = Instant::printed()?.driver_speed;
-        Ok(with_unit(peak_velocity(&Wheel::new(4)?) * driver, 3, "rad/s"))
+        Ok(with_unit(Wheel::new(4)?.peak_velocity() * driver, 3, "rad/s"))
     }),
     ("pin.peak-acceleration", || {
         let driver = Instant::printed()?.driver_speed;
-        Ok(with_unit(acceleration_peak(&Wheel::new(4)?).ratio * driver * driver, 3, "rad/s²"))
+        Ok(with_unit(Wheel::new(4)?.acceleration_peak().ratio * driver * driver, 3, "rad/s²"))
     }),
     ("pin.entry-acceleration", || {
         let half = Instant::printed()?.mechanism.engagement_half_angle();

@@ -3,10 +3,10 @@
 
 use super::Number;
 use anyhow::Context;
-use geneva_dynamics::Pose;
-use geneva_kinematics::{Mechanism, Turn};
+use geneva_case1973::deck::{longer_than_delay, turned_when_backwards};
+use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::{Column, Constants, Hypothesis, Reset, Row, Run, deck, listing, rows};
-use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
+use geneva_mimic::language::{Deck, Layout, Program, deck_named};
 
 /// The numbers of the chapter on the program.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -25,9 +25,13 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("program.no-delay.periods", || without_delay(Column::Period)),
     ("program.no-delay.peaks", || without_delay(Column::Peak)),
     ("program.long-steps", long_steps),
-    ("program.backwards-after", || Ok(super::degrees(turned_when_backwards(&deck::as_listed())?))),
-    ("program.three-at-the-reset", || Ok(format!("{:.2}", ratio_at_the_reset(Mechanism::THREE_PIN)))),
-    ("program.six-at-the-reset", || Ok(format!("{:.2}", -ratio_at_the_reset(Mechanism::SIX_PIN)))),
+    ("program.backwards-after", || {
+        let row = rows().first().context("there is no run")?;
+        let turned = turned_when_backwards(row, &deck::as_listed()).context("the follower never runs backwards")?;
+        Ok(super::degrees(turned))
+    }),
+    ("program.three-at-the-reset", || Ok(format!("{:.2}", listing().velocity_ratio_at_reset(Mechanism::THREE_PIN)))),
+    ("program.six-at-the-reset", || Ok(format!("{:.2}", -listing().velocity_ratio_at_reset(Mechanism::SIX_PIN)))),
 ];
 
 /// The old acceleration in the escapement's deck.
@@ -41,13 +45,8 @@ fn own() -> anyhow::Result<Program> {
 /// What part of the steps is longer than the delay, from the least to the greatest of all runs of the deck with the
 /// thesis's numbers, in per cent.
 fn long_steps() -> anyhow::Result<String> {
-    let program = Program::new(&deck::deck(&deck::as_listed()).context("the deck has no such name")?)?;
-    let parts = rows().iter().map(|row| {
-        let run = program.run(&deck::data(&program, row), &Choices::default())?;
-        Ok(100.0 * run.longer_than_delay as f64 / run.work.accepted as f64)
-    });
-    let parts = parts.collect::<anyhow::Result<Vec<f64>>>()?;
-    Ok(format!("{:.0} to {:.0}&nbsp;%", super::least(&parts), super::most(&parts)))
+    let parts = longer_than_delay(rows()).context("the escapement's deck does not run")?;
+    Ok(format!("{:.0} to {:.0}&nbsp;%", 100.0 * super::least(&parts), 100.0 * super::most(&parts)))
 }
 
 /// The names in the circle that the deck has without its delay.
@@ -84,39 +83,25 @@ fn without_delay(column: Column) -> anyhow::Result<String> {
     Ok(within_one(column, rows().iter().map(|row| (row, hypothesis.run(row)))))
 }
 
-/// How far the driver has turned, in radians, in the first printed line of the first run in which the follower runs
-/// backwards.
-fn turned_when_backwards(set: &[(&str, f64)]) -> anyhow::Result<f64> {
-    let program = Program::new(&deck::deck(set).context("the deck has no such name")?)?;
-    let row = rows().first().context("there is no run")?;
-    let printed = program.run(&deck::data(&program, row), &Choices::default())?.rows;
-    let backwards = printed.iter().find(|line| line.last().is_some_and(|speed| *speed < 0.0));
-    Ok(*backwards.and_then(|line| line.get(1)).context("the follower never runs backwards")?)
-}
-
-/// The follower's speed over the driver's where the program resets the angle, in the sense in which a pin drives it.
-fn ratio_at_the_reset(mechanism: Mechanism) -> f64 {
-    let angle = listing().reset - mechanism.engagement_half_angle();
-    Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)).velocity_ratio()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn three_pins_are_dropped_while_the_follower_turns_and_six_are_followed_until_it_runs_backwards() {
-        assert!(ratio_at_the_reset(Mechanism::THREE_PIN) > 0.1);
-        assert!(ratio_at_the_reset(Mechanism::SIX_PIN) < -0.1);
+        let ratio = |mechanism| listing().velocity_ratio_at_reset(mechanism);
+        assert!(ratio(Mechanism::THREE_PIN) > 0.1);
+        assert!(ratio(Mechanism::SIX_PIN) < -0.1);
         // To the five digits of the reset angle.
-        assert!(ratio_at_the_reset(Mechanism::FOUR_PIN).abs() < 1e-5);
+        assert!(ratio(Mechanism::FOUR_PIN).abs() < 1e-5);
     }
 
     #[test]
     fn the_follower_of_six_pins_runs_backwards_only_with_the_reset_as_listed_and_only_past_60_degrees() {
-        let turned = turned_when_backwards(&deck::as_listed()).expect("it runs backwards").to_degrees();
+        let row = rows().first().expect("a run");
+        let turned = turned_when_backwards(row, &deck::as_listed()).expect("it runs backwards").to_degrees();
         assert!((60.0..63.0).contains(&turned), "{turned}");
-        assert!(turned_when_backwards(&[]).is_err());
+        assert!(turned_when_backwards(row, &[]).is_none());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::{Number, most};
 use crate::lookup::judged;
-use crate::numbers::fixed;
+use crate::numbers::{fixed, significant};
 use crate::rows::score;
 use anyhow::Context;
 use geneva_case1973::chance::Shuffled;
@@ -167,10 +167,8 @@ fn odds(difference: f64) -> String {
     match decades {
         _ if decades >= 9.0 => format!("10<sup>{}</sup>", decades.floor()),
         _ if decades >= 6.0 => format!("{:.0} million", difference.exp() / 1e6),
-        _ => {
-            let unit = libm::pow(10.0, (decades.floor() - 1.0).max(0.0));
-            format!("{:.0}", (difference.exp() / unit).round() * unit)
-        }
+        _ if decades >= 1.0 => significant(difference.exp(), 2),
+        _ => fixed(difference.exp(), 0),
     }
 }
 

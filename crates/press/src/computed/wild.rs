@@ -4,7 +4,7 @@
 use super::{Number, least, most};
 use crate::{figures, lookup, numbers};
 use anyhow::{Context, ensure};
-use geneva_ledger::{Consequence, Erratum, Judged, Kind, Truth, Work, wild};
+use geneva_ledger::{Judged, Kind, Truth, Work, wild};
 use std::collections::BTreeSet;
 
 /// The numbers of the chapter.
@@ -15,7 +15,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("wild.statements", || Ok(count(is_statement))),
     ("wild.right", || Ok(count(|judged| is_statement(judged) && judged.truth() == Truth::Right))),
     ("wild.wrong", || Ok(count(|judged| is_statement(judged) && is_wrong(judged)))),
-    ("wild.copy", || Ok(count(|judged| is_statement(judged) && judged.truth() == Truth::Wrong && !is_wrong(judged)))),
+    ("wild.copy", || Ok(count(|judged| is_statement(judged) && judged.is_miscopied()))),
     ("wild.examples", || Ok(count(|judged| !is_statement(judged)))),
     ("wild.examples-wrong", || Ok(count(|judged| !is_statement(judged) && is_wrong(judged)))),
     ("wild.bite.least", || bites(least)),
@@ -36,8 +36,7 @@ fn is_statement(judged: &Judged) -> bool {
 
 /// Whether the page is wrong, and not only the copy that we read.
 fn is_wrong(judged: &Judged) -> bool {
-    let copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
-    judged.truth() == Truth::Wrong && !judged.claim.erratum.as_ref().is_some_and(copy)
+    judged.truth() == Truth::Wrong && !judged.is_miscopied()
 }
 
 /// Whether it is on a page of which every formula was taken.

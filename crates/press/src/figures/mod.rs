@@ -5,10 +5,10 @@ mod timer;
 mod wild;
 
 use crate::computed::making;
-use crate::rows::{example, parameters};
-use crate::{live, lookup, rows};
+use crate::rows::{NONE, example, question};
+use crate::{live, lookup};
 use anyhow::Context;
-use geneva_dynamics::Parameters;
+use geneva_ask::escapement::{Design, Drawing, Question};
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::internal_wheel::InternalWheel;
@@ -16,7 +16,7 @@ use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
 use geneva_ledger::meyer::runs::Hypothesis;
-use geneva_ledger::meyer::runs::choice::{least_braked, weakest};
+use geneva_ledger::meyer::runs::choice::weakest;
 use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
 
 /// Draws a figure for the printed data of its source.
@@ -58,14 +58,13 @@ pub const FIGURES: &[(&str, Draw)] = &[
     }),
     ("escapement-ratios", || Ok(escapement::ratios(&Mechanism::ALL))),
     ("escapement-forces", || {
-        let (parameters, entry_speed) = in_steady_state()?;
-        let crank = TRAILING * parameters.mechanism().engagement_half_angle();
-        let speed = escapement::speed_at(&parameters, entry_speed, crank)?;
-        Ok(escapement::forces(&parameters, crank, speed)?)
+        let own = Hypothesis::IDEAL.parameters(example()?).context(NONE)?;
+        Ok(escapement::steady_forces(&own, TRAILING)?)
     }),
     ("escapement-normal-force", || {
-        let (parameters, speed) = in_steady_state()?;
-        Ok(escapement::normal_force(&parameters, speed)?)
+        let question = question(example()?);
+        let (_, arguments) = question.split_once(' ').context("a question with arguments")?;
+        Ok(Design::new(Question::parse(arguments)?)?.drawing(Drawing::NormalForce)?)
     }),
     ("escapement-existence", || Ok(escapement::existence(&designs()?))),
     ("integrator-order", || Ok(escapement::order())),
@@ -82,8 +81,8 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("live-mistake", || live::figure("mistake")),
     ("steady-collapse", runs::collapse),
     ("live-escapement", || live::figure("escapement")),
-    ("steady-return-map", || Ok(geneva_figures::steady::return_map(&with_three_pins()?)?)),
-    ("steady-phase", || Ok(geneva_figures::steady::phase(&with_three_pins()?)?)),
+    ("steady-return-map", runs::return_map),
+    ("steady-phase", runs::phase),
     ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
     ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
     ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
@@ -150,28 +149,9 @@ fn mechanism(slots: u32) -> anyhow::Result<Figure> {
     Ok(escapement::mechanism(&escapement, GENERAL * escapement.engagement_half_angle())?)
 }
 
-/// The three-pin run that brakes least, as the mechanism is: an engagement leaves more of a difference than with four pins,
-/// so that the steps to the steady state can be seen.
-fn with_three_pins() -> anyhow::Result<Parameters> {
-    parameters(rows::weakest(least_braked(Mechanism::THREE_PIN))?)
-}
-
-/// The example among the runs, and its speed as a pin enters in the steady state.
-fn in_steady_state() -> anyhow::Result<(Parameters, f64)> {
-    let steady = rows::engagement(example()?, &Hypothesis::IDEAL)?.steady_state()?;
-    Ok((parameters(example()?)?, steady.entry_speed))
-}
-
 /// The runs of the thesis as points of the map: one for each mechanism and friction, whatever the torque.
 fn designs() -> anyhow::Result<Vec<escapement::Design>> {
-    let design = |row| {
-        let parameters = parameters(row)?;
-        Ok(escapement::Design {
-            mechanism: parameters.mechanism(),
-            inertia_ratio: parameters.inertias().ratio(),
-            friction: parameters.friction(),
-        })
-    };
+    let design = |row| Ok(escapement::Design::of(&Hypothesis::IDEAL.parameters(row).context(NONE)?));
     weakest().map(design).collect()
 }
 

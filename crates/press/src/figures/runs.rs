@@ -3,14 +3,13 @@
 use super::designs;
 use crate::measurements::integrators;
 use crate::numbers::fixed;
-use crate::rows::{self, parameters, weakest};
+use crate::rows::{self, NONE, number, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
 use geneva_case1973::choice::rows_of as table_of;
-use geneva_dynamics::joints::{Escapement, Joints, Varied, series};
 use geneva_figures::Figure;
-use geneva_figures::runs::{self, Compared, Count, Group, Lag, Run, Scan};
-use geneva_figures::steady::{self, Line, Measurement};
+use geneva_figures::runs::{self, Compared, Count, Group, Lag, Scan};
+use geneva_figures::steady::{self, Measurement};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
 use geneva_ledger::meyer::runs::{
@@ -80,7 +79,7 @@ pub fn lags() -> anyhow::Result<Figure> {
 pub fn printed_too_seldom() -> anyhow::Result<Figure> {
     let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
     let listing = listing();
-    Ok(runs::aliasing(&rows::engagement(row, &Hypothesis::WITHOUT_LAG)?, listing.interval, listing.duration)?)
+    Ok(runs::aliasing(&Hypothesis::WITHOUT_LAG.engagement(row).context(NONE)?, listing.interval, listing.duration)?)
 }
 
 /// Fig. 8: the first of the rows that it may show.
@@ -89,14 +88,17 @@ pub fn of_fig_8() -> anyhow::Result<Figure> {
     let fitting = rows_of_fig_8().context("no rise time of Fig. 8")?;
     let (row, others) = fitting.split_first().context("no run has the printed rise time")?;
     let others: Vec<String> = others.iter().map(|row| named(row)).collect();
-    let fits = if others.is_empty() { String::new() } else { format!(" So does that of {}.", others.join(" and of ")) };
+    let fits = match others.join(" and with ") {
+        with if with.is_empty() => String::new(),
+        with => format!(" So does the time of the first minimum with {with}."),
+    };
     let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(row).map(|inertia| fixed(1e6 * inertia, 0));
     let inertias = format!("inertias of driver and follower {driver} and {follower} · 10⁻⁶ in lb s²");
     let words = format!(
-        "Four pins, {}, {inertias}: its first minimum rounds to the rise time printed of Fig. 8.{fits}",
+        "Four pins, {}, {inertias}: the time of its first minimum rounds to the rise time printed for Fig. 8.{fits}",
         named(row)
     );
-    Ok(runs::speeds(&rows::engagement(row, &Hypothesis::WITHOUT_LAG)?, &words)?)
+    Ok(runs::speeds(&Hypothesis::WITHOUT_LAG.engagement(row).context(NONE)?, &words)?)
 }
 
 /// The printed numbers of a mechanism over the torque.
@@ -112,21 +114,20 @@ pub fn collapse() -> anyhow::Result<Figure> {
 
 /// A mechanism's rows, with the reset angle and the inertias that explain the tables.
 fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
-    let row = weakest(least_braked(mechanism))?;
-    let runs = rows_of(mechanism).map(|row| Run {
-        friction: row.friction(),
-        torque: row.torque(),
-        peak: row.number(Column::Peak),
-        minimum: row.number(Column::Minimum),
-        rise: row.number(Column::Rise),
-        period: row.number(Column::Period),
-    });
-    Ok(Group {
-        mechanism,
-        inertias: parameters(row)?.inertias(),
-        reset: Hypothesis::WITHOUT_LAG.angle(row),
-        runs: runs.collect(),
-    })
+    Group::of(&Hypothesis::WITHOUT_LAG, table_of(rows(), mechanism)).context(NONE)
+}
+
+/// The return map of the three-pin run that brakes least: an engagement leaves more of a difference than with four pins, so
+/// that the steps to the steady state can be seen.
+pub fn return_map() -> anyhow::Result<Figure> {
+    let row = weakest(least_braked(Mechanism::THREE_PIN))?;
+    Ok(steady::return_map(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
+}
+
+/// The speed over the angle of that run, from rest.
+pub fn phase() -> anyhow::Result<Figure> {
+    let row = weakest(least_braked(Mechanism::THREE_PIN))?;
+    Ok(steady::phase(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
 }
 
 /// The map of a mechanism, with its runs.
@@ -142,48 +143,27 @@ pub fn accelerations() -> anyhow::Result<Figure> {
         row.printed(Column::Friction),
         row.printed(Column::Torque)
     );
-    Ok(steady::accelerations(&parameters(row)?, &run)?)
+    Ok(steady::accelerations(&Hypothesis::IDEAL.parameters(row).context(NONE)?, &run)?)
 }
 
 /// A pin of finite radius in its slot, four pins: while it drives the follower, and where the driver is fastest.
 pub fn contact() -> anyhow::Result<Figure> {
-    /// Radius of the pin in crank radii, and the first instant as a part of the way to entry.
+    /// Radius of the pin in crank radii.
     const PIN: f64 = 0.1;
-    const DRIVING: f64 = 0.6;
-    let of = parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?;
-    let escapement = Escapement::new(&of, Joints { pin_radius: PIN, ..Joints::IDEAL })?;
-    let state = escapement.steady_state(1e-9)?.state;
-    let driving = -DRIVING * of.mechanism().engagement_half_angle();
-    Ok(steady::contact(&escapement, [(driving, state.entry_speed), (state.peak.angle, state.peak.speed)])?)
+    let row = weakest(comparable(Mechanism::FOUR_PIN))?;
+    Ok(steady::contact(&Hypothesis::IDEAL.parameters(row).context(NONE)?, PIN)?)
 }
 
 /// Mean speed and multiplier over the radius of the pin, of the driver's journal, and of the follower's.
 pub fn losses() -> anyhow::Result<Figure> {
     /// Friction of the journals.
     const BEARINGS: f64 = 0.2;
-    /// The largest radius, in crank radii, and how many there are.
-    const LARGEST: f64 = 0.2;
-    const RADII: u32 = 8;
-    let of = parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?;
-    let journals = Joints { bearing_friction: BEARINGS, ..Joints::IDEAL };
-    let varied = [
-        ("pin", Joints::IDEAL, Varied::PinRadius),
-        ("driver's journal", journals, Varied::DriverJournal),
-        ("follower's journal", journals, Varied::FollowerJournal),
-    ];
-    let (mut speeds, mut multipliers) = (Vec::new(), Vec::new());
-    for (name, joints, varied) in varied {
-        let radii = (0..=RADII).map(|k| LARGEST * f64::from(k) / f64::from(RADII));
-        let effects = series(&of, &joints, varied, radii)?;
-        let line = |points: Vec<(f64, f64)>| Line { name: name.to_owned(), points };
-        speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
-        multipliers.push(line(effects.iter().map(|effect| (effect.value, effect.multiplier)).collect()));
-    }
+    let row = weakest(comparable(Mechanism::FOUR_PIN))?;
     let shown = format!(
         "four pins, μ = {} in the slot, {BEARINGS} in the bearings, inertias as in the runs of the thesis",
-        of.friction()
+        number(row, "friction")?
     );
-    Ok(steady::losses("radius in crank radii", &shown, &speeds, &multipliers))
+    Ok(steady::losses(&Hypothesis::IDEAL.parameters(row).context(NONE)?, BEARINGS, &shown)?)
 }
 
 /// Work and precision of those solvers in the record that run over the same times.

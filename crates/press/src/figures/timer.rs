@@ -2,25 +2,18 @@
 
 use crate::computed::timer::{SET, STEEL_ON_BRASS};
 use crate::numbers::fixed;
-use crate::rows::{example, parameters};
-use crate::tables::timer::settled;
+use crate::rows::{NONE, example, number};
+use crate::tables::timer::PARTS;
 use anyhow::Context;
+use geneva_case1973::choice::rows_of;
 use geneva_figures::Figure;
 use geneva_figures::timer::{self, Tested};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::Column;
-use geneva_ledger::meyer::runs::choice::weakest;
+use geneva_ledger::meyer::runs::{Column, Hypothesis, rows};
 
 /// The mechanisms with the frictions of their runs.
 fn tested() -> anyhow::Result<Vec<Tested>> {
-    let of = |mechanism| {
-        let mut rows = weakest().filter(|row| row.mechanism == mechanism).peekable();
-        let parameters = parameters(rows.peek().context("no run of a mechanism")?)?;
-        let mut frictions: Vec<f64> = rows.map(|row| row.friction()).collect();
-        frictions.sort_by(f64::total_cmp);
-        Ok(Tested { parameters, frictions })
-    };
-    Mechanism::ALL.into_iter().map(of).collect()
+    Mechanism::ALL.into_iter().map(|mechanism| Tested::of(rows_of(rows(), mechanism)).context(NONE)).collect()
 }
 
 /// Hours a day over the friction, beside handbook values of steel on brass.
@@ -45,7 +38,7 @@ pub fn settling() -> anyhow::Result<Figure> {
         "four pins, μ = {}, K = {} in lb, driver's inertia {} · 10⁻⁶ in lb s²",
         row.printed(Column::Friction),
         row.printed(Column::Torque),
-        fixed(1e6 * parameters(row)?.inertias().driver(), 0)
+        fixed(1e6 * number(row, "driver_inertia")?, 0)
     );
-    Ok(timer::settling(&settled()?, &run)?)
+    Ok(timer::settling(&Hypothesis::IDEAL.parameters(row).context(NONE)?, &PARTS, &run)?)
 }

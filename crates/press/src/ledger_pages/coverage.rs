@@ -21,8 +21,9 @@ pub fn page() -> anyhow::Result<String> {
     });
     let copies = copies.collect::<Vec<_>>().join(", ");
     Ok(format!(
-        "{sums}\n\n## Characters of the copies {{#copies}}\n\nWe read the sources from copies that a machine has made of paper. At \
-         these places a character of the copy is wrong, and the context demands another: {copies}.\n"
+        "{sums}\n\n## Characters of the copies {{#copies}}\n\nWe read the sources in copies that a machine has \
+         made from paper. At the following places, a character in the copy is wrong, and the context demands another: \
+         {copies}.\n"
     ))
 }
 

@@ -25,7 +25,7 @@ fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
         let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
         Ok(vec![
             format!(
-                "<a href=\"#slip-{}\">{}</a><div class=\"form\">{}</div>",
+                "<a href=\"#slip-{}\">{}</a><div class=\"form\" data-label=\"As printed\">{}</div>",
                 slip.id,
                 prose(claim.meaning),
                 broken(&printed)

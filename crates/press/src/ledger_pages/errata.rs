@@ -142,6 +142,10 @@ fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String))
             entry(term, format!("{} ({})", with_unit(&rounded(judged, number), claim.unit)?, in_a_word(*kind)));
         }
     }
+    // Where the source's own way leads to another number, the right one rests on more than its printed places.
+    if let Some(right) = judged.right_value.filter(|right| judged.computed.is_some_and(|own| own != *right)) {
+        entry("Right, with more places", with_unit(&rounded(judged, right), claim.unit)?);
+    }
     if let Some(reading) = claim.reading.filter(|_| judged.findings.is_empty()) {
         entry("How we read it", escape(reading));
     }
@@ -163,13 +167,13 @@ pub fn right(judged: &Judged) -> anyhow::Result<String> {
 /// How many printed numbers a slip makes wrong, and by how much.
 fn numbers(places: &Places) -> String {
     let number = places.wrong_numbers().count();
-    let (of, at_most) = match number {
+    let (of, up_to) = match number {
         1 => ("one printed number".to_owned(), ""),
-        _ => (format!("{number} printed numbers"), " at most"),
+        _ => (format!("{number} printed numbers"), "up to "),
     };
     places.greatest_change().map_or_else(String::new, |change| {
         let decimals = if change < 0.1 { 1 } else { 0 };
-        format!(" ({of}, wrong by {:.decimals$}&nbsp;%{at_most})", 100.0 * change)
+        format!(" ({of}, wrong by {up_to}{:.decimals$}&nbsp;%)", 100.0 * change)
     })
 }
 

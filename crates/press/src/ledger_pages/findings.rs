@@ -14,7 +14,7 @@ pub fn how(judged: &Judged) -> String {
     let reading = reading.filter(|_| !judged.claim.check.evidence().is_empty());
     let all: Vec<_> = reading.into_iter().chain(sentences).collect();
     let all: Vec<_> = all.iter().map(|sentence| in_words(&ended(sentence))).collect();
-    all.join("<br>")
+    all.join("<br> ")
 }
 
 /// A sentence with a full stop at its end, or within the brackets around it.
@@ -56,16 +56,17 @@ fn forms(judged: &Judged) -> Vec<String> {
             format!("A second way{second} gives the same result")
         }
         Some(refused) if refused.how == again.how => format!(
-            "By a second way{second}, the printed form {} and the corrected form {}: {}",
+            "Checked in a second way{second}, the printed form {} and the corrected form {}: {}",
             says(refused),
             says(again),
             again.how
         ),
-        _ => format!("By a second way{second}, {} {}: {}", lowered(right), says(again), again.how),
+        _ => format!("Checked in a second way{second}, {} {}: {}", lowered(right), says(again), again.how),
     });
     let told = refused.filter(|refused| refused.how != again.how && Some(*refused) != printed);
-    sentences
-        .extend(told.map(|refused| format!("By this second way, the printed form {}: {}", says(refused), refused.how)));
+    sentences.extend(
+        told.map(|refused| format!("Checked in this second way, the printed form {}: {}", says(refused), refused.how)),
+    );
     sentences
 }
 
@@ -81,8 +82,8 @@ fn statement(judged: &Judged, neighbour: &str) -> Vec<String> {
         sentences.push(format!("A second way{second} gives the same results"));
         return sentences;
     }
-    sentences.push(format!("By a second way{second}, what is printed {}: {}", says(again), again.how));
-    let version = format!("By this second way, too, the false version {}", says(refused));
+    sentences.push(format!("Checked in a second way{second}, what is printed {}: {}", says(again), again.how));
+    let version = format!("Checked in this second way, too, the false version {}", says(refused));
     sentences.push(if refused.how == again.how { version } else { format!("{version}: {}", refused.how) });
     sentences
 }

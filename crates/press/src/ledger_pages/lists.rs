@@ -2,6 +2,7 @@
 
 use super::inline::badge;
 use crate::html::{Cells, Table, escape, table, tex_or_text};
+use crate::tables::chain::scientific;
 use crate::{lookup, maths};
 use geneva_figures::notation::NOTATION;
 use geneva_ledger::{Evidence, Judged, Symbol, TOLERANCES, Verdict};
@@ -28,7 +29,8 @@ pub fn evidence() -> anyhow::Result<Table> {
 /// The tolerances that are not printed digits.
 pub fn tolerances() -> anyhow::Result<Table> {
     let rows = TOLERANCES.iter().map(|tolerance| {
-        Ok(vec![tolerance.name.to_owned(), format!("{:e}", tolerance.relative), escape(tolerance.reason)])
+        let relative = scientific(&format!("{:e}", tolerance.relative))?;
+        Ok(vec![tolerance.name.to_owned(), relative, escape(tolerance.reason)])
     });
     table("Tolerances", Cells::Words, &["Tolerance", "Relative", "Why"], rows)
 }
@@ -52,11 +54,33 @@ pub fn symbols(slug: &str) -> anyhow::Result<Table> {
         let meaning = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
         // A letter is set as in a formula, with or without an index.
         let is_letter = |letter: &str| letter.contains('_') || letter.chars().count() == 1;
-        let printed = match symbol.printed.split(", ").all(is_letter) {
-            true => maths::formula(symbol.printed, false),
+        let letters = with_indices(symbol.printed);
+        let printed = match letters.split(", ").all(is_letter) {
+            true => maths::formula(&letters, false),
             false => tex_or_text(symbol.printed),
         };
         Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), printed?])
     });
     table("Letters", Cells::Words, &["In this book", "What it stands for", "In the source"], rows)
+}
+
+/// Letters in TeX: a digit behind a letter is its index.
+fn with_indices(letters: &str) -> String {
+    let before = std::iter::once(' ').chain(letters.chars());
+    let tex = letters
+        .chars()
+        .zip(before)
+        .map(|(c, before)| if c.is_ascii_digit() && before.is_alphabetic() { format!("_{c}") } else { c.to_string() });
+    tex.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_indices;
+
+    #[test]
+    fn a_digit_behind_a_letter_is_its_index() {
+        let letters = ["l2", "P2P4, P2/P4", "r, l4", "f_1, f_2", "12"].map(with_indices);
+        assert_eq!(letters, ["l_2", "P_2P_4, P_2/P_4", "r, l_4", "f_1, f_2", "12"]);
+    }
 }

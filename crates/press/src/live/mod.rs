@@ -17,15 +17,15 @@ use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, shown}
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
-struct Told {
+struct Beside {
     name: &'static str,
     given: fn() -> anyhow::Result<Arguments>,
     /// Quantities, and the claim that says the same of one setting.
     claims: &'static [(&'static str, &'static str)],
 }
 
-const TOLD: &[Told] = &[
-    Told {
+const BESIDE: &[Beside] = &[
+    Beside {
         name: "wheel",
         given: || Ok(Arguments::default()),
         claims: &[
@@ -37,12 +37,12 @@ const TOLD: &[Told] = &[
             ("index", "jazar.ex-b.formula"),
         ],
     },
-    Told {
+    Beside {
         name: "design",
         given: || Ok(Arguments::default()),
         claims: &[("centres", "jazar.centre-distance-ratio"), ("index", "jazar.duration")],
     },
-    Told {
+    Beside {
         name: "polygon",
         given: lever,
         claims: &[
@@ -53,8 +53,8 @@ const TOLD: &[Told] = &[
             ("coriolis", "quick-return.coriolis-equation"),
         ],
     },
-    Told { name: "mistake", given: runs, claims: &[("agree", "meyer.listing.quarter-turn")] },
-    Told {
+    Beside { name: "mistake", given: runs, claims: &[("agree", "meyer.listing.quarter-turn")] },
+    Beside {
         name: "escapement",
         given: example,
         claims: &[
@@ -98,7 +98,7 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
         .files
         .iter()
         .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)));
-    let others = told_of(live, live.others.iter().chain(&answer.further), answer)?;
+    let others = numbers(live, live.others.iter().chain(&answer.further), answer)?;
     let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
     let no_file = if live.files.is_empty() { "" } else { " and no files" };
     let plays = live.controls.iter().any(|control| matches!(control.kind, Kind::Player(_)));
@@ -116,7 +116,7 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
          class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
          data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}\n</div>",
         answer.figure.svg.trim_end(),
-        told_of(live, live.quantities.iter(), answer)?,
+        numbers(live, live.quantities.iter(), answer)?,
         escape(live.hint),
         rows.concat(),
         presets.collect::<String>(),
@@ -126,8 +126,8 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
 }
 
 /// Quantities with their numbers; a label leads to the claim that says the same of one setting, if there is one.
-fn told_of<'a>(live: &Live, quantities: impl Iterator<Item = &'a Quantity>, answer: &Answer) -> anyhow::Result<String> {
-    let claims = told(live.name)?.claims;
+fn numbers<'a>(live: &Live, quantities: impl Iterator<Item = &'a Quantity>, answer: &Answer) -> anyhow::Result<String> {
+    let claims = beside(live.name)?.claims;
     let entry = |quantity: &Quantity| {
         let claim = claims.iter().find(|(of, _)| *of == quantity.name);
         let label = escape(quantity.label);
@@ -193,13 +193,13 @@ fn named(name: &str) -> anyhow::Result<&'static Live> {
     lookup::named("figure that a reader moves", name, &all)
 }
 
-fn told(name: &str) -> anyhow::Result<&'static Told> {
-    TOLD.iter().find(|told| told.name == name).with_context(|| format!("what is told of `{name}`"))
+fn beside(name: &str) -> anyhow::Result<&'static Beside> {
+    BESIDE.iter().find(|beside| beside.name == name).with_context(|| format!("what is told of `{name}`"))
 }
 
 /// What the page gives a figure: data of a source, and where controls stand at first.
 fn given(name: &str) -> anyhow::Result<Arguments> {
-    (told(name)?.given)()
+    (beside(name)?.given)()
 }
 
 /// The answer where all controls stand as at first.
@@ -207,27 +207,26 @@ fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
     live.answer(&given(live.name)?).map_err(|message| anyhow!("{}: {message}", live.name))
 }
 
-/// The linkage of the source's problem; its angle to the degree.
+/// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
 fn lever() -> anyhow::Result<Arguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
     let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
     let numbers = [("ground", ground), ("radius", radius), ("speed", speed)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    let others = [("crank", format!("{crank:.1}")), ("unit", "m".to_owned())];
+    let others = [("crank", format!("{crank:.2}")), ("unit", "m".to_owned())];
     Ok(Arguments::of(numbers.into_iter().chain(others)))
 }
 
 /// The run that stands for all, its ratio of inertias to three digits.
 fn example() -> anyhow::Result<Arguments> {
-    let parameters = crate::rows::parameters(crate::rows::example()?)?;
-    let (follower, ratio) = (parameters.inertias().follower(), parameters.inertias().ratio());
-    let (friction, torque) = (parameters.friction(), parameters.torque());
+    let row = crate::rows::example()?;
+    let of = |key| crate::rows::number(row, key);
     Ok(Arguments::of([
-        ("follower", follower.to_string()),
-        ("ratio", format!("{ratio:.3}")),
-        ("friction", friction.to_string()),
-        ("torque", torque.to_string()),
+        ("follower", of("follower_inertia")?.to_string()),
+        ("ratio", format!("{:.3}", of("inertia_ratio")?)),
+        ("friction", of("friction")?.to_string()),
+        ("torque", of("torque")?.to_string()),
     ]))
 }
 

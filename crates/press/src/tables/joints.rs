@@ -2,15 +2,14 @@
 
 use crate::html::{Cells, Table, table};
 use crate::numbers::signed;
-use crate::rows::{parameters, weakest};
-use anyhow::Context;
-use geneva_dynamics::joints::{Effect, Joints, effects as all_effects, largest_pin_radius};
+use crate::rows::{number_with, weakest};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::comparable;
-use std::sync::OnceLock;
 
-/// Radii in crank radii: of the pin, of both journals, and the friction of the journals.
-const COMPARED: [(f64, f64, f64); 8] = [
+/// Ideal joints, and joints compared with them; radii in crank radii: of the pin, of both journals, and the friction of the
+/// journals.
+const COMPARED: [(f64, f64, f64); 9] = [
+    (0.0, 0.0, 0.0),
     (0.05, 0.0, 0.0),
     (0.1, 0.0, 0.0),
     (0.15, 0.0, 0.0),
@@ -23,72 +22,51 @@ const COMPARED: [(f64, f64, f64); 8] = [
 
 /// The change of the mean speed of the three mechanisms with such joints.
 pub fn speeds() -> anyhow::Result<Table> {
-    let caption = "Change of the mean speed compared with ideal joints. The first column gives the radius of the pin, \
-                   and the radius and friction of both journals. All radii are in crank radii. Inertias are as in the \
-                   runs of the thesis, and the friction in the slot is μ = 1/4. Values in brackets exist on paper \
-                   only, because the slots would run into one another";
-    compared(caption, |effect| signed(100.0 * (effect.mean_speed - 1.0), 1) + "&nbsp;%")
+    let caption = "Change of the mean speed compared with ideal joints. Each row is named by the radius of the pin, \
+                   and by the radius and friction of both journals. All radii are given in units of the crank radius. \
+                   Inertias are as in the runs of the thesis, and the friction in the slot is μ = 1/4. Values in \
+                   brackets exist on paper only, because the slots would run into one another";
+    compared(caption, CHANGE, |change| signed(100.0 * change, 1) + "&nbsp;%")
 }
 
 /// The multiplier with such joints.
 pub fn multipliers() -> anyhow::Result<Table> {
-    let caption = "The multiplier with these joints: the part of a difference of speed squared that one engagement leaves. \
-                   Joints, inertias and friction are as in the table of the mean speed";
-    compared(caption, |effect| format!("{:.3}", effect.multiplier))
+    let caption = "The multiplier with these joints: the fraction of a small difference in the squared speed that is \
+                   left after one engagement. Joints, inertias and friction are as in the table of the mean speed";
+    compared(caption, "joints_multiplier", |multiplier| format!("{multiplier:.3}"))
 }
 
-/// What is shown of an effect, for the joints and the mechanisms compared.
-fn compared(caption: &str, shown: fn(&Effect) -> String) -> anyhow::Result<Table> {
-    let mut cells = vec![vec!["ideal".to_owned()]];
-    cells.extend(COMPARED.map(|of| vec![named(of)]));
-    for mechanism in Mechanism::ALL {
-        for (cells, (number, on_paper)) in cells.iter_mut().zip(effects(mechanism, shown)?) {
+/// How joints change the mean speed, as a part of it.
+pub const CHANGE: &str = "joints_speed_change";
+
+/// A number of the joints and the mechanisms compared; in brackets what exists on paper only.
+fn compared(caption: &str, key: &str, shown: fn(f64) -> String) -> anyhow::Result<Table> {
+    let rows = COMPARED.map(|of| {
+        let mut cells = vec![named(of)];
+        for mechanism in Mechanism::ALL {
+            let number = shown(effect(mechanism, of, key)?);
+            let on_paper = of.0 >= effect(mechanism, of, "largest_pin_radius")?;
             cells.push(if on_paper { format!("({number})") } else { number });
         }
-    }
+        Ok(cells)
+    });
     let pins = Mechanism::ALL.map(|mechanism| format!("{} pins", mechanism.pins()));
     let [first, second, third] = &pins;
-    table(caption, Cells::NamedNumbers, &["joints", first, second, third], cells.into_iter().map(Ok))
+    table(caption, Cells::NamedNumbers, &["joints", first, second, third], rows)
 }
 
-/// What is shown of ideal joints and of those compared, and whether it is on paper only.
-fn effects(mechanism: Mechanism, shown: fn(&Effect) -> String) -> anyhow::Result<Vec<(String, bool)>> {
-    let found = found(mechanism)?;
-    Ok(found.iter().map(|effect| (shown(effect), effect.value >= largest_pin_radius(mechanism))).collect())
-}
-
-/// The effects of ideal joints and of those compared on a mechanism of the thesis, found once.
-fn found(mechanism: Mechanism) -> anyhow::Result<&'static [Effect]> {
-    static FOUND: [OnceLock<Vec<Effect>>; 3] = [const { OnceLock::new() }; 3];
-    let kept = Mechanism::ALL.iter().position(|of| *of == mechanism).and_then(|at| FOUND.get(at));
-    let kept = kept.context("a mechanism of the thesis")?;
-    if kept.get().is_none() {
-        let list = std::iter::once(Joints::IDEAL).chain(COMPARED.map(joints));
-        let of = parameters(weakest(comparable(mechanism))?)?;
-        let all = all_effects(&of, list.map(|joints| (joints.pin_radius, joints)))?;
-        return Ok(kept.get_or_init(|| all));
-    }
-    Ok(kept.get().map_or(&[], Vec::as_slice))
-}
-
-/// The effect on a mechanism of the thesis of joints that the tables compare: the radius of the pin, and radius and friction
-/// of both journals, radii in crank radii.
-///
-/// # Errors
-///
-/// If the tables do not compare such joints.
-pub fn effect(mechanism: Mechanism, of: (f64, f64, f64)) -> anyhow::Result<&'static Effect> {
-    let at = COMPARED.iter().position(|compared| *compared == of);
-    let at = at.with_context(|| format!("the tables compare no joints {of:?}: choose one of {COMPARED:?}"))?;
-    found(mechanism)?.get(at + 1).context("one effect for each of the joints")
-}
-
-fn joints((pin_radius, journals, friction): (f64, f64, f64)) -> Joints {
-    Joints { pin_radius, ..Joints::journals(journals, friction) }
+/// A number of a mechanism of the thesis with joints: the radius of the pin, and radius and friction of both journals, radii in
+/// crank radii.
+pub fn effect(mechanism: Mechanism, (pin, journals, friction): (f64, f64, f64), key: &str) -> anyhow::Result<f64> {
+    let joints = format!(
+        "--pin-radius {pin} --driver-journal {journals} --follower-journal {journals} --bearing-friction {friction}"
+    );
+    number_with(weakest(comparable(mechanism))?, &joints, key)
 }
 
 fn named((pin, journals, friction): (f64, f64, f64)) -> String {
     let pin = (pin > 0.0).then(|| format!("pin {pin}"));
     let journals = (journals > 0.0).then(|| format!("journals {journals}, friction {friction}"));
-    pin.into_iter().chain(journals).collect::<Vec<_>>().join("; ")
+    let named: Vec<_> = pin.into_iter().chain(journals).collect();
+    if named.is_empty() { "ideal".to_owned() } else { named.join("; ") }
 }

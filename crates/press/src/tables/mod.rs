@@ -1,5 +1,6 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
+pub mod chain;
 mod found;
 pub mod joints;
 mod locking;

@@ -1,29 +1,22 @@
 //! The quick-return mechanism's vectors with their directions and senses, and what other readings would give.
 
+use crate::asked::{field, question, value};
 use crate::html::{Cells, Table, table};
 use crate::maths::formula;
 use crate::numbers::fixed;
 use anyhow::Context;
-use geneva_kinematics::Turn;
-use geneva_kinematics::pin_vectors::quarter_turn;
-use geneva_kinematics::quick_return::{Branch, Motion};
-use geneva_ledger::quick_return::{Instant, with_printed_angle};
-use nalgebra::Vector2;
-
-/// A part of a vector that is zero but for rounding, relative to the vector.
-const NOTHING: f64 = 1e-9;
+use geneva_ledger::quick_return::with_printed_angle;
 
 /// Every velocity and acceleration of the printed instant: magnitude, direction, sense.
 pub fn terms() -> anyhow::Result<Table> {
-    let motion = Instant::printed()?.by_diagrams().context("the pin is on the pivot")?;
-    let rows = vectors(&motion).into_iter().map(|(symbol, unit, vector)| {
-        let symbol = formula(symbol, false)?;
-        Ok(if vector.norm() == 0.0 {
-            vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned()]
-        } else {
-            let length = format!("{:.4}&nbsp;{unit}", vector.norm());
-            vec![symbol, length, format!("{}°", fixed(direction(&vector), 2)), words(&vector, &motion)]
-        })
+    let lever = question("lever")?;
+    let rows = VECTORS.into_iter().map(|(symbol, key)| {
+        let (symbol, vector) = (formula(symbol, false)?, field(&lever, key)?);
+        let Some(direction) = vector.direction() else {
+            return Ok(vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned()]);
+        };
+        let length = format!("{:.4}&nbsp;{}", value(&lever, key)?, vector.unit);
+        Ok(vec![symbol, length, format!("{}°", fixed(direction, 2)), words(&lever, direction)?])
     });
     let head = ["Vector", "Magnitude", "Direction", "Sense"];
     let caption = "All vectors of the problem. Directions are angles, counted counter-clockwise from the line from the lever’s \
@@ -33,41 +26,35 @@ pub fn terms() -> anyhow::Result<Table> {
 
 /// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
 pub fn branches() -> anyhow::Result<Table> {
-    let [far, near] = [Branch::Far, Branch::Near].map(Instant::on);
-    let (far, near) = (far?, near?);
-    let with_printed_angle = with_printed_angle();
-    let columns = [&far, &near].map(|instant| -> anyhow::Result<[f64; 10]> {
-        let motion = instant.by_diagrams().context("the pin is on the pivot")?;
-        let along = motion.velocities.position.normalize();
-        let across = quarter_turn(&along);
-        let terms = &motion.accelerations;
+    let (far, near) = (question("lever")?, question("lever-near")?);
+    let column = |lever: &str| -> anyhow::Result<[f64; 10]> {
         Ok([
-            instant.position.pin_distance,
-            instant.position.angle_at_pin().to_degrees(),
-            motion.velocities.slot_point_velocity.dot(&across),
-            motion.velocities.sliding_velocity.dot(&along),
-            motion.velocities.follower_speed,
-            terms.follower_normal.dot(&along),
-            terms.coriolis.dot(&across),
-            terms.sliding_tangential.dot(&along),
-            terms.follower_tangential.dot(&across),
-            terms.follower_acceleration,
+            value(lever, "pin_distance_m")?,
+            value(lever, "angle_at_pin_deg")?,
+            across(lever, "lever_point_velocity_m_s")?,
+            along(lever, "sliding_velocity_m_s")?,
+            value(lever, "lever_speed_rad_s")?,
+            along(lever, "lever_point_normal_acceleration_m_s2")?,
+            across(lever, "coriolis_acceleration_m_s2")?,
+            along(lever, "sliding_tangential_acceleration_m_s2")?,
+            across(lever, "lever_point_tangential_acceleration_m_s2")?,
+            value(lever, "lever_acceleration_rad_s2")?,
         ])
-    });
-    let [far_column, near_column] = columns;
-    let (far_column, near_column) = (far_column?, near_column?);
+    };
+    let printed = with_printed_angle();
     let with_printed_angle = [
-        far.position.pin_distance,
-        far.position.crank.degrees(),
-        with_printed_angle.lever_point_speed,
-        -with_printed_angle.sliding_speed,
-        with_printed_angle.lever_speed,
-        -with_printed_angle.lever_normal,
-        -with_printed_angle.coriolis,
-        -with_printed_angle.sliding_acceleration,
-        -with_printed_angle.lever_tangential,
-        -with_printed_angle.lever_acceleration,
+        value(&far, "pin_distance_m")?,
+        value(&far, "crank_angle_deg")?,
+        printed.lever_point_speed,
+        -printed.sliding_speed,
+        printed.lever_speed,
+        -printed.lever_normal,
+        -printed.coriolis,
+        -printed.sliding_acceleration,
+        -printed.lever_tangential,
+        -printed.lever_acceleration,
     ];
+    let (far, near) = (column(&far)?, column(&near)?);
     let names = [
         ("r", "in m"),
         (r"\beta", "in degrees"),
@@ -82,7 +69,7 @@ pub fn branches() -> anyhow::Result<Table> {
     ];
     let rows = names.into_iter().enumerate().map(|(at, (symbol, unit))| {
         let mut row = vec![format!("{} {unit}", formula(symbol, false)?)];
-        row.extend([far_column[at], near_column[at], with_printed_angle[at]].map(|value| fixed(value, 4)));
+        row.extend([far[at], near[at], with_printed_angle[at]].map(|value| fixed(value, 4)));
         Ok(row)
     });
     let head = ["Quantity", "Far point", "Near point", "With the misprinted angle"];
@@ -94,44 +81,59 @@ pub fn branches() -> anyhow::Result<Table> {
     )
 }
 
-/// Symbol, unit and vector: three velocities, then the seven terms of the acceleration.
-fn vectors(motion: &Motion<f64>) -> [(&'static str, &'static str, Vector2<f64>); 10] {
-    let (velocities, terms) = (&motion.velocities, &motion.accelerations);
-    let (speed, acceleration) = ("m/s", "m/s²");
-    [
-        (r"\vec{v}_2", speed, velocities.pin_velocity),
-        (r"\vec{v}_4", speed, velocities.slot_point_velocity),
-        (r"\vec{v}_\mathrm{rel}", speed, velocities.sliding_velocity),
-        (r"\vec{a}_2^\mathrm{n}", acceleration, motion.pin_normal),
-        (r"\vec{a}_2^\mathrm{t}", acceleration, motion.pin_tangential),
-        (r"\vec{a}_4^\mathrm{n}", acceleration, terms.follower_normal),
-        (r"\vec{a}_4^\mathrm{t}", acceleration, terms.follower_tangential),
-        (r"\vec{a}_\mathrm{rel}^\mathrm{n}", acceleration, terms.sliding_normal),
-        (r"\vec{a}_\mathrm{rel}^\mathrm{t}", acceleration, terms.sliding_tangential),
-        (r"\vec{a}_\mathrm{Cor}", acceleration, terms.coriolis),
-    ]
+/// Symbols and keys of three velocities, then of the seven terms of the acceleration.
+const VECTORS: [(&str, &str); 10] = [
+    (r"\vec{v}_2", "pin_velocity_m_s"),
+    (r"\vec{v}_4", "lever_point_velocity_m_s"),
+    (r"\vec{v}_\mathrm{rel}", "sliding_velocity_m_s"),
+    (r"\vec{a}_2^\mathrm{n}", "pin_normal_acceleration_m_s2"),
+    (r"\vec{a}_2^\mathrm{t}", "pin_tangential_acceleration_m_s2"),
+    (r"\vec{a}_4^\mathrm{n}", "lever_point_normal_acceleration_m_s2"),
+    (r"\vec{a}_4^\mathrm{t}", "lever_point_tangential_acceleration_m_s2"),
+    (r"\vec{a}_\mathrm{rel}^\mathrm{n}", "sliding_normal_acceleration_m_s2"),
+    (r"\vec{a}_\mathrm{rel}^\mathrm{t}", "sliding_tangential_acceleration_m_s2"),
+    (r"\vec{a}_\mathrm{Cor}", "coriolis_acceleration_m_s2"),
+];
+
+/// A vector along the lever: its size, outwards positive.
+fn along(lever: &str, key: &str) -> anyhow::Result<f64> {
+    signed(lever, key, 0.0)
 }
 
-/// Degrees counter-clockwise from the direction lever pivot → crank axis, in (−180°, 180°].
-fn direction(vector: &Vector2<f64>) -> f64 {
-    Turn { cos: vector.x, sin: vector.y }.degrees()
+/// A vector across the lever: its size, counter-clockwise positive.
+fn across(lever: &str, key: &str) -> anyhow::Result<f64> {
+    signed(lever, key, 90.0)
+}
+
+/// The size of a vector, positive in a direction that is so many degrees from the lever's, negative against it.
+fn signed(lever: &str, key: &str, from_lever: f64) -> anyhow::Result<f64> {
+    let (size, angle) = (value(lever, key)?, value(lever, "lever_angle_deg")?);
+    let direction = field(lever, key)?.direction().with_context(|| format!("`{key}` is zero"))?;
+    Ok(if turned(angle + from_lever, direction).abs() < 90.0 { size } else { -size })
+}
+
+/// From one direction to another, from −180° to 180°.
+fn turned(from: f64, to: f64) -> f64 {
+    (to - from + 180.0).rem_euclid(360.0) - 180.0
 }
 
 /// The sense of a vector that is along the lever or the crank, or across one of them.
-fn words(vector: &Vector2<f64>, motion: &Motion<f64>) -> String {
-    let is_zero = |part: f64, other: &Vector2<f64>| part.abs() <= NOTHING * vector.norm() * other.norm();
-    for (name, place, centre) in
-        [("lever", &motion.velocities.position, "the lever’s pivot"), ("crank", &motion.crank, "the crank’s axis")]
+fn words(lever: &str, direction: f64) -> anyhow::Result<String> {
+    /// Degrees that are none but for rounding.
+    const NOTHING: f64 = 1e-6;
+    for (name, key, centre) in
+        [("lever", "lever_angle_deg", "the lever’s pivot"), ("crank", "crank_angle_deg", "the crank’s axis")]
     {
-        let (along, across) = (vector.dot(place), vector.dot(&quarter_turn(place)));
-        if is_zero(across, place) {
-            let to = if along < 0.0 { "towards" } else { "away from" };
-            return format!("along the {name}, {to} {centre}");
+        let turned = turned(value(lever, key)?, direction);
+        let is = |degrees: f64| (turned - degrees).abs() <= NOTHING;
+        if is(0.0) || is(180.0) || is(-180.0) {
+            let to = if is(0.0) { "away from" } else { "towards" };
+            return Ok(format!("along the {name}, {to} {centre}"));
         }
-        if is_zero(along, place) {
-            let sense = if across > 0.0 { "counter-clockwise" } else { "clockwise" };
-            return format!("across the {name}, {sense}");
+        if is(90.0) || is(-90.0) {
+            let sense = if is(90.0) { "counter-clockwise" } else { "clockwise" };
+            return Ok(format!("across the {name}, {sense}"));
         }
     }
-    "neither along nor across".to_owned()
+    Ok("neither along nor across".to_owned())
 }

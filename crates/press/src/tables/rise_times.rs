@@ -24,9 +24,10 @@ pub fn definitions() -> anyhow::Result<Table> {
     let mut head = vec!["Time from rest until this quantity is near its steady value"];
     head.extend(parts.iter().map(String::as_str));
     head.extend(["by chance, <br>at most", &ideal]);
-    let caption = "How many of the 49 printed rise times each definition explains, to one unit of the last place. The \
-                   percentages say how far the quantity may be from its steady value, in the runs as they were. The \
-                   last two columns: by chance, and for the real mechanism";
+    let caption = "How many of the 49 printed rise times each definition explains, to within one unit of the last \
+                   place. The columns with a percentage are for the runs as they were, and the percentage says how far \
+                   the quantity may be from its steady value. The last two columns give the number that is expected by \
+                   chance, and the number for the real mechanisms";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -85,7 +86,8 @@ pub fn groups() -> anyhow::Result<Table> {
     });
     let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "Or if one row is misread?"];
     table(
-        "Printed rise times t, in s, times the square root of K, in in·lb. By the law of similarity, each group should have one number",
+        "Printed rise times t, in s, times the square root of K, in in·lb. By the law of similarity, all numbers of a \
+         group should be equal",
         Cells::Words,
         &head,
         rows,

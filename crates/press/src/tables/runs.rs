@@ -3,7 +3,7 @@
 use crate::html::{Cells, Table, table};
 use crate::lookup::judged;
 use crate::numbers::{fixed, signed};
-use crate::rows::engagement;
+use crate::rows::NONE;
 use anyhow::Context;
 use geneva_case1973::choice::rows_of as table_of;
 use geneva_case1973::fitted::{Freed, most_within_one};
@@ -85,8 +85,9 @@ pub fn weighings() -> anyhow::Result<Table> {
         "Another reset or <br>inertias, normal",
         "Another reset or <br>inertias, exponential",
     ];
-    let says = "By how much ln L is greater with the reset after 90° and the inertias of Fig. 11 than with the best other \
-                combination. Each line keeps what the line above it says, and the last one takes the least favourable rows";
+    let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
+                the other combinations. The last two lines each keep the conditions of the line above them. The last \
+                line shows the smallest difference among the choices of rows that we tried";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 
@@ -170,8 +171,8 @@ pub fn by_column() -> anyhow::Result<Table> {
         Ok(row)
     });
     let head = ["No.", "Peaks", "worst, <br>%", "Minima", "worst, <br>%", "Periods", "worst, <br>%"];
-    let says = "The ten hypotheses column by column: how many of the 49 cells are right to the printed digit / to one unit, and \
-                the worst deviation, which is printed over computed, less one";
+    let says = "The ten hypotheses column by column: how many of the 49 cells agree to the printed digit / to within \
+                one unit, and the worst relative deviation (printed/computed − 1)";
     table(says, Cells::Numbers, &head, rows)
 }
 
@@ -195,8 +196,8 @@ pub fn delays() -> anyhow::Result<Table> {
         "Minima",
         "Periods",
     ];
-    let says = "The program as listed, with other lags: cells right to the printed digit / to one unit, and the mean of the \
-                printed peaks over the computed peaks, less one";
+    let says = "The program as listed except for the lag: number of cells that agree to the printed digit / to within \
+                one unit, and the mean relative deviation of the peaks (printed/computed − 1)";
     table(says, Cells::Numbers, &head, rows)
 }
 
@@ -293,8 +294,8 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
     ];
     let [driver, follower] = hypothesis.inertias(first).map(|inertia| fixed(1e6 * inertia, 0));
     let says = format!(
-        "{} pins, printed and right values: K in in·lb, speeds in rad/s, periods in s; the inertia of the driver is {driver} \
-         · 10⁻⁶ in lb s², of the follower {follower} · 10⁻⁶ in lb s²",
+        "{} pins, printed and right values: K in in·lb, speeds in rad/s, periods in s; the driver's inertia is {driver} · \
+         10⁻⁶ in lb s², and the follower's is {follower} · 10⁻⁶ in lb s²",
         match mechanism.pins() {
             3 => "Three",
             4 => "Four",
@@ -305,18 +306,18 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
 }
 
 fn printed_and_right(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Vec<String>> {
-    let steady = engagement(row, hypothesis)?.steady_state()?;
+    let [peak, minimum, period] = hypothesis.results(row).context(NONE)?;
     let off = |column, value: f64| signed(100.0 * (row.number(column) / value - 1.0), 0);
     let printed = |column| row.printed(column).to_owned();
     Ok(vec![
         printed(Column::Friction),
         printed(Column::Torque),
         printed(Column::Peak),
-        format!("{:.1}", steady.peak.speed),
-        off(Column::Peak, steady.peak.speed),
+        format!("{peak:.1}"),
+        off(Column::Peak, peak),
         printed(Column::Minimum),
-        format!("{:.2}", steady.minimum.speed),
+        format!("{minimum:.2}"),
         printed(Column::Period),
-        format!("{:.5}", steady.period),
+        format!("{period:.5}"),
     ])
 }

@@ -1,8 +1,8 @@
 //! What the solver and other integrators cost, from the record.
 
+use super::chain::scientific;
 use crate::html::{Cells, Table, escape, table};
 use crate::measurements::{Measurement, integrators};
-use geneva_figures::with_minus_sign;
 
 /// The contestants of the record and what they are, in the order of the table.
 pub const CONTESTANTS: [(&str, &str); 8] = [
@@ -31,10 +31,10 @@ pub fn speeds() -> anyhow::Result<Table> {
             let error = one.true_error.map_or_else(|| "–".to_owned(), |error| format!("{error:.0e}"));
             rows.push(Ok(vec![
                 escape(words),
-                with_minus_sign(&one.tolerance),
+                scientific(&one.tolerance)?,
                 evaluations,
                 format!("{:.2}", one.milliseconds),
-                with_minus_sign(&error),
+                scientific(&error)?,
             ]));
         }
     }
@@ -45,15 +45,15 @@ pub fn speeds() -> anyhow::Result<Table> {
 /// Maps of the terminal speed: time against points.
 pub fn maps() -> anyhow::Result<Table> {
     let all = integrators()?;
-    let rows = all.iter().filter_map(|one| {
-        let (points, threads) = (one.points?, one.threads?);
-        Some(Ok(vec![
+    let of_maps = all.iter().filter_map(|one| Some((one, one.points?, one.threads?)));
+    let rows = of_maps.map(|(one, points, threads)| {
+        Ok(vec![
             points.to_string(),
-            with_minus_sign(&one.tolerance),
+            scientific(&one.tolerance)?,
             threads.to_string(),
             format!("{:.2}", one.milliseconds / 1e3),
             format!("{:.2}", 1e3 * one.milliseconds / points as f64),
-        ]))
+        ])
     });
     let head = ["Points", "Error allowed", "Threads", "Time, s", "Time per point, µs"];
     table(

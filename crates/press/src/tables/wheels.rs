@@ -3,7 +3,8 @@
 use crate::html::{Cells, Table, table};
 use crate::numbers::fixed;
 use anyhow::{Context, anyhow};
-use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::Wheel;
 use std::ops::RangeInclusive;
 
 /// The table for the numbers of stations from the first to the second, written with a space between.
@@ -22,10 +23,10 @@ pub fn wheels(range: &str) -> anyhow::Result<Table> {
         "at <small>crank angle</small>",
     ];
     let caption = format!(
-        "Wheels with {first} to {last} stations, one pin, and a driver at constant speed. The times of moving and dwelling \
-         tell you how many stations to choose. Centre distance and wheel radius tell you how large the wheel is, and speed and \
-         accelerations how hard it is driven. The last column is the crank angle of the greatest acceleration, before and past \
-         the line of centres"
+        "Wheels with {first} to {last} stations, one pin, and a driver at constant speed. The shares of moving and \
+         dwelling tell you how many stations to choose. Centre distance and wheel radius tell you how large the wheel \
+         is. Speed and accelerations tell you how hard it is driven. The last column gives the crank angle, before and \
+         past the line of centres, at which the acceleration is greatest"
     );
     table(&caption, Cells::Numbers, &head, stations.map(row))
 }
@@ -37,7 +38,7 @@ fn parsed(range: &str) -> Option<RangeInclusive<u32>> {
 
 fn row(stations: u32) -> anyhow::Result<Vec<String>> {
     let wheel = Wheel::new(stations).context("the table of wheels")?;
-    let peak = acceleration_peak(&wheel);
+    let peak = wheel.acceleration_peak();
     let ratio = |number| fixed(number, 4);
     Ok(vec![
         format!("<i>N</i>&nbsp;=&nbsp;{stations}"),
@@ -45,8 +46,8 @@ fn row(stations: u32) -> anyhow::Result<Vec<String>> {
         ratio(wheel.dwell_fraction()),
         ratio(wheel.centre_distance_ratio()),
         ratio(wheel.wheel_radius_ratio()),
-        ratio(peak_velocity(&wheel)),
-        ratio(entry_acceleration(&wheel)),
+        ratio(wheel.peak_velocity()),
+        ratio(wheel.entry_acceleration()),
         ratio(peak.ratio),
         format!("∓{:.2}°", peak.angle.to_degrees()),
     ])

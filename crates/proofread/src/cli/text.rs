@@ -55,7 +55,7 @@ fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
     let gutter = " ".repeat(from.line.to_string().len());
     let mut text = format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.words());
     text += &format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
-    let said = said(finding);
+    let said = printed_and_recomputed(finding);
     let is_markup = matches!(checked.document.format, Format::Xml | Format::Html | Format::Notebook);
     let end = if to.line == from.line { to.column } else { usize::MAX };
     let shown = if is_markup { of_chain(finding) } else { window(lines.line(from.line), from.column, end) };
@@ -90,7 +90,7 @@ fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
 }
 
 /// What was printed and what is computed.
-fn said(finding: &Finding) -> String {
+fn printed_and_recomputed(finding: &Finding) -> String {
     let printed = printable(&finding.printed);
     match &finding.recomputed {
         Some(recomputed) if recomputed.contains(" against ") => format!("recomputed {recomputed}"),

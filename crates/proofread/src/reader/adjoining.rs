@@ -22,7 +22,7 @@ impl<'t> Joiner<'t> {
         match self.last.take() {
             None => {}
             Some(last) if !self.adjoin(last.span, next.span) => each(last),
-            Some(last) if is_cut(&last, &next) => {
+            Some(last) if is_cut(&last, &next) && self.displayed(last.span) == self.displayed(next.span) => {
                 let mut tokens = last.tokens;
                 tokens.push(Token::new(Kind::Line, next.span));
                 tokens.append(&mut next.tokens);
@@ -40,6 +40,12 @@ impl<'t> Joiner<'t> {
     /// Hands on the last formula.
     pub fn finish(&mut self, each: &mut Found<'_>) {
         self.last.take().into_iter().for_each(each);
+    }
+
+    /// Whether a formula stands apart from the sentence around it.
+    fn displayed(&self, of: Span) -> bool {
+        let text = self.text.get(of.range()).unwrap_or_default();
+        ["$$", "\\[", "\\\\[", "\\begin"].iter().any(|mark| text.starts_with(mark))
     }
 
     /// Whether both are TeX between marks, and nothing that is printed is between them.

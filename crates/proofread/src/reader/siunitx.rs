@@ -37,6 +37,9 @@ pub(crate) fn unit(signs: &[Sign]) -> Vec<Sign> {
         if sign.c != '\\' {
             // A point or a tilde is a product; the rest is as in any formula.
             let c = if matches!(sign.c, '.' | '~') { ' ' } else { sign.c };
+            if !prefix.is_empty() && !c.is_whitespace() {
+                write(std::mem::take(&mut prefix), sign, &mut out);
+            }
             if c == ' ' {
                 write("\\,", sign, &mut out);
             } else {

@@ -63,14 +63,14 @@ fn lines() -> Vec<Claim> {
                 let single = !lines.is_empty() && lines.iter().all(|[_, rest, moving]| rest + moving == 1.0);
                 Finding::new(
                     single,
-                    "one of the deck's two lines for the acceleration is in force at each line of a run",
+                    "at each line of a run, one of the deck's two lines for the acceleration is in force",
                 )
             })
             .by(OtherPlaceInSource, |stated| {
                 // The listing has LGT as the opposite of SMT; before the start and after it they are so either way.
                 let said = stated.pick([false, false, true], [false, true, true]);
                 let opposite = listed().any(|truths| truths.map(|small| !small) == said);
-                Finding::new(opposite, "we compared it with the opposite of SMT before the start, at it and after it")
+                Finding::new(opposite, "we compared it with the opposite of SMT before, at and after the start")
             })
             .but_not("LGT leaves it on at the start"),
         AFTER
@@ -96,10 +96,10 @@ fn lines() -> Vec<Claim> {
             })
             .by(Vectors, |stated| {
                 let line = program::ACCELERATION.replace('S', stated.pick("S", "1"));
-                let holds = program::holds(&line);
+                let holds = program_letters::holds(&line);
                 Finding::new(
                     holds == Some(true),
-                    "we read and evaluated the equation and compared it with the mechanism by coordinates",
+                    "we read and evaluated the equation and compared it with the mechanism computed in coordinates",
                 )
             })
             .but_not("it is the derived equation without S"),
@@ -145,7 +145,8 @@ fn angle() -> Vec<Claim> {
         reset(
             "meyer.app-b.fold",
             AFTER,
-            "the program takes the driver's angle modulo 90°, minus 30°, 45° or 60°, for the angle within an engagement",
+            "for the angle within an engagement, the program takes the driver's angle modulo 90°, minus 30°, 45° or \
+             60°",
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),
@@ -153,8 +154,8 @@ fn angle() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.series",
                 "a series of problems of changing initial conditions",
-                "a run may be put together from single engagements, each of which begins as the engagement before has \
-                 ended",
+                "a run may be put together from single engagements, each of which begins in the state in which the \
+                 previous one ended",
             )
             .by(Evidence::RungeKutta, |stated| {
                 // The whole run at once, with the pin that is in a slot at each angle.
@@ -174,7 +175,7 @@ fn angle() -> Vec<Claim> {
             })
             .but_not("all engagements have the same initial conditions, because each begins from rest")
             .read_as(
-                "We take the angle between two pins for the reset, because the printed 90° is a claim of its own.",
+                "For the reset we take the angle between two pins, because the printed 90° is a claim of its own.",
             ),
         AFTER
             .statement(
@@ -211,7 +212,7 @@ fn angle() -> Vec<Claim> {
                         });
                         agrees(leaving, entering)
                     },
-                    "we used one speed and acceleration of the driver for both pins, by coordinates",
+                    "we used the same speed and acceleration of the driver for both pins, in coordinates",
                 )
             })
             .but_not("it takes over the follower's acceleration too"),
@@ -247,7 +248,7 @@ fn angle() -> Vec<Claim> {
                             within.count() == engaged
                         })
                     },
-                    "we counted the pins nearer to the follower's axis than its rim",
+                    "we counted the pins within the follower's rim",
                 )
             })
             .but_not("a sequence of engagements of two pins each"),
@@ -324,6 +325,6 @@ fn end() -> Vec<Claim> {
                     format!("the last line of the program's first run is at {end:.4} s"),
                 )
             })
-            .but_not("it ends a printed line later"),
+            .but_not("it ends one printed line later"),
     ]
 }

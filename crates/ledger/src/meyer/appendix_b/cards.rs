@@ -86,11 +86,12 @@ fn letter<const N: usize>(
         .by(Vectors, move |stated| {
             let holds = lines.iter().all(|line| {
                 let (name, formula) = read(line, stated);
-                program::holds(&format!("{name} = {formula}")) == Some(true)
+                program_letters::holds(&format!("{name} = {formula}")) == Some(true)
             });
             Finding::new(
                 holds,
-                "we read and evaluated the lines that contain it and compared them with the mechanism by coordinates",
+                "we read and evaluated the lines that contain it, and compared them with the mechanism computed in \
+                 coordinates",
             )
         })
         .but_not(neighbour)
@@ -102,7 +103,7 @@ fn runs() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.sets",
                 "separately for each individual set",
-                "each set of data has a run of its own, which starts from rest and from time zero",
+                "each set of data has a run of its own, which starts from rest at time zero",
             )
             .by(Evidence::Quadrature, |stated| {
                 // Behind the strongest spring of a series comes the weakest of the next, which would be fast at once.
@@ -126,14 +127,14 @@ fn runs() -> Vec<Claim> {
                 let found = rows().iter().enumerate().filter(within).count();
                 Finding::new(
                     found == rows().len(),
-                    format!("{found} of {} rise times of Appendix E lie within the run of their set", rows().len()),
+                    format!("{found} of {} rise times of Appendix E fall within the run of their set", rows().len()),
                 )
             })
-            .but_not("one run goes through all the sets, so a set takes over speed and time from the set before")
+            .but_not("one run goes through all the sets, so each set takes over speed and time from the previous one")
             .read_as(
-                "We take the rows in the order of the tables, because the order of the data cards is not printed. If \
-                 a speed were taken over, it would show in the 11 rows that come after a row with a stronger spring. \
-                 Two of these 11 come after another mechanism.",
+                "We take the rows in the order of the tables, because the order of the data cards is not printed. If a \
+                 speed were taken over, it would show in the 11 rows that follow a row with a stronger spring. Two of \
+                 these 11 follow a row of another mechanism.",
             ),
         BEFORE
             .statement(
@@ -145,8 +146,8 @@ fn runs() -> Vec<Claim> {
             .by(Evidence::RungeKutta, |stated| between_lines(true, stated))
             .but_not("DT is half of that time, so every second point is printed")
             .read_as(
-                "The claim that DT sets it simply does not say that DT sets nothing else, because a tenth of DT is \
-                 the delay of the old acceleration.",
+                "The claim says only that DT sets this time. DT may set other times as well, and a tenth of DT is \
+                 indeed the delay of the old acceleration.",
             ),
     ]
 }
@@ -192,7 +193,7 @@ fn angle() -> Claim {
         .statement(
             "meyer.app-b.angle-in-lines",
             "must be used in the equations H through L",
-            "in the lines of H to L the angle is the angle of the pin in its slot",
+            "in the lines of H to L, the angle is the angle of the pin in its slot",
         )
         .by(ClosedForm, move |stated| {
             let holds = turns(stated).all(|(mechanism, _, engaged, angle)| {
@@ -201,20 +202,26 @@ fn angle() -> Claim {
                 let right = [pose.numerator, pose.k_sin_theta, pose.one_minus_k_squared, pose.radius_squared];
                 lines.iter().zip(right).all(|(line, right)| vanishes(value(line, mechanism, angle) - right))
             });
-            Finding::new(holds, "we evaluated the four lines over a turn of the driver, with the angle reset from pin to pin")
+            Finding::new(
+                holds,
+                "we evaluated the four lines over a turn of the driver, with the angle reset from pin to pin",
+            )
         })
         .by(Vectors, move |stated| {
             let holds = turns(stated).all(|(mechanism, turned, _, angle)| {
                 let distance = nearest_pin(&mechanism, turned);
                 vanishes(value(program::L, mechanism, angle) - distance * distance)
             });
-            Finding::new(holds, "we compared L with the distance of the pin nearest to the follower's axis, by the coordinates of all pins")
+            Finding::new(
+                holds,
+                "by the coordinates of all pins, we compared L with the distance of the pin nearest to the follower's \
+                 axis",
+            )
         })
         .but_not("it is THETA, the angle through which the driver has turned")
         .read_as(
-            "X is used wherever these equations have an angle. H, I and L have one, but J has none. We take X as what \
-             it is meant to be, because it is a claim of its own that the printed reset makes it so for four pins \
-             only.",
+            "X is used wherever these equations have an angle. H, I and L have one, but J has none. We take X as it is \
+             meant to be, because the printed reset, which gives that X for four pins only, is a claim of its own.",
         )
 }
 
@@ -247,7 +254,7 @@ fn from_zero() -> Claim {
 pub fn begins_in_line(turned: impl Fn(Mechanism) -> f64) -> Finding {
     let holds =
         Mechanism::ALL.iter().all(|at| vanishes(program::at(*at, turned(*at) - at.engagement_half_angle())["H"]));
-    Finding::new(holds, "the line of H is zero for the X with which a run begins, because a pin enters along its slot")
+    Finding::new(holds, "for the X with which a run begins, the line of H is zero, because a pin enters along its slot")
 }
 
 /// Whether a run that begins with the driver turned so far begins as a pin enters, by the place of the pin.
@@ -256,5 +263,5 @@ pub fn begins_at_the_rim(turned: impl Fn(Mechanism) -> f64) -> Finding {
         let first = Turn::from_radians(turned(*at) - at.engagement_half_angle());
         agrees(at.pin_distance(&first), at.rim_radius())
     });
-    Finding::new(holds, "the first pin, for the X with which a run begins, is at the follower's rim")
+    Finding::new(holds, "for the X with which a run begins, the first pin is at the follower's rim")
 }

@@ -62,25 +62,25 @@ fn solved() -> Vec<Claim> {
             })
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
-                "To solve means to find a formula for the acceleration from the other letters. The text goes on to \
-                 replace the bars by a sign, which it takes from an older acceleration. Whether the computer needed \
-                 this is a question of other sentences, and we leave those open.",
+                "We read “solved” as having a formula that gives the acceleration in terms of the other letters. The \
+                 text goes on to replace the bars by a sign, which it takes from an earlier acceleration. Whether the \
+                 computer needed this is a question for other claims, which we leave open.",
             ),
         PROGRAM
             .statement(
                 "meyer.app-b.must-be-solved",
                 "it must first be solved",
-                "to be integrated by MIMIC the equation must first be solved for the acceleration",
+                "before MIMIC can integrate the equation, it must be solved for the acceleration",
             )
             .missing(IMPLICIT),
     ]
 }
 
 /// Why it is open what a program had to do about the loop of acceleration and sign.
-const IMPLICIT: &str = "Languages like MIMIC have an implicit function, IMP, which finds a value from an equation for \
-                        it. The thesis does not say whether the MIMIC of 1973 had it. With IMP, the absolute-value \
-                        bars may stay and the friction's sign may come from the same instant. Without IMP, the lines \
-                        of acceleration and sign are a loop that cannot be sorted";
+const IMPLICIT: &str = "Languages like MIMIC have an implicit function, IMP, which finds the value that satisfies a \
+                        given equation. The thesis does not say whether the MIMIC of 1973 had it. With IMP, the \
+                        absolute-value bars can stay, and the friction's sign can come from the same instant. Without \
+                        IMP, the lines for acceleration and sign form a loop that cannot be sorted";
 
 /// The two lines of the display of S: an equation and its condition each.
 fn cases(tex: &str) -> Option<Vec<(String, String)>> {
@@ -111,7 +111,11 @@ fn opens_the_bars(tex: &str) -> Finding {
     let opened = sizes.iter().map(|size| decide(&characters("meyer.app-b.with-sign").replace('S', size), factors));
     let opened: Vec<Finding> = opened.collect();
     let holds = opened.len() == 2 && sizes[0] != sizes[1] && opened.iter().all(|finding| finding.holds);
-    Finding::new(holds, "we proved the next display with the value that each line gives S, the bars opened by its sign")
+    Finding::new(
+        holds,
+        "for each line, we proved the next display with the value that the line gives S and the bars opened \
+         accordingly",
+    )
 }
 
 /// How the display of S is read: its two lines, with their conditions.
@@ -148,7 +152,7 @@ fn lines() -> Vec<Claim> {
             .equation(
                 "meyer.app-b.s",
                 r"\begin{aligned} S &= +1 && \text{if } F > 0 \\ S &= -1 && \text{if } F < 0 \end{aligned}",
-                "sign of the expression between the bars; where F is zero either value will do",
+                "sign of the expression between the bars; where F is zero, either value will do",
             )
             .decided(opens_the_bars)
             .read(ClosedForm, holds_by_cases),
@@ -193,7 +197,7 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.actual-program",
                 "actual program used",
-                "the printed program is the program that was run, with the reset of the tables",
+                "the printed program, with its reset, is the program that was run for the tables",
             )
             .by(Evidence::Quadrature, |stated| {
                 let of = |reset: Reset| {
@@ -210,7 +214,9 @@ fn described() -> Vec<Claim> {
                 more_cells(of(Reset::QuarterTurn), of(Reset::OfTheMechanism), stated)
             })
             .but_not("the program that was run resets the angle as each mechanism needs it")
-            .read_as("We go only as far as the tables tell, because the data cards at its end are not printed."),
+            .read_as(
+                "We judge only what the tables can tell, because the data cards at the program's end are not printed.",
+            ),
         PROGRAM
             .statement(
                 "meyer.app-b.first-seven-cards",
@@ -258,9 +264,13 @@ fn described() -> Vec<Claim> {
                         "D" => "C",
                         other => other,
                     };
-                    program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
+                    program_letters::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged)))
+                        == Some(true)
                 });
-                Finding::new(holds, "we read and evaluated each line and compared it with the mechanism by coordinates")
+                Finding::new(
+                    holds,
+                    "we read and evaluated each line and compared it with the mechanism computed in coordinates",
+                )
             })
             .but_not("C and D are swapped"),
         PROGRAM
@@ -280,14 +290,14 @@ fn old_acceleration() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.delay",
                 "t-DT/10",
-                "the old acceleration is the acceleration a tenth of the print interval before",
+                "the old acceleration is the acceleration a tenth of the print interval earlier",
             )
             .missing(
                 "The card of the delay, TDL, asks for this acceleration. Whether the program gets it depends on what \
-                 the system does where a step of the integration is longer than the delay, and nothing about that is \
-                 printed. In such a step our system takes the latest value, and in each of the runs this happens in \
-                 more than half of the steps. From the tables we can tell a delay of a tenth of the interval from a \
-                 delay of the whole interval, but not from a delay of a twentieth",
+                 the system does when an integration step is longer than the delay, and nothing about that is printed. \
+                 In such a step, our system takes the latest value, and in each of the runs this happens in more than \
+                 half of the steps. The tables let us distinguish a delay of a tenth of the interval from a delay of \
+                 the whole interval, but not from a delay of a twentieth",
             ),
         PROGRAM
             .statement("meyer.app-b.small-time", "SMT", "SMT is true until time zero and false after it")
@@ -296,13 +306,13 @@ fn old_acceleration() -> Vec<Claim> {
                 let lines = in_force(rest, "NOT(REST)").unwrap_or_default();
                 // The lines of the start must be in force at the start, and at no other time.
                 let holds = !lines.is_empty() && lines.iter().all(|[time, rest, _]| (*rest == 1.0) == (*time == 0.0));
-                Finding::new(holds, "we had the truth value of the deck's own start printed at each line of a run")
+                Finding::new(holds, "at each line of a run, we printed the truth value of the deck's own start")
             })
             .by(OtherPlaceInSource, |stated| {
                 let said = stated.pick([true, true, false], [true, false, false]);
                 Finding::new(
                     listed().any(|truths| truths == said),
-                    "we compared the listing's values, in an order that fits S and SMT",
+                    "we compared the listing's values, taken in an order that fits both S and SMT",
                 )
             })
             .but_not("it is true only before time zero"),
@@ -358,8 +368,8 @@ fn more_cells(as_printed: usize, put_right: usize, stated: Stated) -> Finding {
     Finding::new(
         said > other,
         format!(
-            "with the printed reset {as_printed} cells of Appendix E come within one unit, and with the other reset \
-             {put_right} cells do"
+            "with the printed reset, {as_printed} cells of Appendix E agree to within one unit, and with the other \
+             reset, {put_right} cells do"
         ),
     )
 }
@@ -402,7 +412,7 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
     }
     Finding::new(
         misfit < moved / 20.0,
-        format!("of the whole change of the acceleration during the delay, {:.3} is left", misfit / moved),
+        format!("the misfit is {:.3} of the whole change of the acceleration during the delay", misfit / moved),
     )
 }
 

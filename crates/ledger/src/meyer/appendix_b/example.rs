@@ -3,7 +3,7 @@
 use super::program::as_formula;
 use super::*;
 use crate::meyer::letters;
-use crate::meyer::reading::{self, By, Letters, Moment};
+use crate::meyer::reading::{self, By, Letters, Moment, decide};
 use crate::meyer::slips::{LOST_DOTS, ONE_AS_L};
 use geneva_mimic::{Parameters, integrate};
 
@@ -34,21 +34,18 @@ fn lines() -> Vec<Claim> {
     vec![
         line(
             ("meyer.app-b.example.second", at("Appendix B, 3rd display")),
-            "the second derivative from the first derivative and the place",
+            "the second derivative from the first derivative and the position",
             ["2DX = -(C*LDX + K*X)/M", "2DX = -(C*1DX + K*X)/M"],
-            [|| read_line("meyer.app-b.example.second", false), || read_line("meyer.app-b.example.second", true)],
         ),
         line(
             ("meyer.app-b.example.first", at("Appendix B, 4th display")),
             "the first derivative is the integral of the second",
             ["LDX = INT(2DX, A)", "1DX = INT(2DX, A)"],
-            [|| read_line("meyer.app-b.example.first", false), || read_line("meyer.app-b.example.first", true)],
         ),
         line(
             ("meyer.app-b.example.place", at("Appendix B, 5th display")),
-            "the place is the integral of the first derivative",
+            "the position is the integral of the first derivative",
             ["X = INT(LDX, B)", "X = INT(1DX, B)"],
-            [|| read_line("meyer.app-b.example.place", false), || read_line("meyer.app-b.example.place", true)],
         ),
         first_derivative(
             ("meyer.app-b.example.names", TEXT),
@@ -58,13 +55,13 @@ fn lines() -> Vec<Claim> {
         TEXT.statement(
             "meyer.app-b.example.initial",
             "A and B are the initial",
-            "A and B are the values of the first derivative and of the place at the start",
+            "A and B are the values of the first derivative and of the position at the start",
         )
         .by(Evidence::RungeKutta, |stated| {
             let [end, found] = [vibration(1.0)["x"], integrated(stated.pick(["x'", "x"], ["x", "x'"]))];
             Finding::new(
                 (found - end).abs() < 1e-5,
-                format!("integrated from these two, the place is {found:.5}, and it should be {end:.5}"),
+                format!("integrated from these two, the position is {found:.5}, and it should be {end:.5}"),
             )
         })
         .by(ClosedForm, |stated| {
@@ -81,7 +78,7 @@ fn lines() -> Vec<Claim> {
                 "meyer.app-b.first-acceleration",
                 "calculate the initial value of 2DX",
                 "the second derivative at the start comes from A and B, the starting values of the first derivative \
-                 and of the place",
+                 and of the position",
             )
             .by(ClosedForm, |stated| first_acceleration(stated, vibration(0.0)["x''"]))
             .by(LimitCase, |stated| {
@@ -90,7 +87,7 @@ fn lines() -> Vec<Claim> {
                 let [before, after] = [-STEP, STEP].map(|time| vibration(time)["x'"]);
                 first_acceleration(stated, (after - before) / (2.0 * STEP))
             })
-            .but_not("it comes from the place alone"),
+            .but_not("it comes from the position alone"),
         first_derivative(
             ("meyer.app-b.method.name", at("Appendix B, paragraph on the steps")),
             "name of the first derivative",
@@ -109,7 +106,7 @@ fn first_acceleration(stated: Stated, right: f64) -> Finding {
     let found = reading::value(&formula, &letters.map(|(name, value)| (name.to_owned(), value)).into());
     Finding::new(
         (found - right).abs() < 1e-4,
-        format!("the line gives {found:.4}, the vibration begins with {right:.4}"),
+        format!("the line gives {found:.4}, and the vibration begins with {right:.4}"),
     )
 }
 
@@ -145,40 +142,39 @@ fn vibrates(tex: &str) -> Option<bool> {
     reading::holds(tex, &moments)
 }
 
-/// Whether a line of the program holds for the vibration, if A and B are its speed and its place at the start.
-fn vibrates_as_a_program(line: &str) -> Option<bool> {
-    vibrates_from(["x'", "x"], line)
-}
-
-/// Whether a line of the program holds for the vibration. What INT integrates, and from what, are names between
-/// brackets.
-fn vibrates_from([speed, place]: [&str; 2], line: &str) -> Option<bool> {
-    let letters = |time: f64| -> Letters {
-        let (now, start) = (vibration(time), vibration(0.0));
-        let named = [("M", now["m"]), ("C", now["c"]), ("K", now["k"]), ("X", now["x"]), ("1DX", now["x'"])];
-        let rest = [("2DX", now["x''"]), ("A", start[speed]), ("B", start[place])];
-        named.into_iter().chain(rest).map(|(name, value)| (name.to_owned(), value)).collect()
-    };
-    let times = (0..9).map(|k| f64::from(k) / 4.0);
-    let Some((result, inside)) = line.split_once("INT(").and_then(|(before, rest)| {
-        Some((before.trim().strip_suffix('=')?, rest.trim().strip_suffix(')')?.split_once(',')?))
-    }) else {
-        let moments: Vec<Moment> = times.map(|time| Moment::of(letters(time))).collect();
-        return reading::holds(&as_formula(line), &moments);
-    };
-    // Nothing starts from itself.
-    if result.trim() == inside.1.trim() {
+/// What a line of the program says as equations: one that holds throughout, and one for the start if the line integrates.
+/// What INT integrates, and from what, are names between brackets. None if something would start from itself.
+fn equations_of(line: &str) -> Option<(String, Option<String>)> {
+    let integral = line.split_once("INT(").and_then(|(before, rest)| {
+        let (of, from) = rest.trim().strip_suffix(')')?.split_once(',')?;
+        Some([before.trim().strip_suffix('=')?, of, from].map(str::trim))
+    });
+    let Some([result, of, from]) = integral else { return Some((as_formula(line), None)) };
+    if result == from {
         return None;
     }
     // d/dt of the result is what is integrated, and at the start the result is what it starts from.
+    let [result, of, from] = [result, of, from].map(as_formula);
+    Some((format!(r"\frac{{d}}{{dt}} {result} = {of}"), Some(format!("{result} = {from}"))))
+}
+
+/// Whether a line of the program holds for the vibration, if A and B are its letters for the start.
+fn vibrates_from([speed, place]: [&str; 2], line: &str) -> Option<bool> {
+    // What the copy has for 1DX is any number.
+    const ODD: f64 = 2.25;
+    let letters = |time: f64| -> Letters {
+        let (now, start) = (vibration(time), vibration(0.0));
+        let named = [("M", now["m"]), ("C", now["c"]), ("K", now["k"]), ("X", now["x"]), ("1DX", now["x'"])];
+        let rest = [("2DX", now["x''"]), ("A", start[speed]), ("B", start[place]), ("LDX", ODD)];
+        named.into_iter().chain(rest).map(|(name, value)| (name.to_owned(), value)).collect()
+    };
     let moving = |time: f64| {
         Moment::of(letters(time)).moving(|by, step| if by == By::Time { letters(time + step) } else { Letters::new() })
     };
-    let moments: Vec<Moment> = times.map(moving).collect();
-    let [result, of, from] = [result, inside.0, inside.1].map(as_formula);
-    let rate = reading::holds(&format!(r"\frac{{d}}{{dt}} {result} = {of}"), &moments)?;
-    let start = reading::holds(&format!("{result} = {from}"), &[Moment::of(letters(0.0))])?;
-    Some(rate && start)
+    let moments: Vec<Moment> = (0..9).map(|k| moving(f64::from(k) / 4.0)).collect();
+    let (throughout, start) = equations_of(line)?;
+    let held = [Some(reading::holds(&throughout, &moments)), start.map(|start| reading::holds(&start, &moments[..1]))];
+    held.into_iter().flatten().try_fold(true, |all, holds| Some(holds? && all))
 }
 
 /// A display whose second derivative has one dot for two.
@@ -195,27 +191,25 @@ fn dots(
         .corrected(corrected, LOST_DOTS)
 }
 
-/// A line of program that has LDX for 1DX: as printed and put right, and read so.
-fn line(
-    (id, place): (&'static str, Place),
-    meaning: &'static str,
-    [printed, corrected]: [&'static str; 2],
-    [as_printed, put_right]: [fn() -> Finding; 2],
-) -> Claim {
+/// A line of program that has LDX for 1DX, as printed and put right.
+fn line((id, place): (&'static str, Place), meaning: &'static str, [printed, corrected]: [&'static str; 2]) -> Claim {
     place
         .equation(id, printed, meaning)
-        .by(ClosedForm, as_printed)
-        .corrected_form(put_right)
-        .by(OtherPlaceInSource, || named_in_the_listing("1DX"))
-        .read_by(vibrates_as_a_program)
+        .decided(vibrates_exactly)
+        .read(ClosedForm, |line| vibrates_from(["x'", "x"], line))
+        .also_by(OtherPlaceInSource, || named_in_the_listing("1DX"))
         .corrected(corrected, ONE_AS_L)
 }
 
-/// Whether a line holds for a vibration, as printed or put right.
-fn read_line(id: &str, put_right: bool) -> Finding {
-    let line = if put_right { named(id).right_characters() } else { characters(id) };
-    let holds = vibrates_as_a_program(line) == Some(true);
-    Finding::new(holds, "we read the line and evaluated it for a vibration in closed form")
+/// Whether a line of the program is proven for any vibration, if A and B are its speed and its place at the start.
+fn vibrates_exactly(line: &str) -> Finding {
+    match equations_of(line) {
+        Some((throughout, Some(start))) => {
+            decide(&throughout, letters::vibration_of_program).and(decide(&start, letters::vibration_at_start))
+        }
+        Some((throughout, None)) => decide(&throughout, letters::vibration_of_program),
+        None => Finding::of_reading(None),
+    }
 }
 
 /// A place in the text where the copy has LDX.
@@ -232,7 +226,7 @@ pub fn first_derivative(
             Finding::new(
                 holds,
                 match name {
-                    Some(order) => format!("the name begins with the order {order}, and that of 2DX is one more"),
+                    Some(order) => format!("the name begins with the order {order}, and the order of 2DX is one more"),
                     None => "the name does not begin with an order".to_owned(),
                 },
             )

@@ -6,9 +6,11 @@
 use super::cards::{begins_at_the_rim, begins_in_line};
 use super::contact::{is_late_by, parts_of_the_interval};
 use super::print_out::last_line;
-use super::program::{self, SPEED, as_on_the_card, by_coefficients};
+use super::program::{self, as_equation, by_coefficients};
+use super::program_letters::{FACTORS, PLACES, RATIO, SOLVED};
 use super::reset::reset;
 use super::*;
+use crate::Vocabulary;
 use crate::agreement::joined;
 use crate::meyer::runs;
 use crate::meyer::spring::no_rate;
@@ -68,7 +70,7 @@ fn constants() -> Vec<Claim> {
                     let start = start_angle(*mechanism, stated);
                     agrees(start + 2.0 * PI / f64::from(mechanism.pins()), -start)
                 });
-                Finding::new(holds, "the angle from one pin to the next takes the pin as far to the other side")
+                Finding::new(holds, "the angle from one pin to the next takes the pin equally far to the other side")
             })
             .but_not("it is positive"),
         PROGRAM
@@ -80,8 +82,8 @@ fn constants() -> Vec<Claim> {
                 "meyer.listing.print-interval",
                 listed::PRINT_INTERVAL,
                 "s",
-                "time between printed lines, a given value. Of half this time, this time and twice this time, it is \
-                 the one whose largest printed speeds are nearest to the largest speeds of the three tables together",
+                "time between printed lines, a given value. With half or twice this time, the largest printed speeds \
+                 would be farther from the largest speeds of the three tables together",
             )
             .by(Evidence::Quadrature, || runs::fitting_interval(false))
             .by(Evidence::RungeKutta, || runs::fitting_interval(true)),
@@ -89,7 +91,7 @@ fn constants() -> Vec<Claim> {
             .statement(
                 "meyer.listing.delay",
                 listed::DELAY,
-                "the card asks for the acceleration a tenth of the print interval before",
+                "the card asks for the acceleration a tenth of the print interval earlier",
             )
             .by(OtherPlaceInSource, |stated| {
                 let told = parts_of_the_interval("meyer.app-b.delay");
@@ -102,11 +104,11 @@ fn constants() -> Vec<Claim> {
                 let told = parts_of_the_interval("meyer.app-b.delay").unwrap_or(f64::NAN);
                 is_late_by(stated.number() * stated.pick(1.0, 2.0), told)
             })
-            .but_not("it asks for the acceleration a twentieth of the interval before")
+            .but_not("it asks for the acceleration a twentieth of the interval earlier")
             .read_as(
-                "We take what the card asks for, as a run shows whose steps are shorter than the delay. Where a step \
-                 is longer, the runs of our deck take the latest value. We do not know what the library of 1973 gave \
-                 there.",
+                "In a run whose steps are shorter than the delay, we check what the card asks for. Where a step is \
+                 longer, the runs of our deck take the latest value. We do not know which value the library of 1973 \
+                 took there.",
             ),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
             "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on it, \
@@ -141,10 +143,10 @@ fn constants() -> Vec<Claim> {
                 let end = last_line(stated.number() + stated.pick(0.0, runs::interval())).unwrap_or(f64::NAN);
                 Finding::new(
                     (end - told_length()).abs() < 1e-9,
-                    format!("with it the last line of the program's first run is at {end:.4} s"),
+                    format!("with it, the last line of the program's first run is at {end:.4} s"),
                 )
             })
-            .but_not("it ends a printed line later"),
+            .but_not("it ends one printed line later"),
     ]
 }
 
@@ -161,57 +163,44 @@ fn told_length() -> f64 {
 fn factors() -> Vec<Claim> {
     vec![
         line(
+            PROGRAM,
             "meyer.listing.g",
-            "the ratio a, Eq. (1-2), which with the printed 3.1416 differs by less than five millionths",
+            "the ratio a of Eq. (1-2), which the printed 3.1416 changes by less than five millionths",
             "G 1./SIN(3.1416/N)",
             program::G,
-            || {
-                let rounded =
-                    |mechanism: &Mechanism| 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(mechanism.slots()));
-                let near = Mechanism::ALL
-                    .iter()
-                    .all(|mechanism| (rounded(mechanism) / mechanism.centre_distance_ratio() - 1.0).abs() < 5e-6);
-                let found = by_coefficients(|lines, at| [(lines["G"], at.ratio)]);
-                Finding::new(near && found.holds, found.how)
-            },
-        ),
-        line("meyer.listing.h", "a cos θ − 1", "H (G*COS(X))-1.", program::H, || {
-            by_coefficients(|lines, at| [(lines["H"], at.pose.numerator)])
+            RATIO,
+        )
+        .also_by(ClosedForm, || {
+            let rounded =
+                |mechanism: &Mechanism| 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(mechanism.slots()));
+            let holds = Mechanism::ALL
+                .iter()
+                .all(|mechanism| (rounded(mechanism) / mechanism.centre_distance_ratio() - 1.0).abs() < 5e-6);
+            Finding::new(holds, "with the printed digits, the ratio is near enough to that of each mechanism")
         }),
-        line("meyer.listing.i", "a sin θ", "I G*SIN(X)", program::I, || {
-            by_coefficients(|lines, at| [(lines["I"], at.pose.k_sin_theta)])
-        }),
-        line("meyer.listing.j", "1 − a²", "J 1.-(G*G)", program::J, || {
-            by_coefficients(|lines, at| [(lines["J"], at.pose.one_minus_k_squared)])
-        }),
-        line("meyer.listing.l", "1 + a² − 2 a cos θ", "L 1.+(G*G)-(2.*G*COS(X))", program::L, || {
-            by_coefficients(|lines, at| [(lines["L"], at.pose.radius_squared)])
-        }),
+        line(PROGRAM, "meyer.listing.h", "a cos θ − 1", "H (G*COS(X))-1.", program::H, PLACES),
+        line(PROGRAM, "meyer.listing.i", "a sin θ", "I G*SIN(X)", program::I, PLACES),
+        line(PROGRAM, "meyer.listing.j", "1 − a²", "J 1.-(G*G)", program::J, PLACES),
+        line(PROGRAM, "meyer.listing.l", "1 + a² − 2 a cos θ", "L 1.+(G*G)-(2.*G*COS(X))", program::L, PLACES),
         line(
+            PROGRAM,
             "meyer.listing.a",
             "A, with the driver's inertia above the line and with the square",
             "A IC/IW+((H*H)/(L*L))",
             program::A,
-            || by_coefficients(|lines, at| [(lines["A"], at.coefficients.a)]),
+            FACTORS,
         ),
-        line("meyer.listing.b", "B", "B (I*J*H)/(L*L*L)", program::B, || {
-            by_coefficients(|lines, at| [(lines["B"], at.coefficients.b)])
-        }),
-        line("meyer.listing.c", "C", "C (I*I*U*J)/(L*L*L)", program::C, || {
-            by_coefficients(|lines, at| [(lines["C"], at.coefficients.c)])
-        }),
-        line("meyer.listing.d", "D", "D (I*U*H)/(L*L)", program::D, || {
-            by_coefficients(|lines, at| [(lines["D"], at.coefficients.d)])
-        }),
-        line("meyer.listing.e", "E", "E K/IW", program::E, || {
-            by_coefficients(|lines, at| [(lines["E"], at.coefficients.e)])
-        }),
+        line(PROGRAM, "meyer.listing.b", "B", "B (I*J*H)/(L*L*L)", program::B, FACTORS),
+        line(PROGRAM, "meyer.listing.c", "C", "C (I*I*U*J)/(L*L*L)", program::C, FACTORS),
+        line(PROGRAM, "meyer.listing.d", "D", "D (I*U*H)/(L*L)", program::D, FACTORS),
+        line(PROGRAM, "meyer.listing.e", "E", "E K/IW", program::E, FACTORS),
         line(
+            PROGRAM,
             "meyer.listing.f",
-            "F, with the acceleration from a moment before",
+            "F, with the acceleration from a moment earlier",
             "F (C*1DX*1DX)+(D*OLD2DX)",
             program::F,
-            || by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))]),
+            FACTORS,
         ),
         PROGRAM
             .equation("meyer.listing.s", "S FSW(F,-1.,1.,1.)", "S, by the sign of F, and plus one where F is zero")
@@ -261,11 +250,12 @@ impl Switch<'_> {
 fn motion() -> Vec<Claim> {
     vec![
         line(
+            PROGRAM,
             "meyer.listing.acceleration",
             "the driver's acceleration, as derived in this appendix",
             "2DX (E-(B+(S*C))*(1DX*1DX))/(A+(S*D))",
             program::ACCELERATION,
-            || by_coefficients(|lines, at| [(lines["2DX"], at.acceleration)]),
+            SOLVED,
         ),
         PROGRAM
             .statement(
@@ -293,11 +283,12 @@ fn motion() -> Vec<Claim> {
             "the modulus 2π/m: 1.5708 for four pins only, 1.0472 for six and 2.0944 for three",
         ),
         line(
+            PROGRAM,
             "meyer.listing.phidot",
             "the follower's speed, Eq. (1-7)",
             "PHIDOT (H*1DX)/L",
             program::FOLLOWER_SPEED,
-            || by_coefficients(|lines, at| [(lines["PHIDOT"], at.pose.velocity_ratio() * SPEED)]),
+            PLACES,
         ),
     ]
 }
@@ -307,19 +298,17 @@ fn turned_at_first(stated: Stated) -> impl Fn(Mechanism) -> f64 {
     move |_| stated.number() + stated.pick(0.0, 1.0)
 }
 
-/// A line of the program that computes a quantity of chapter I.
-fn line(
+/// A line of the program that computes a quantity of chapter I. Both routes read the card, and what it says in the letters of
+/// mathematics.
+pub fn line(
+    place: Place,
     id: &'static str,
     meaning: &'static str,
     printed: &'static str,
     said: &'static str,
-    first: fn() -> Finding,
+    letters: Vocabulary,
 ) -> Claim {
-    PROGRAM
-        .equation(id, printed, meaning)
-        .by(ClosedForm, move || as_on_the_card(id, program::holds, first()))
-        .read(Vectors, program::holds)
-        .saying(said)
+    place.equation(id, printed, meaning).rewritten_and_proven(letters, as_equation).saying(said)
 }
 
 /// π by Machin's series.

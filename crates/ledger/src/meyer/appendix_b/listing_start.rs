@@ -1,9 +1,10 @@
 //! The program's lines for the start: P, Q, R, V and the first acceleration.
 
-use super::program::{self, as_on_the_card, by_coefficients, holds_from_rest};
+use super::listing::line;
+use super::program;
+use super::program_letters::{FACTORS_AT_START, PLACES_AT_START, START, holds_from_rest};
 use super::*;
-use crate::meyer::letters::start_of_program;
-use crate::meyer::reading::{Letters, decide};
+use crate::meyer::reading::Letters;
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 
@@ -11,40 +12,28 @@ const PROGRAM: Place = at("Appendix B, program, lines of SMT");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        line("meyer.listing.p", "P is L at the start", "P 1.+(G*G)-(2.*G*COS(X0))", program::P, ClosedForm, || {
-            by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.radius_squared)])
-        }),
+        line(PROGRAM, "meyer.listing.p", "P is L at the start", "P 1.+(G*G)-(2.*G*COS(X0))", program::P, PLACES_AT_START),
+        line(PROGRAM, "meyer.listing.q", "Q is H at the start, which is zero", "Q (G*COS(X0))-1.", program::Q, PLACES_AT_START),
         line(
-            "meyer.listing.q",
-            "Q is H at the start, which is zero",
-            "Q (G*COS(X0))-1.",
-            program::Q,
-            ClosedForm,
-            || by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.numerator)]),
-        ),
-        line(
-            "meyer.listing.r",
+            PROGRAM, "meyer.listing.r",
             "R is A at the start, the ratio of the inertias",
             "R (IC/IW)+((Q*Q)/(P*P))",
             program::R,
-            ClosedForm,
-            || by_coefficients(|lines, at| [(at_the_angle("R", lines), at.coefficients.a)]),
+            FACTORS_AT_START,
         ),
         line(
-            "meyer.listing.v",
+            PROGRAM, "meyer.listing.v",
             "V is the size of D at the start, which is zero",
             "V ABS((U*G*Q*SIN(X0))/(P*P))",
             program::V,
-            ClosedForm,
-            || by_coefficients(|lines, at| [(at_the_angle("V", lines), at.coefficients.d.abs())]),
+            FACTORS_AT_START,
         ),
         line(
-            "meyer.listing.start",
+            PROGRAM, "meyer.listing.start",
             "the first acceleration, which with V = 0 is the torque over the driver's inertia, whatever the friction",
             "2DX E/(R+V)",
             program::START,
-            ExactIdentity,
-            || decide(program::START, start_of_program),
+            START,
         ),
         at("Appendix B, first sentence after the program")
             .statement(
@@ -71,30 +60,6 @@ pub fn claims() -> Vec<Claim> {
             })
             .but_not("they are the equation without its friction"),
     ]
-}
-
-/// A line of the program that computes something at the start. It is compared at all angles, as most of it vanishes at
-/// the start itself.
-fn line(
-    id: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    said: &'static str,
-    evidence: Evidence,
-    first: fn() -> Finding,
-) -> Claim {
-    PROGRAM
-        .equation(id, printed, meaning)
-        .by(evidence, move || as_on_the_card(id, holds_from_rest, first()))
-        .read(Vectors, holds_from_rest)
-        .saying(said)
-}
-
-/// What a line of the start computes if the start is at the angle of the others.
-fn at_the_angle(name: &str, lines: &Letters) -> f64 {
-    let mut letters = lines.clone();
-    letters.insert("X0".to_owned(), lines["X"]);
-    start_line(name, &letters)
 }
 
 const INERTIA_RATIO: f64 = 0.625;

@@ -1,8 +1,8 @@
 //! The method of integration: Runge and Kutta's of order four, with the step chosen by taking it twice.
 
 use super::stages::{
-    STEP, Slope, halvings, holds_in_a_step, of_order, power_of_two, printed_places, printed_step, step_of_mimic,
-    thirty_second,
+    STEP, Slope, halvings, holds_in_a_step, is_of_fifth_order, of_order, power_of_two, printed_places, printed_step,
+    step_of_mimic,
 };
 use super::*;
 use crate::agreement::joined_numbers;
@@ -26,8 +26,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.method.one-value",
                 "made negligible by proper choice of the increment",
-                "if the second derivative is taken as constant over a step, and gives the new first derivative, which \
-                 gives the new value, then the error tends to zero as the step gets shorter",
+                "if the second derivative, taken as constant over a step, gives the new first derivative, and the new \
+                 first derivative gives the new value, the error tends to zero as the step gets shorter",
             )
             .by(ClosedForm, |stated| {
                 let errors: Vec<f64> = INCREMENTS.map(error_of_growth).to_vec();
@@ -37,7 +37,7 @@ fn described() -> Vec<Claim> {
                 let errors: Vec<f64> = INCREMENTS.map(error_of_a_swing).to_vec();
                 goes_away(&errors, stated)
             })
-            .but_not("the error goes away with the square of the step")
+            .but_not("the error goes to zero as the square of the step")
             .read_as(
                 "We take the sentence as a picture of the method with one value for each step, although the formulas \
                  that follow take four.",
@@ -170,7 +170,7 @@ const INCREMENTS: [u32; 6] = [16, 32, 64, 128, 256, 512];
 fn goes_away(errors: &[f64], stated: Stated) -> Finding {
     let holds = errors.windows(2).all(|pair| pair[1] < stated.pick(0.55, 0.3) * pair[0]);
     let [first, last] = [errors.first(), errors.last()].map(|error| error.copied().unwrap_or(f64::NAN));
-    Finding::new(holds, format!("the error goes from {first:.1e} to {last:.1e} with 32 times as many steps"))
+    Finding::new(holds, format!("the error falls from {first:.1e} to {last:.1e} with 32 times as many steps"))
 }
 
 /// The error of y' = y after a unit of time, each step going on with the value of the derivative at its beginning.
@@ -199,23 +199,22 @@ fn formulas() -> Vec<Claim> {
                 "the next value, from four slopes",
             )
             .evaluated(ClosedForm, |tex| Finding::of_reading(holds_in_a_step(tex)))
-            .by(LimitCase, thirty_second)
-            .read_by(holds_in_a_step),
+            .read(LimitCase, |tex| is_of_fifth_order("meyer.app-b.method.step", tex)),
         stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, taken at the beginning"),
         stage(
             "meyer.app-b.method.f2",
             r"f_2 = f\left(x_n + \frac{h}{2}; y_n + \frac{f_1 h}{2}\right)",
-            "second slope, taken in the middle with the first",
+            "second slope, taken in the middle, using the first",
         ),
         stage(
             "meyer.app-b.method.f3",
             r"f_3 = f\left(x_n + \frac{h}{2}; y_n + \frac{f_2 h}{2}\right)",
-            "third slope, taken in the middle with the second",
+            "third slope, taken in the middle, using the second",
         ),
         stage(
             "meyer.app-b.method.f4",
             r"f_4 = f(x_n + h; y_n + f_3 h)",
-            "fourth slope, taken at the end with the third",
+            "fourth slope, taken at the end, using the third",
         ),
     ]
 }
@@ -230,7 +229,7 @@ fn advantages() -> Vec<Claim> {
                 let given = printed_step(|x, y| x * y, x, stated.pick(y, 1.0), STEP);
                 Finding::new(
                     given.is_some_and(|given| agrees(given, step_of_mimic(|x, y| x * y, x, y, STEP))),
-                    "we compared one step from what is given with a step of the classical method",
+                    "we compared one step from the given values with a step of the classical method",
                 )
             })
             .by(LimitCase, |stated| {
@@ -244,7 +243,7 @@ fn advantages() -> Vec<Claim> {
                 let (whole, again) = (run(1.0, 2.0, half), run(1.0, 2.0, stated.pick(half, 1.0)));
                 Finding::new(
                     agrees(whole, again),
-                    format!("the method gives {whole:.6} in one go and {again:.6} when started again half-way"),
+                    format!("the method gives {whole:.6} in one go and {again:.6} when restarted half-way"),
                 )
             })
             .but_not("the method needs only the point's x"),
@@ -266,16 +265,16 @@ fn advantages() -> Vec<Claim> {
                 let run = integrate(&mut steady, Vector1::new(0.0), &fixed, |point| points.push(point.state[0]));
                 let said = STEP * stated.pick(1.0, widths()[0]);
                 let holds = run.is_ok() && points.windows(2).all(|pair| agrees(pair[1] - pair[0], said));
-                Finding::new(holds && points.len() > 2, "a run of the classical method goes on by whole steps")
+                Finding::new(holds && points.len() > 2, "a run of the classical method advances by whole steps")
             })
             .corrected(
                 "over the interval",
                 Slip {
                     id: "",
-                    reason: "The paragraphs before this one cut the whole range into intervals of the width h, and \
-                             each of these into four subintervals. When y_1 is known, the interval from x_0 to x_1 has \
-                             been integrated over.",
-                    witness: "A run of the classical method goes on by whole steps.",
+                    reason: "The paragraphs before this one cut the whole range into intervals of width h, and each \
+                             interval into four subintervals. Once y_1 is known, the integration has covered the \
+                             interval from x_0 to x_1.",
+                    witness: "A run of the classical method advances by whole steps.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,
                     changes: "",
@@ -292,7 +291,10 @@ fn advantages() -> Vec<Claim> {
                     let found = halvings();
                     Finding::new(
                         half > 0.0 && found.iter().all(|ratio| power_of_two(*ratio) == power_of_two(whole / half)),
-                        format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
+                        format!(
+                            "with half the step, the errors for two equations are {:.0} and {:.0} times smaller",
+                            found[0], found[1]
+                        ),
                     )
                 }
                 _ => Finding::of_reading(None),
@@ -309,7 +311,7 @@ fn advantages() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.method.doubling",
                 "two half steps and then with one full step",
-                "two half steps compared with one full step tell the error",
+                "comparing two half steps with one full step gives the error",
             )
             .by(ClosedForm, |stated| {
                 let step = |y: f64, h: f64| printed_step(|_, y| y, 0.0, y, h).unwrap_or(f64::NAN);
@@ -319,7 +321,7 @@ fn advantages() -> Vec<Claim> {
                 let step = |y: f64, h: f64| step_of_mimic(|_, y| y * y, 0.0, y, h);
                 fifteen_sixteenths(step, 1.0 / (1.0 - STEP), stated)
             })
-            .but_not("one half step compared with one full step tells it")
+            .but_not("comparing one half step with one full step gives it")
             .read_as("The text does not show that the library chose its steps in this way."),
     ]
 }
@@ -347,6 +349,5 @@ fn stage(id: &'static str, printed: &'static str, meaning: &'static str) -> Clai
     at("Appendix B, displays of the four slopes")
         .equation(id, printed, meaning)
         .evaluated(ClosedForm, |tex| Finding::of_reading(holds_in_a_step(tex)))
-        .by(LimitCase, thirty_second)
-        .read_by(holds_in_a_step)
+        .read(LimitCase, move |tex| is_of_fifth_order(id, tex))
 }

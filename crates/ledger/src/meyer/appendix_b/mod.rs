@@ -9,13 +9,15 @@ mod listing_start;
 mod method;
 mod print_out;
 mod program;
+mod program_letters;
 mod reset;
 mod stages;
 
 pub use contact::parts_of;
 pub use listing::listed;
 pub use listing_start::start_solves;
-pub use program::{holds_from_rest, start_formula, start_line};
+pub use program::{start_formula, start_line};
+pub use program_letters::holds_from_rest;
 
 use super::instants::{equal, holds, instants, letters_of, moments};
 use super::*;

@@ -112,7 +112,7 @@ fn output() -> Claim {
         .statement(
             "meyer.app-b.output-cards",
             "remainder of the cards",
-            "the cards after FIN print and plot, and take no part in the motion",
+            "the cards after FIN print and plot, and they take no part in the motion",
         )
         .by(ByProgram, |stated| {
             let kinds = [&OUTPUT[..], stated.pick(&[], &["FIN"])].concat();
@@ -120,8 +120,8 @@ fn output() -> Claim {
             Finding::new(
                 of_output == kinds.len(),
                 format!(
-                    "a deck without the cards of one kind prints something else but takes the same steps, for \
-                     {of_output} of {} kinds",
+                    "for {of_output} of {} kinds of cards, a deck without them prints something else but takes the \
+                     same steps",
                     kinds.len()
                 ),
             )
@@ -143,11 +143,11 @@ fn output() -> Claim {
             let (same, all) = (same.count(), weakest().count());
             Finding::new(
                 same == all,
-                format!("a translation of the program without them prints the same speeds in {same} of {all} runs"),
+                format!("translated without them, the program prints the same speeds in {same} of {all} runs"),
             )
         })
         .but_not("the FIN card takes no part in it either")
-        .read_as("END, the last of these cards, commands nothing, because it only ends the deck.")
+        .read_as("END, the last of these cards, is not a command, because it only ends the deck.")
 }
 
 /// What the deck prints for the runs with the weakest springs, with the program's reset angle; none where it comes to no

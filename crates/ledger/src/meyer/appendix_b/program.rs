@@ -1,7 +1,7 @@
 //! What the lines of the program compute, beside the equation of motion and the mechanism by coordinates.
 
 use super::*;
-use crate::meyer::reading::{self, Letters, Moment};
+use crate::meyer::reading::{self, Letters};
 use geneva_dynamics::{Coefficients, Pose, Sign};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -69,19 +69,12 @@ pub fn as_formula(card: &str) -> String {
     formula.replace(characters("meyer.listing.pi"), r"\pi ")
 }
 
-/// Whether a printed card says what it must: the name before the blank equals the formula after it, wherever this
-/// holds.
-pub fn card_says(id: &str, holds: fn(&str) -> Option<bool>) -> bool {
-    let card = characters(id).split_once(' ');
-    card.is_some_and(|(name, formula)| holds(&format!("{} = {}", as_formula(name), as_formula(formula))) == Some(true))
-}
-
-/// The finding, unless the printed card says something else.
-pub fn as_on_the_card(id: &str, holds: fn(&str) -> Option<bool>, found: Finding) -> Finding {
-    if card_says(id, holds) {
-        found
-    } else {
-        Finding::new(false, "the printed card, read and evaluated, says something else")
+/// What a card says as an equation in the letters of mathematics: the name before its first blank equals the formula after it.
+/// What is an equation stays as it is.
+pub fn as_equation(card: &str) -> String {
+    match card.split_once(' ') {
+        Some((name, formula)) if !card.contains('=') => format!("{} = {}", as_formula(name), as_formula(formula)),
+        _ => card.to_owned(),
     }
 }
 
@@ -165,76 +158,4 @@ pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64
     });
     let how = if holds { "agrees" } else { "differs" };
     Finding::new(holds, format!("it {how} at 19 angles of each mechanism"))
-}
-
-/// The program's letters at an instant of chapter I: what its lines must compute, by coordinates and Newton's laws.
-fn letters(moment: &Moment) -> Letters {
-    let letter = letters_of(moment);
-    let square = letter("square");
-    let lead = letter("phi'") / letter("theta'") * square;
-    let mut letters: Letters = [
-        ("N", PI / libm::asin(letter("r") / letter("c"))),
-        ("G", letter("c") / letter("r")),
-        ("X", letter("theta")),
-        ("X0", letter("theta")),
-        ("H", lead),
-        ("Q", lead),
-        ("I", letter("h") * letter("R") / (letter("r") * letter("r"))),
-        // The law of cosines.
-        ("J", -(square + 2.0 * lead)),
-        ("L", square),
-        ("P", square),
-        ("R", letter("A")),
-        ("V", letter("D").abs()),
-        ("U", letter("mu")),
-        ("IC", letter("I_D")),
-        ("IW", letter("I_f")),
-        ("1DX", letter("theta'")),
-        ("2DX", letter("theta''")),
-        ("OLD2DX", letter("theta''")),
-        ("PHIDOT", letter("phi'")),
-    ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .into();
-    letters.extend(["A", "B", "C", "D", "E", "F", "S", "K"].map(|name| (name.to_owned(), letter(name))));
-    letters
-}
-
-/// The program's letters at all instants.
-pub fn lines() -> &'static [Moment] {
-    static LINES: OnceLock<Vec<Moment>> = OnceLock::new();
-    LINES.get_or_init(|| moments().iter().map(|moment| Moment::of(letters(moment))).collect())
-}
-
-/// Whether a line of the program holds at all instants.
-pub fn holds(line: &str) -> Option<bool> {
-    reading::holds(line, lines())
-}
-
-/// Whether a line of the start holds at all instants.
-///
-/// The acceleration is the one from rest, where both members and the friction between them require the torque.
-pub fn holds_from_rest(line: &str) -> Option<bool> {
-    static RESTS: OnceLock<Vec<Moment>> = OnceLock::new();
-    let rests = RESTS.get_or_init(|| {
-        let rest = |moment: &Moment| {
-            let mut letters = moment.letters().clone();
-            let asked = |angular_acceleration: f64| {
-                letters["A"] * angular_acceleration + (letters["D"] * angular_acceleration).abs()
-            };
-            let (mut low, mut high) = (0.0, 1.0);
-            while asked(high) < letters["E"] {
-                high *= 2.0;
-            }
-            for _ in 0..200 {
-                let middle = f64::midpoint(low, high);
-                *(if asked(middle) < letters["E"] { &mut low } else { &mut high }) = middle;
-            }
-            letters.insert("2DX".to_owned(), low);
-            Moment::of(letters)
-        };
-        // A torque that drives backwards has no start.
-        lines().iter().filter(|moment| moment.letters()["E"] > 0.0).map(rest).collect()
-    });
-    reading::holds(line, rests)
 }

@@ -1,7 +1,7 @@
 //! One step by the printed formulas of the method, and one by an implementation of it.
 
 use super::*;
-use crate::meyer::reading::{self, Letters, Moment, value};
+use crate::meyer::reading::{self, Letters, Moment, value, value_at};
 use geneva_mimic::runge_kutta_step;
 use nalgebra::Vector1;
 use std::convert::Infallible;
@@ -70,29 +70,39 @@ pub fn step_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> f64 {
     runge_kutta_step(rate, x, x + h, &Vector1::new(y), &Vector1::new(slope(x, y))).map_or(f64::NAN, |end| end[0])
 }
 
-/// How many times smaller the error of one printed step is for half its length.
-fn halved(slope: Slope, exact: fn(f64, f64, f64) -> f64) -> f64 {
+/// How many times smaller the error of a step is for half its length, for two equations that are not linear in both variables.
+fn halved(step: impl Fn(Slope, f64, f64, f64) -> Option<f64>) -> Option<[f64; 2]> {
     let (x, y) = (0.5, 1.0);
-    let error = |h: f64| printed_step(slope, x, y, h).unwrap_or(f64::NAN) - exact(x, y, h);
-    // Shorter than elsewhere: the next power of h is then small.
-    error(STEP / 8.0) / error(STEP / 16.0)
+    let of = |slope: Slope, exact: fn(f64, f64, f64) -> f64| {
+        let error = |h: f64| Some(step(slope, x, y, h)? - exact(x, y, h));
+        // Shorter than elsewhere: the next power of h is then small.
+        Some(error(STEP / 8.0)? / error(STEP / 16.0)?)
+    };
+    Some([
+        of(|x, y| x * y, |x, y, h| y * libm::exp(h * (x + h / 2.0)))?,
+        of(|_, y| y * y, |_, y, h| 1.0 / (1.0 / y - h))?,
+    ])
 }
 
-/// How many times smaller the error is, for two equations that are not linear in both variables.
+/// How many times smaller the error of a printed step is for half its length, for two equations.
 pub fn halvings() -> [f64; 2] {
-    [
-        halved(|x, y| x * y, |x, y, h| y * libm::exp(h * (x + h / 2.0))),
-        halved(|_, y| y * y, |_, y, h| 1.0 / (1.0 / y - h)),
-    ]
+    halved(printed_step).unwrap_or([f64::NAN; 2])
 }
 
-/// Whether the error of a step by the printed formulas is of the fifth order.
-pub fn thirty_second() -> Finding {
-    let found = halvings();
-    Finding::new(
-        found.iter().all(|ratio| power_of_two(*ratio) == Some(5)),
-        format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
-    )
+/// Whether the error of a step is of the fifth order, with these characters in the place of those of a claim; none if they cannot
+/// be read.
+pub fn is_of_fifth_order(own: &str, tex: &str) -> Option<bool> {
+    let step = |slope: Slope, x: f64, y: f64, h: f64| {
+        let mut moment = Moment::default().with([("x_n", x), ("y_n", y), ("h", h)]).sloping(slope);
+        for id in STAGES.into_iter().chain(["meyer.app-b.method.step"]) {
+            let line = if id == own { tex } else { named(id).right_characters() };
+            let (name, formula) = line.split_once('=')?;
+            let value = Some(value_at(formula, &moment)).filter(|value| value.is_finite())?;
+            moment = moment.with([(name, value)]);
+        }
+        moment.letters().get("y_n+1").copied()
+    };
+    Some(halved(step)?.iter().all(|ratio| power_of_two(*ratio) == Some(5)))
 }
 
 /// Which power of two a number is nearest to, if it is near to one.
@@ -105,6 +115,6 @@ pub fn power_of_two(ratio: f64) -> Option<i32> {
 pub fn of_order(order: i32, ratio: f64) -> Finding {
     Finding::new(
         power_of_two(ratio) == Some(order),
-        format!("with half the step the error of a run is {ratio:.1} times smaller"),
+        format!("with half the step, the error of a run is {ratio:.1} times smaller"),
     )
 }

@@ -71,11 +71,11 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
 }
 
 /// Why a rise time cannot be checked.
-const NO_DEFINITION: &str = "The rise lasts until the terminal velocity is reached to one per cent. But the thesis \
-                             does not say which velocity that is, or from when an engagement counts. For example, \
-                             you get one rise time if it means the velocity at each angle, and another if it means \
-                             the average of peak and minimum. No definition that we tried reproduces even half of this \
-                             column";
+const NO_DEFINITION: &str = "The rise lasts until the terminal velocity is reached to within one per cent. But the \
+                             thesis does not say which velocity is meant, or at which instant of an engagement the \
+                             rise ends. For example, you get one rise time if the velocity at each angle is meant, and \
+                             another if the average of peak and minimum is meant. No definition that we tried \
+                             reproduces even half of this column";
 
 /// The results of all rows, each run made once.
 type Results<const N: usize> = OnceLock<Vec<[f64; N]>>;

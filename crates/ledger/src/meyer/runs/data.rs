@@ -31,12 +31,12 @@ pub(super) fn claims(row: &'static Row, place: Place) -> [Claim; 2] {
     [friction, torque]
 }
 
-const FRICTION: &str = "The computed value is the friction with which the row's minimum and period agree best, with \
-                        its torque and the inertias as printed. We leave out the peak, because none of the printed \
-                        lines need fall on it. The friction is known as finely as minimum and period tell it, if each \
-                        was misread at random by a unit of its last place.";
+const FRICTION: &str = "The computed value is the friction that best reproduces the row's minimum and period, with the \
+                        torque and the inertias as printed. We leave out the peak, because none of the printed lines \
+                        need fall on it. The friction is known only as finely as minimum and period determine it, if \
+                        each was misread at random by a unit of its last place.";
 
-const TORQUE: &str = "The computed value is the torque with which the row's minimum and period agree best, with its \
+const TORQUE: &str = "The computed value is the torque that best reproduces the row's minimum and period, with the \
                       friction and the inertias as printed. We leave out the peak, because none of the printed lines \
                       need fall on it.";
 

@@ -36,7 +36,7 @@ fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism
         .by(Quadrature, move || data::inertias(mechanism)[member] * units_in_one(UNIT))
         .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * units_in_one(UNIT))
         .read_as(
-            "The computed value is from the pair of inertias that best reproduces all peaks, minima and periods of \
+            "The computed value belongs to the pair of inertias that best reproduces all peaks, minima and periods in \
              the table.",
         )
 }
@@ -47,7 +47,7 @@ pub fn of_headings() -> Claim {
         .statement(
             "meyer.app-e.mechanisms",
             "Six Pin Mechanism",
-            "the tables for six and three pins are of the mechanisms named above them",
+            "the tables for six and three pins describe the mechanisms named above them",
         )
         .by(Quadrature, |stated| {
             counted(&hypothesis(stated), "minima", 1.0, |of, row| {
@@ -61,11 +61,11 @@ pub fn of_headings() -> Claim {
             })
         })
         .read_as(
-            "The runs summed up below a heading, this one and the heading for three pins, are of the mechanism that \
-             it names.",
+            "The claim is that the runs below this heading are runs of the mechanism that the heading names, and \
+             likewise below the heading for three pins.",
         )
         .corrected(
-            "Six Pin Mechanism, with the driver's angle reset after 90° (and so the Three Pin Mechanism)",
+            "Six Pin Mechanism, with the driver's angle reset after 90° (and likewise the Three Pin Mechanism)",
             RESET_ANGLE,
         )
 }

@@ -108,7 +108,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "runs.others-by-the-mechanisms",
-        meaning: "cells of six and three pins right to one unit, the mechanisms as they are",
+        meaning: "cells for six and three pins right to one unit, the mechanisms as they are",
         by: STEPS,
         first: || Some(score(Hypothesis::IDEAL)?.within_one_of(&OTHERS) as f64),
         second: || count_cycles(Hypothesis::IDEAL, &OTHERS, &EXPLAINED, 1.0),
@@ -116,7 +116,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "runs.others-by-the-program",
-        meaning: "cells of six and three pins right to one unit, the program as listed",
+        meaning: "cells for six and three pins right to one unit, the program as listed",
         by: NEWTON,
         first: || Some(lagged(0.1)?.within_one_of(&OTHERS) as f64),
         second: || count_lagged(&OTHERS, &EXPLAINED, 1.0),
@@ -132,7 +132,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "runs.others.by-chance",
-        meaning: "cells of six and three pins to be expected by chance, the program as listed",
+        meaning: "cells for six and three pins to be expected by chance, the program as listed",
         by: DEALS,
         first: || chance::expected_cells(score(Hypothesis::AS_RUN)?, &OTHERS),
         second: || Some(mean(&sampling::cells(score(Hypothesis::AS_RUN)?, &OTHERS, SHUFFLES)?)),
@@ -140,7 +140,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "runs.others.by-chance.mechanisms",
-        meaning: "cells of six and three pins to be expected by chance, the mechanisms as they are",
+        meaning: "cells for six and three pins to be expected by chance, the mechanisms as they are",
         by: DEALS,
         first: || chance::expected_cells(score(Hypothesis::IDEAL)?, &OTHERS),
         second: || Some(mean(&sampling::cells(score(Hypothesis::IDEAL)?, &OTHERS, SHUFFLES)?)),
@@ -196,7 +196,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "freed.six",
-        meaning: "cells of six pins right to one unit with the best inertias, right reset",
+        meaning: "cells for six pins right to one unit with the best inertias, right reset",
         by: TANGENTS,
         first: || freed(Mechanism::SIX_PIN, Reset::OfTheMechanism),
         second: || freed_in_steps(Mechanism::SIX_PIN, Reset::OfTheMechanism),
@@ -204,7 +204,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "freed.three",
-        meaning: "cells of three pins right to one unit with the best inertias, right reset",
+        meaning: "cells for three pins right to one unit with the best inertias, right reset",
         by: TANGENTS,
         first: || freed(Mechanism::THREE_PIN, Reset::OfTheMechanism),
         second: || freed_in_steps(Mechanism::THREE_PIN, Reset::OfTheMechanism),
@@ -212,7 +212,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "freed.six.quarter",
-        meaning: "cells of six pins right to one unit with the best inertias, reset after 90°",
+        meaning: "cells for six pins right to one unit with the best inertias, reset after 90°",
         by: TANGENTS,
         first: || freed(Mechanism::SIX_PIN, Reset::QuarterTurn),
         second: || freed_in_steps(Mechanism::SIX_PIN, Reset::QuarterTurn),
@@ -220,7 +220,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "freed.three.quarter",
-        meaning: "cells of three pins right to one unit with the best inertias, reset after 90°",
+        meaning: "cells for three pins right to one unit with the best inertias, reset after 90°",
         by: TANGENTS,
         first: || freed(Mechanism::THREE_PIN, Reset::QuarterTurn),
         second: || freed_in_steps(Mechanism::THREE_PIN, Reset::QuarterTurn),
@@ -228,7 +228,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "freed.six.less-friction",
-        meaning: "cells of six pins right to one unit with the best inertias, right reset, a hundredth of the friction",
+        meaning: "cells for six pins right to one unit with the best inertias, right reset, a hundredth of the friction",
         by: TANGENTS,
         first: || little_friction(Mechanism::SIX_PIN),
         second: || little_friction_in_steps(Mechanism::SIX_PIN),
@@ -274,7 +274,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.chance",
-        meaning: "rise times to be expected by chance, the definition for which they are most",
+        meaning: "rise times to be expected by chance, with the definition that gives most",
         by: DEALS,
         first: || greatest(rise_times::explained().iter().map(|tried| tried.as_run.by_chance)),
         second: || {
@@ -285,7 +285,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.by-chance.usual",
-        meaning: "rise times that the best definition explains in the middle one of all shuffles",
+        meaning: "rise times that the best definition explains in the median of all shuffles",
         by: DEALS,
         first: || middle(shuffled(Shuffled::InTables).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), false, SHUFFLES)),
@@ -293,7 +293,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.by-chance.equal-torques",
-        meaning: "rise times that the best definition explains in the middle one of all shuffles among equal torques",
+        meaning: "rise times that the best definition explains in the median of all shuffles among equal torques",
         by: DEALS,
         first: || middle(shuffled(Shuffled::AmongEqualTorques).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), true, SHUFFLES)),

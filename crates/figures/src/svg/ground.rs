@@ -1,0 +1,160 @@
+//! The ground of a label: the faces below it, whose colours its halo has.
+
+use super::path::Sense;
+use super::view::{Pixels, angle_of, heading};
+use crate::number::trimmed;
+use crate::theme::{Colour, FACE, FACE_SHARE, FILL, PAPER};
+use std::f64::consts::TAU;
+
+/// Along an arc, a point at least every so many radians.
+const STEP: f64 = 0.1;
+/// Shares of a label's width and height at which it is asked what is below.
+const ACROSS: [f64; 5] = [0.5, 0.1, 0.3, 0.7, 0.9];
+const DOWN: [f64; 3] = [0.5, 0.15, 0.85];
+
+/// The inside of a closed outline.
+#[derive(Clone, Debug)]
+pub enum Area {
+    /// A disc, by its centre and its radius.
+    Disc(Pixels, f64),
+    /// What is within an odd number of outlines.
+    Loops(Vec<Vec<Pixels>>),
+}
+
+impl Area {
+    fn contains(&self, at: &Pixels) -> bool {
+        match self {
+            Self::Disc(centre, radius) => (at - centre).norm() < *radius,
+            Self::Loops(loops) => loops.iter().filter(|outline| is_within(at, outline)).count() % 2 == 1,
+        }
+    }
+}
+
+fn is_within(at: &Pixels, outline: &[Pixels]) -> bool {
+    let nexts = outline.iter().cycle().skip(1);
+    let crossed = outline
+        .iter()
+        .zip(nexts)
+        .filter(|(a, b)| (a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y));
+    crossed.count() % 2 == 1
+}
+
+/// A filled shape.
+#[derive(Clone, Debug)]
+pub struct Face {
+    pub area: Area,
+    pub colour: Colour,
+    /// How much it covers of what is below, between 0 and 1.
+    pub share: f64,
+}
+
+/// The colour of what is below a label between two corners: of the faces that are under most of it.
+///
+/// The fully covering colours of arrow heads and dots are no ground: a label covers them.
+pub fn below(faces: &[Face], [least, greatest]: &[Pixels; 2]) -> String {
+    let size = greatest - least;
+    let places =
+        DOWN.iter().flat_map(|down| ACROSS.map(|across| least + size.component_mul(&Pixels::new(across, *down))));
+    let mut grounds: Vec<(String, usize)> = Vec::new();
+    for place in places {
+        let ground = faces.iter().filter(|face| face.area.contains(&place)).fold(PAPER.0.to_owned(), over);
+        match grounds.iter_mut().find(|(known, _)| *known == ground) {
+            Some((_, count)) => *count += 1,
+            None => grounds.push((ground, 1)),
+        }
+    }
+    let most = grounds.iter().map(|(_, count)| *count).max();
+    grounds.into_iter().find(|(_, count)| Some(*count) == most).map_or(PAPER.0.to_owned(), |(ground, _)| ground)
+}
+
+/// The colour of a ground with a face over it.
+fn over(ground: String, Face { colour, share, .. }: &Face) -> String {
+    let mixed = |colour: &str, share: f64| {
+        let percent = trimmed(100.0 * share, 1);
+        if share < 1.0 { format!("color-mix(in srgb, {colour} {percent}%, {ground})") } else { colour.to_owned() }
+    };
+    match *colour {
+        PAPER => PAPER.0.to_owned(),
+        FILL => mixed(&format!("color-mix(in srgb, {} {FACE_SHARE}, {ground})", FACE.0), *share),
+        Colour(name) if *share < 1.0 => mixed(name, *share),
+        _ => ground,
+    }
+}
+
+/// Points along an arc between its ends, in the manner of path data: by more than half of the circle if `large`.
+pub fn along_arc(from: &Pixels, to: &Pixels, radius: f64, large: bool, sense: Sense) -> Vec<Pixels> {
+    let chord = to - from;
+    let Some(across) = Pixels::new(-chord.y, chord.x).try_normalize(1e-9) else { return Vec::new() };
+    let height = (radius * radius - chord.norm_squared() / 4.0).max(0.0).sqrt();
+    let side = if large == (sense == Sense::Clockwise) { -1.0 } else { 1.0 };
+    let centre = (from + to) / 2.0 + across * height * side;
+    let start = angle_of(&(from - centre));
+    let turn = (sense.sign() * (angle_of(&(to - centre)) - start)).rem_euclid(TAU);
+    let count = (turn / STEP) as u32 + 1;
+    let at = |k: u32| centre + heading(start + sense.sign() * turn * f64::from(k) / f64::from(count)) * radius;
+    (1..count).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::path::Path;
+    use super::super::shape::Shape;
+    use super::*;
+    use crate::theme::{DRIVER, INK};
+
+    fn square(from: f64, to: f64) -> Shape {
+        let corners = [[from, from], [to, from], [to, to], [from, to]].map(Pixels::from);
+        Shape::path(Path::through(&corners, 2))
+    }
+
+    fn under(shapes: &[Shape], least: [f64; 2], greatest: [f64; 2]) -> String {
+        let faces: Vec<Face> = shapes.iter().filter_map(Shape::face).collect();
+        below(&faces, &[least.into(), greatest.into()])
+    }
+
+    #[test]
+    fn a_label_stands_on_the_faces_under_most_of_it() {
+        let wheel = square(0.0, 100.0).fill(FILL);
+        let face = "color-mix(in srgb, var(--fig-face, #e9eff6) var(--fig-share, 100%), var(--fig-paper, #ffffff))";
+        assert_eq!(under(std::slice::from_ref(&wheel), [10.0, 10.0], [40.0, 30.0]), face);
+        assert_eq!(under(std::slice::from_ref(&wheel), [90.0, 10.0], [190.0, 30.0]), PAPER.0);
+        let driver = square(0.0, 50.0).tint(DRIVER, 0.12);
+        let both = under(&[wheel.clone(), driver], [10.0, 10.0], [40.0, 30.0]);
+        assert_eq!(both, format!("color-mix(in srgb, {} 12%, {face})", DRIVER.0));
+        // A pin of the paper's colour hides what is below it; an arrow head is below the label.
+        assert_eq!(under(&[wheel.clone(), square(5.0, 45.0).fill(PAPER)], [10.0, 10.0], [40.0, 30.0]), PAPER.0);
+        assert_eq!(under(&[wheel, square(5.0, 45.0).fill(INK)], [10.0, 10.0], [40.0, 30.0]), face);
+        assert_eq!(under(&[square(0.0, 50.0)], [10.0, 10.0], [40.0, 30.0]), PAPER.0);
+    }
+
+    #[test]
+    fn an_arc_bulges_to_the_side_that_path_data_says() {
+        let ends = [Pixels::new(0.0, 0.0), Pixels::new(20.0, 0.0)];
+        for (large, sense, highest, lowest) in
+            [(false, Sense::Clockwise, -10.0, 0.0), (false, Sense::CounterClockwise, 0.0, 10.0)]
+        {
+            let points = along_arc(&ends[0], &ends[1], 10.0, large, sense);
+            let heights: Vec<f64> = points.iter().map(|at| at.y).collect();
+            let (least, most) =
+                (heights.iter().copied().fold(0.0, f64::min), heights.iter().copied().fold(0.0, f64::max));
+            assert!((least - highest).abs() < 0.1 && (most - lowest).abs() < 0.1, "{least} to {most}");
+        }
+        // By more than half of a circle of radius 12.5, whose centre is 7.5 from the chord: as far as 20 from it.
+        let far = along_arc(&ends[0], &ends[1], 12.5, true, Sense::Clockwise);
+        assert!((far.iter().map(|at| at.y).fold(0.0, f64::min) + 20.0).abs() < 0.1, "{far:?}");
+        assert!(along_arc(&ends[0], &ends[0], 10.0, false, Sense::Clockwise).is_empty());
+    }
+
+    #[test]
+    fn the_inside_of_a_disc_and_the_hole_of_a_ring_are_told_apart() {
+        let disc = Shape::circle(&Pixels::new(50.0, 50.0), 20.0).tint(DRIVER, 0.5);
+        let tinted = format!("color-mix(in srgb, {} 50%, {})", DRIVER.0, PAPER.0);
+        assert_eq!(under(&[disc], [45.0, 45.0], [55.0, 55.0]), tinted);
+        let at = |x: f64, y: f64| Pixels::new(x, y);
+        let ring = [(0.0, 100.0), (20.0, 80.0)].into_iter().fold(Path::empty(2), |path, (a, b)| {
+            path.again_at(&at(a, a)).line_to(&at(b, a)).line_to(&at(b, b)).line_to(&at(a, b)).close()
+        });
+        assert_eq!(under(&[Shape::path(ring.clone()).tint(DRIVER, 0.5)], [2.0, 2.0], [12.0, 12.0]), tinted);
+        assert_eq!(under(&[Shape::path(ring).tint(DRIVER, 0.5)], [40.0, 40.0], [60.0, 60.0]), PAPER.0);
+    }
+}
