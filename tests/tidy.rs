@@ -1,6 +1,7 @@
 //! Are the rules of the repository kept?
 
 mod examples;
+mod paths;
 mod units;
 mod words;
 

@@ -1,9 +1,7 @@
 //! The command line `geneva`: argument parsing and printing, nothing else.
 //!
-//! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel or a quick-return
-//! mechanism from the kinematics and the figures, of an escapement from the dynamics, of a deck from the language, of a
-//! text from the proofreader, and the book from the press. Exit
-//! codes: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access.
+//! Every command turns its arguments into text. What the text says of a mechanism comes from `ask`, of claims from the
+//! ledger, of a deck from the language, of a text from the proofreader, and the book from the press. Exit codes: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access.
 //!
 //! The program is [`main`]. It is a library too, so that a test can ask thousands of lines with [`answer`] without starting
 //! a process for each.

@@ -6,8 +6,17 @@
 
 use crate::KinematicsError;
 use crate::error::size;
-use crate::wheel::{AccelerationPeak, Motion, Phase};
+use crate::wheel::{Motion, Phase};
 use std::f64::consts::{PI, TAU};
+
+/// Where the acceleration is greatest, and how great.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AccelerationPeak {
+    /// Crank angle of the peak of deceleration, in radians; the acceleration has its peak at minus this angle.
+    pub angle: f64,
+    /// Size of the acceleration over the square of the driver's speed, dimensionless.
+    pub ratio: f64,
+}
 
 /// Greatest jerk while a pin is in a slot, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]

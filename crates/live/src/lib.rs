@@ -1,8 +1,8 @@
 //! The figures that a reader moves.
 //!
 //! A page asks a question, `wheel?stations=6&crank=-20`, and gets a drawing and numbers as JSON: of the same functions that drew and
-//! tested the figures that stand still. There is no formula and no drawing here: this crate reads the arguments, calls
-//! `geneva-kinematics`, `geneva-dynamics` and `geneva-figures`, and writes down what they give. It holds no number that a
+//! tested the figures that stand still. There is no formula and no drawing here: this crate reads the arguments, asks
+//! `geneva-ask`, `geneva-case1973` or the mechanism's own crate, and writes down what they give. It holds no number that a
 //! source prints; where a figure needs one, it comes with the question.
 //!
 //! Compiled for WebAssembly it is what a page loads ([`exports`](self) is the interface there); compiled for the machine at

@@ -311,15 +311,15 @@ mod tests {
         let chapter =
             "see {{ref:pin-velocity}}\n\n{{figure:pin-position}}\n\n{{wheels:3 4}}\n\n{{figure:pin-velocity}}\n";
         let page = put(chapter).expect("all are drawn");
-        assert!(page.contains("<a href=\"#fig-pin-velocity\">Figure&nbsp;1.2</a>"), "{page}");
-        assert!(page.contains("Figure&nbsp;1.1") && page.contains("Table&nbsp;1.1"));
+        assert!(page.contains("<a href=\"#fig-pin-velocity\">Figure\u{a0}1.2</a>"), "{page}");
+        assert!(page.contains("Figure\u{a0}1.1") && page.contains("Table\u{a0}1.1"));
         assert!(put("{{ref:pin-position}}").is_err());
         let other = put_in(
             "{{ref:wheels}}",
             Page { name: "other", number: "2.", edition: &Edition::NONE },
             &shown(chapter, PAGE),
         );
-        assert_eq!(other.expect("known").0, "<a href=\"pin.html#table-wheels\">Table&nbsp;1.1</a>");
+        assert_eq!(other.expect("known").0, "<a href=\"pin.html#table-wheels\">Table\u{a0}1.1</a>");
     }
 
     #[test]

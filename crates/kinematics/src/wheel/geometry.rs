@@ -127,6 +127,18 @@ impl Wheel {
     }
 }
 
+/// γ = (1 + sin² α) / (2 sin α), dimensionless, never below 1. Work::Jazar2003, Eq. (5.33).
+///
+/// ```
+/// use geneva_kinematics::wheel::{Wheel, gamma};
+///
+/// assert!((gamma(&Wheel::new(6)?) - 5.0 / 4.0).abs() < 1e-15); // (1 + 1/4) / 1
+/// # Ok::<(), geneva_kinematics::KinematicsError>(())
+/// ```
+pub fn gamma(wheel: &Wheel) -> f64 {
+    wheel.constants.gamma.hi
+}
+
 /// The greatest number of pins: each engages for π − 2α, and together they have one turn: 2 N / (N − 2), cut off.
 fn most_pins(stations: u32) -> u32 {
     2 * stations / (stations - 2)

@@ -2,8 +2,9 @@
 
 use super::accurate::{Double, fraction_of_pi};
 use super::{Phase, Wheel};
+use crate::indexing::AccelerationPeak;
 use crate::indexing::{Indexing, JerkPeak, PinInSlot, within_half_pitch};
-use crate::wheel::{AccelerationPeak, Motion};
+use crate::wheel::Motion;
 use crate::{KinematicsError, Turn, pin_slot};
 use std::f64::consts::PI;
 
