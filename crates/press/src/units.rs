@@ -11,6 +11,9 @@ const UNITS: &[&str] = &[
 /// a script compares with those it shows.
 const KEPT: &[&str] = &["pre", "code", "math", "svg", "script", "style", "textarea", "output"];
 
+/// The words of a figure that moves, which its script compares, too.
+const SAYS: &str = "<span class=\"says\"";
+
 /// A page in Markdown or HTML, with a space that breaks no line between each number and its unit.
 pub fn tied(page: &str) -> String {
     let mut out = String::with_capacity(page.len() + page.len() / 64);
@@ -63,6 +66,9 @@ fn kept(text: &str) -> usize {
         return fence + end;
     }
     let Some(tag) = text.strip_prefix('<') else { return 0 };
+    if text.starts_with(SAYS) {
+        return text.find("</span>").unwrap_or(0);
+    }
     let name = tag.find(|c: char| !c.is_ascii_alphanumeric()).map_or("", |end| &tag[..end]);
     let end = if KEPT.contains(&name) {
         text.find(&format!("</{name}>"))

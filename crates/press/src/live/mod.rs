@@ -214,7 +214,7 @@ fn lever() -> anyhow::Result<Arguments> {
     let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
     let numbers = [("ground", ground), ("radius", radius), ("speed", speed)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    let others = [("crank", format!("{crank:.2}")), ("unit", "m".to_owned())];
+    let others = [("crank", format!("{crank:.3}")), ("unit", "m".to_owned())];
     Ok(Arguments::of(numbers.into_iter().chain(others)))
 }
 
