@@ -32,6 +32,15 @@ impl Series {
         Self { columns, rows: rows.into_iter().map(|row| row.to_vec()).collect(), decimals: DECIMALS }
     }
 
+    /// A series with a row for each item: of each column the name, the unit, and the value that it takes from an item.
+    pub fn of_items<'a, T: 'a, const N: usize>(
+        items: impl IntoIterator<Item = &'a T>,
+        columns: [(&str, &str, fn(&T) -> f64); N],
+    ) -> Self {
+        let rows = items.into_iter().map(|item| columns.map(|(.., value)| value(item)));
+        Self::new(columns.map(|(name, unit, _)| (name, unit)), rows)
+    }
+
     /// A series of one row: name, unit and value of each column.
     pub fn of_one<const N: usize>(columns: [(&str, &str, f64); N]) -> Self {
         Self::new(columns.map(|(name, unit, _)| (name, unit)), [columns.map(|(_, _, value)| value)])
@@ -90,5 +99,12 @@ mod tests {
         let expected = "    phi [deg]      v [m/s]\n  1.000000000  0.000000000\n-12.000000000  0.000000000\n";
         assert_eq!(series.to_text(), expected);
         assert_eq!(series.to_csv(), "phi [deg],v [m/s]\n1.000000000,0.000000000\n-12.000000000,0.000000000\n");
+    }
+
+    #[test]
+    fn items_give_each_row_its_values_under_their_names() {
+        let items = [(1.0, -0.0), (-12.0, -1e-12)];
+        let series = Series::of_items(&items, [("phi", "deg", |item| item.0), ("v", "m/s", |item| item.1)]);
+        assert_eq!(series, Series::new([("phi", "deg"), ("v", "m/s")], items.map(|(phi, v)| [phi, v])));
     }
 }
