@@ -14,6 +14,9 @@ pub struct Column {
     pub unit: String,
 }
 
+/// A number that a figure takes from an item: from a wheel, say, its radius.
+pub type Quantity<T> = fn(&T) -> f64;
+
 /// A table of numbers with named columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
@@ -35,7 +38,7 @@ impl Series {
     /// A series with a row for each item: of each column the name, the unit, and the value that it takes from an item.
     pub fn of_items<'a, T: 'a, const N: usize>(
         items: impl IntoIterator<Item = &'a T>,
-        columns: [(&str, &str, fn(&T) -> f64); N],
+        columns: [(&str, &str, Quantity<T>); N],
     ) -> Self {
         let rows = items.into_iter().map(|item| columns.map(|(.., value)| value(item)));
         Self::new(columns.map(|(name, unit, _)| (name, unit)), rows)

@@ -3,14 +3,14 @@
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
-use crate::{Figure, FigureError, Series, Words};
+use crate::{Figure, FigureError, Quantity, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::RangeInclusive;
 
 /// The curves of a panel: quantity, colour, mark, side of the name, name.
-type Curves = [(fn(&Wheel) -> f64, Colour, Mark, f64, &'static str); 2];
+type Curves = [(Quantity<Wheel>, Colour, Mark, f64, &'static str); 2];
 
 const TIMES: Curves = [
     (Wheel::motion_fraction, DRIVER, Mark::Disc, -FRAC_PI_2, "the wheel moves"),

@@ -3,7 +3,7 @@
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
-use crate::{Figure, Series, Words};
+use crate::{Figure, Quantity, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::PI;
@@ -13,8 +13,10 @@ use std::ops::RangeInclusive;
 const NAMES: f64 = 0.35;
 /// How many marks the x axis has room for.
 const MARKS: f64 = 6.0;
-/// The curves: the quantity, its order, and the curve's colour, mark and name.
-const CURVES: [(fn(&Wheel) -> f64, usize, Colour, Mark, &str); 3] = [
+/// A curve: the quantity, its order, and the curve's colour, mark and name.
+type Curve = (Quantity<Wheel>, usize, Colour, Mark, &'static str);
+
+const CURVES: [Curve; 3] = [
     (peak_acceleration, 2, DRIVER, Mark::Disc, "peak "),
     (Wheel::peak_velocity, 1, FOLLOWER, Mark::Ring, "peak "),
     (Wheel::entry_acceleration, 2, RELATIVE, Mark::Diamond, "entry "),
@@ -37,7 +39,7 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
     let y = Axis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max))
         .titled(Label::words("over the driver's speed, or over its square"));
     let mut panel = Panel::new(426.0, &x, &y);
-    let points = |value: fn(&Wheel) -> f64| wheels.iter().map(move |wheel| (stations_of(wheel), value(wheel)));
+    let points = |value: Quantity<Wheel>| wheels.iter().map(move |wheel| (stations_of(wheel), value(wheel)));
     for (value, _, colour, mark, _) in CURVES {
         panel = panel.curve(points(value), Stroke::new(colour).wide(2.0).dashed("8 6"));
         panel = panel.marks(points(value), Marker::new(colour, mark).class("point"));

@@ -4,7 +4,7 @@ use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, significant, with_minus_sign, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
-use crate::{Figure, Series, Words};
+use crate::{Figure, Quantity, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -117,7 +117,7 @@ fn motion(wheel: &Wheel, instants: &[Instant], most: f64, rest: f64) -> Panel {
     let [position, velocity, _] = symbols();
     let y = Axis::from_zero(-alpha, wheel.peak_velocity().max(alpha), 4.0);
     let head = y.range.end - 0.1 * (y.range.end - y.range.start);
-    let extended = |curve: fn(&Instant) -> f64, value: f64| {
+    let extended = |curve: Quantity<Instant>, value: f64| {
         let dwell = |sense: f64| (rest > 0.0).then_some((sense * end, sense * value));
         let inside = instants.iter().map(move |at| (at.theta, curve(at)));
         dwell(-1.0).into_iter().chain(inside).chain(dwell(1.0))
