@@ -31,9 +31,12 @@
         const outputs = figure.querySelectorAll('output'), files = form.querySelectorAll('[data-file]');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
         const follows = input => input.dataset.follows !== undefined;
-        const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : input.value]));
+        const shown = input => (box(input) ?? input).value;
+        const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : shown(input)]));
         // Those that nobody has moved and that stand where the answer has them; values that a slider cannot stand at.
-        const followers = new Set(inputs.filter(follows)), exact = new Map();
+        const followers = new Set(inputs.filter(follows));
+        const isBeside = input => !follows(input) && box(input) && Number(box(input).value) !== Number(input.value);
+        const exact = new Map(inputs.filter(isBeside).map(input => [input, shown(input)]));
         let busy = false, again = false, playing = false, seen = true, last = 0;
 
         const value = input => followers.has(input) ? '' : exact.get(input) ?? input.value;

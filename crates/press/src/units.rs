@@ -7,14 +7,20 @@ const UNITS: &[&str] = &[
     "Hz", "kHz", "Pa", "kPa", "MPa", "GPa", "eV", "keV", "MeV", "K",
 ];
 
-/// What a tag begins, up to its end, that is left as it is: code, and what breaks no lines or has rules of its own.
-const KEPT: &[&str] = &["pre", "code", "math", "svg", "script", "style", "textarea"];
+/// What a tag begins, up to its end, that is left as it is: code, what breaks no lines or has rules of its own, and numbers that
+/// a script compares with those it shows.
+const KEPT: &[&str] = &["pre", "code", "math", "svg", "script", "style", "textarea", "output"];
 
 /// A page in Markdown or HTML, with a space that breaks no line between each number and its unit.
 pub fn tied(page: &str) -> String {
     let mut out = String::with_capacity(page.len() + page.len() / 64);
     let mut rest = page;
     while !rest.is_empty() {
+        if let Some(behind) = rest.strip_prefix("&nbsp;") {
+            out.push('\u{a0}');
+            rest = behind;
+            continue;
+        }
         let kept = kept(rest);
         if kept > 0 {
             let (before, behind) = rest.split_at(kept);

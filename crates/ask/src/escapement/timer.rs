@@ -42,8 +42,12 @@ impl Design {
     ///
     /// # Errors
     ///
-    /// Why there is no steady state, and a further argument that is impossible.
+    /// Why there is no steady state, a further argument that is impossible, and a reset angle, for no mechanism has another than its
+    /// own.
     pub(crate) fn further(&self) -> Result<Vec<Field>, Error> {
+        if self.question.reset_deg.is_some() {
+            return Err(refused!("--reset-deg: further fields are of a real mechanism; leave it out"));
+        }
         let mut fields = rates(&self.parameters).map_err(|error| unsteady(&self.question, error))?;
         fields.push(
             Field::new("half_friction_gain", self.speed_change(self.parameters.friction() / 2.0)?)
@@ -122,7 +126,7 @@ impl Design {
     fn blows(&self, play: f64) -> Result<Vec<Field>, Error> {
         let crossing = Crossing::new(&self.parameters, play)?;
         let entry = EntryBlow::new(&self.parameters, play)?;
-        let radius = self.question.further.crank_radius.map(|radius| radius / 1000.0);
+        let radius = self.question.units.and(self.question.further.crank_radius).map(|radius| radius / 1000.0);
         let speed = radius.zip(crossing).map(|(radius, blow)| radius * blow.closing_speed);
         let share = |key, share: Option<f64>, meaning| {
             Field::new(key, share).line("energy of a blow", meaning).rounded(Rounding::Percent(1))
@@ -192,8 +196,10 @@ mod tests {
     fn a_moment_becomes_a_force_where_the_units_and_the_radius_are_given() {
         let moment = 2.0 * number("", "pin_force_ratio").abs();
         near(number("--units si --crank-radius 5", "pin_force_n"), moment / 0.005);
-        let all = further(FOUR).expect("further fields");
-        assert!(all.iter().all(|field| field.key != "pin_force_n" || field.number().is_none()));
+        let all = further(&format!("{FOUR} --crank-radius 5 --play 0.01")).expect("further fields");
+        for key in ["pin_force_n", "crossing_speed_m_s"] {
+            assert!(all.iter().any(|field| field.key == key && field.number().is_none()), "{key}");
+        }
     }
 
     #[test]
@@ -216,6 +222,11 @@ mod tests {
         let share = |key| all.iter().find(|field| field.key == key).expect(key).number();
         assert!(share("crossing_share").is_none() && share("entry_share").is_some());
         assert!(number("--play 0.01", "crossing_share") > 0.0);
-        assert!(further(&format!("{FOUR} --play 2")).is_err());
+        for (more, words) in
+            [("--play 2", "play"), ("--reset-deg 80", "leave it out"), ("--set-friction 0", "no terminal")]
+        {
+            let error = further(&format!("{FOUR} {more}")).expect_err(more).to_string();
+            assert!(error.contains(words), "{error}");
+        }
     }
 }

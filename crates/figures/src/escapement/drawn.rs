@@ -1,6 +1,7 @@
 //! What must hold of the drawings as they are written, read back from the SVG.
 
-use super::{angles, existence, forces, hand_over, mechanism, normal_force, order, ratios};
+use super::forces::forces;
+use super::{angles, existence, hand_over, mechanism, normal_force, order, ratios};
 use crate::checks::{Drawing, PIXELS, columns, drawn, number, sound};
 use crate::{Figure, FigureError};
 use geneva_dynamics::{Inertias, Parameters};

@@ -43,7 +43,7 @@ pub fn steady_forces(parameters: &Parameters, part: f64) -> Result<Figure, Figur
 /// # Errors
 ///
 /// [`FigureError`] if the angle is beyond ±π/m or not finite, or the speed negative or not finite.
-pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, FigureError> {
+pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, FigureError> {
     let escapement = parameters.mechanism();
     let bodies = Bodies::at(&escapement, crank, MARGINS)?;
     let at = Instant::new(parameters, crank, speed)?;

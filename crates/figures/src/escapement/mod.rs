@@ -21,10 +21,9 @@ mod ratios;
 mod running;
 
 pub use angles::angles;
-pub use engagement::speed_at;
 pub(crate) use engagement::speeds;
 pub use existence::{Design, existence};
-pub use forces::{forces, steady_forces};
+pub use forces::steady_forces;
 pub use hand_over::hand_over;
 pub use mechanism::mechanism;
 pub use normal_force::normal_force;

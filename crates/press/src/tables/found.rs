@@ -60,7 +60,7 @@ pub fn misprints() -> anyhow::Result<Table> {
         });
     table(
         "Numbers in University Physics, newest state, that don't follow from what is printed beside them",
-        Cells::Words,
+        Cells::Wide,
         &["Module, element", "Printed", "Recomputed", "Hint of the program", "Our reading"],
         rows,
     )
