@@ -1,7 +1,7 @@
 //! What holds of every figure, and how tests read a drawing back.
 
-use crate::Figure;
 use crate::svg::TEXT_SIZE;
+use crate::{Figure, Series};
 use nalgebra::Vector2;
 use roxmltree::{Document, Node};
 use std::f64::consts::PI;
@@ -15,6 +15,17 @@ const HEAVIEST_OF_ALL_RUNS: usize = 40_000;
 
 /// A figure as it is written, for tests that read it back.
 pub struct Drawing<'a>(Document<'a>);
+
+/// The values of these columns, row by row.
+#[track_caller]
+pub fn columns<const N: usize>(series: &Series, names: [&str; N]) -> Vec<[f64; N]> {
+    let place = |name: &str| {
+        let place = series.columns.iter().position(|column| column.name == name);
+        place.unwrap_or_else(|| panic!("no column {name:?} among {:?}", series.columns))
+    };
+    let places = names.map(place);
+    series.rows.iter().map(|row| places.map(|place| row[place])).collect()
+}
 
 impl<'a> Drawing<'a> {
     /// Reads a figure.

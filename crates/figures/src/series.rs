@@ -14,6 +14,9 @@ pub struct Column {
     pub unit: String,
 }
 
+/// A number that a figure takes from an item: from a wheel, say, its radius.
+pub type Quantity<T> = fn(&T) -> f64;
+
 /// A table of numbers with named columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
@@ -30,6 +33,15 @@ impl Series {
     pub fn new<const N: usize>(columns: [(&str, &str); N], rows: impl IntoIterator<Item = [f64; N]>) -> Self {
         let columns = columns.map(|(name, unit)| Column { name: name.to_owned(), unit: unit.to_owned() }).to_vec();
         Self { columns, rows: rows.into_iter().map(|row| row.to_vec()).collect(), decimals: DECIMALS }
+    }
+
+    /// A series with a row for each item: of each column the name, the unit, and the value that it takes from an item.
+    pub fn of_items<'a, T: 'a, const N: usize>(
+        items: impl IntoIterator<Item = &'a T>,
+        columns: [(&str, &str, Quantity<T>); N],
+    ) -> Self {
+        let rows = items.into_iter().map(|item| columns.map(|(.., value)| value(item)));
+        Self::new(columns.map(|(name, unit, _)| (name, unit)), rows)
     }
 
     /// A series of one row: name, unit and value of each column.
@@ -90,5 +102,12 @@ mod tests {
         let expected = "    phi [deg]      v [m/s]\n  1.000000000  0.000000000\n-12.000000000  0.000000000\n";
         assert_eq!(series.to_text(), expected);
         assert_eq!(series.to_csv(), "phi [deg],v [m/s]\n1.000000000,0.000000000\n-12.000000000,0.000000000\n");
+    }
+
+    #[test]
+    fn items_give_each_row_its_values_under_their_names() {
+        let items = [(1.0, -0.0), (-12.0, -1e-12)];
+        let series = Series::of_items(&items, [("phi", "deg", |item| item.0), ("v", "m/s", |item| item.1)]);
+        assert_eq!(series, Series::new([("phi", "deg"), ("v", "m/s")], items.map(|(phi, v)| [phi, v])));
     }
 }

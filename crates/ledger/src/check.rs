@@ -144,6 +144,17 @@ impl Finding {
         Self { holds, how: how.into(), evaluated: true }
     }
 
+    /// It holds if each of some items does and there is one; the clause says for how many of how many that is so.
+    pub fn for_all<T>(
+        items: impl IntoIterator<Item = T>,
+        holds: impl Fn(T) -> bool,
+        how: impl FnOnce(usize, usize) -> String,
+    ) -> Self {
+        let found: Vec<bool> = items.into_iter().map(holds).collect();
+        let right = found.iter().filter(|right| **right).count();
+        Self::new(right > 0 && right == found.len(), how(right, found.len()))
+    }
+
     /// Whether characters hold that were read and evaluated; none if they cannot be read.
     pub fn of_reading(holds: Option<bool>) -> Self {
         let how = "the printed characters, read and evaluated";

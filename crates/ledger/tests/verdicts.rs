@@ -19,6 +19,17 @@ fn every_claim_stands_as_recorded() {
 }
 
 #[test]
+fn what_holds_for_all_cases_says_for_how_many_and_none_is_not_enough() {
+    let even = |numbers: &[u32]| {
+        let finding = Finding::for_all(numbers, |n| n % 2 == 0, |count, all| format!("{count} of {all}"));
+        (finding.holds, finding.how)
+    };
+    assert_eq!(even(&[2, 4]), (true, "2 of 2".to_owned()));
+    assert_eq!(even(&[2, 3, 4]), (false, "2 of 3".to_owned()));
+    assert_eq!(even(&[]), (false, "0 of 0".to_owned()));
+}
+
+#[test]
 fn ids_are_unique_and_start_with_their_source() {
     let mut seen = HashSet::new();
     for claim in claims() {

@@ -2,7 +2,7 @@
 
 use super::forces::forces;
 use super::{angles, existence, hand_over, mechanism, normal_force, order, ratios};
-use crate::checks::{Drawing, PIXELS, drawn, number, sound};
+use crate::checks::{Drawing, PIXELS, columns, drawn, number, sound};
 use crate::{Figure, FigureError};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -147,8 +147,9 @@ fn forces_point_as_the_equation_of_motion_says() {
                 let pivot = axis + Vector2::new(one.centre_distance_ratio() * crank, 0.0);
                 // Counter-clockwise as seen is positive, in pixels.
                 let moment = |about: Vector2<f64>, [tail, tip]: [Vector2<f64>; 2]| -(tail - about).perp(&(tip - tail));
-                let row = &figure.series.rows[0];
-                let normal = row[3];
+                let names = ["F R/K", "mu", "-tau_2/K", "arm/R", "r/R", "phi'' I_f/K"];
+                let [normal, mu, friction_torque, friction_arm, radius, acceleration] =
+                    columns(&figure.series, names)[0];
                 seen[usize::from(normal > 0.0)] += 1;
                 let reaction = moment(axis, drawing.arrow("normal-on-pin").expect("an arrow"));
                 assert!(reaction * normal < 0.0, "{}", figure.id);
@@ -156,17 +157,18 @@ fn forces_point_as_the_equation_of_motion_says() {
                 let friction = moment(axis, [tail, tip]);
                 assert!(friction < 0.0, "against the driver");
                 let arm = -friction / (tip - tail).norm();
-                assert!((arm - row[6] * crank).abs() < 0.1, "{arm} for {}", row[6] * crank);
+                assert!((arm - friction_arm * crank).abs() < 0.1, "{arm} for {}", friction_arm * crank);
                 assert!(moment(pivot, [tail, tip]).abs() < 0.1 * (tip - tail).norm(), "along the slot");
                 // The follower turns clockwise for a positive force.
                 let [tail, tip] = drawing.arrow("normal-on-follower").expect("an arrow");
                 let free = drawing.line("arm-r")[0];
-                assert!(moment(free, [tail, tip]) * row[8] < 0.0 && normal * row[8] > 0.0);
+                assert!(moment(free, [tail, tip]) * acceleration < 0.0 && normal * acceleration > 0.0);
                 assert_eq!(figure.title.contains("leading"), normal > 0.0);
                 assert_eq!(drawing.count("bearing-flank"), 1);
                 // F r = I_f φ'' and the torque of friction is −μ |F| l |sin φ|.
-                assert!((normal * row[7] - row[8]).abs() < 1e-12 * (1.0 + normal.abs()));
-                assert!((row[5] - row[4] * normal.abs() * row[6]).abs() < 1e-12 * (1.0 + normal.abs()));
+                assert!((normal * radius - acceleration).abs() < 1e-12 * (1.0 + normal.abs()));
+                let expected = mu * normal.abs() * friction_arm;
+                assert!((friction_torque - expected).abs() < 1e-12 * (1.0 + normal.abs()));
             }
         }
         assert!(seen[0] > 0 && seen[1] > 0, "{seen:?}");
@@ -179,24 +181,25 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
         for (friction, speed) in [(0.0, 0.0), (0.125, 0.0), (0.125, 0.75)] {
             let sound = parameters(one, friction);
             let figure = normal_force(&sound, speed).expect("followed");
-            let rows = &figure.series.rows;
-            let (first, last) = (&rows[0], &rows[rows.len() - 1]);
-            assert_eq!((first[1], first[0]), (speed, -last[0]));
-            let width = (rows[1][0] - first[0]).to_radians();
-            let lost: f64 = rows.windows(2).map(|pair| width * (pair[0][3] + pair[1][3]) / 2.0).sum();
+            let motion = columns(&figure.series, ["theta", "theta'"]);
+            let ([entry, entry_speed], [exit, exit_speed]) = (motion[0], motion[motion.len() - 1]);
+            assert_eq!((entry_speed, entry), (speed, -exit));
+            let width = (motion[1][0] - entry).to_radians();
+            let losses = columns(&figure.series, ["-tau_2/K"]);
+            let lost: f64 = losses.windows(2).map(|pair| width * (pair[0][0] + pair[1][0]) / 2.0).sum();
             // As the pin enters and leaves, the follower stands still.
-            let gained = 0.5 * sound.inertias().driver() * (last[1] * last[1] - speed * speed) / sound.torque();
+            let gained = 0.5 * sound.inertias().driver() * (exit_speed * exit_speed - speed * speed) / sound.torque();
             let work = 2.0 * one.engagement_half_angle();
             assert!((gained + lost - work).abs() < 1e-3 * work, "{one:?}: {gained} and {lost} for {work}");
             assert!((friction > 0.0) == (lost > 0.0));
-            for row in rows {
+            for [theta, force, loss, bars] in columns(&figure.series, ["theta", "F R/K", "-tau_2/K", "bars/E"]) {
                 assert!(
-                    (row[3] - row[4].abs()).abs() < 1e-12 * (1.0 + row[3]),
+                    (loss - bars.abs()).abs() < 1e-12 * (1.0 + loss),
                     "the friction's torque is what stands between the bars"
                 );
-                assert!(row[3] >= 0.0);
+                assert!(loss >= 0.0);
                 assert!(
-                    friction == 0.0 || row[2] * row[0] * row[4] >= 0.0,
+                    friction == 0.0 || force * theta * bars >= 0.0,
                     "the expression between the bars has the sign of F sin θ"
                 );
             }

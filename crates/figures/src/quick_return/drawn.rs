@@ -2,7 +2,7 @@
 
 use super::{acceleration_diagram, bead_on_a_lever, mechanism, over_a_turn, velocity_diagram};
 use crate::Figure;
-use crate::checks::{Drawing, PIXELS, drawn, number, sound};
+use crate::checks::{Drawing, PIXELS, columns, drawn, number, sound};
 use geneva_kinematics::Turn;
 use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
 use nalgebra::Vector2;
@@ -75,15 +75,17 @@ fn both_sides_of_both_equations_meet() {
         let velocity = velocity_diagram(linkage, position, drive, "m");
         let acceleration = acceleration_diagram(linkage, position, drive, "m");
         for (figure, ours) in [(velocity, 1), (acceleration, 2)] {
-            let rows = &figure.series.rows;
-            let sum = |rows: &[Vec<f64>]| rows.iter().map(|row| Vector2::new(row[1], row[2])).sum::<Vector2<f64>>();
-            let greatest = rows.iter().map(|row| row[3]).fold(0.0, f64::max);
-            let gap = sum(&rows[..ours]) - sum(&rows[ours..rows.len() - 1]);
+            let rows = columns(&figure.series, ["x", "y", "magnitude", "direction"]);
+            let vector = |[x, y, ..]: &[f64; 4]| Vector2::new(*x, *y);
+            let greatest = rows.iter().map(|[_, _, magnitude, _]| *magnitude).fold(0.0, f64::max);
+            let [summands @ .., last_gap] = &rows[..] else { panic!("no rows") };
+            let sum = |side: &[[f64; 4]]| side.iter().map(vector).sum::<Vector2<f64>>();
+            let gap = sum(&summands[..ours]) - sum(&summands[ours..]);
             assert!(gap.norm() < 1e-12 * greatest, "{}: {gap}", figure.id);
-            assert!(rows[rows.len() - 1][3] < 1e-12 * greatest, "{}", figure.id);
-            for row in rows {
-                let back = Turn::from_degrees(row[4]).direction() * row[3];
-                assert!((back - Vector2::new(row[1], row[2])).norm() < 1e-6 * greatest, "{}", figure.id);
+            assert!(last_gap[2] < 1e-12 * greatest, "{}", figure.id);
+            for row @ [_, _, magnitude, direction] in &rows {
+                let back = Turn::from_degrees(*direction).direction() * *magnitude;
+                assert!((back - vector(row)).norm() < 1e-6 * greatest, "{}", figure.id);
             }
         }
     });
@@ -158,22 +160,27 @@ fn the_curves_go_all_around_and_reverse_with_the_lever() {
         let linkage = linkage(ground, crank);
         let position = linkage.at_crank_degrees(64.0).expect("off the pivot");
         let figure = over_a_turn(&linkage, &position, &STEADY);
-        let (rows, strokes) = (&figure.series.rows, linkage.strokes());
+        let (rows, strokes) = (columns(&figure.series, ["theta", "phi", "phi'", "phi''"]), linkage.strokes());
         assert_eq!(rows.len(), 361);
-        assert!(rows.windows(2).all(|pair| (pair[1][1] - pair[0][1]).abs() < 15.0), "φ goes on without a jump");
-        assert_eq!(rows[360][1] - rows[0][1], if strokes.swing_limit.is_some() { 0.0 } else { 360.0 });
+        assert!(rows.is_sorted_by(|[_, before, ..], [_, phi, ..]| (phi - before).abs() < 15.0), "φ has no jump");
+        let [[_, first, ..], [_, last, ..]] = [rows[0], rows[360]];
+        assert_eq!(last - first, if strokes.swing_limit.is_some() { 0.0 } else { 360.0 });
         // Differences of the angle are the angular velocity, differences of that the angular acceleration.
         for triple in rows.windows(3) {
             let step = (1.0_f64 / STEADY.speed).to_radians();
-            let speed = (triple[2][1] - triple[0][1]).to_radians() / (2.0 * step);
-            assert!((speed - triple[1][2]).abs() < 1e-2 * STEADY.speed, "at {}", triple[1][0]);
-            let rate = (triple[2][2] - triple[0][2]) / (2.0 * step);
-            assert!((rate - triple[1][3]).abs() < 1e-2 * STEADY.speed * STEADY.speed, "at {}", triple[1][0]);
+            let [[_, phi_before, speed_before, _], [theta, _, speed, rate], [_, phi_after, speed_after, _]] = triple
+            else {
+                panic!("three rows")
+            };
+            let of_angle = (phi_after - phi_before).to_radians() / (2.0 * step);
+            assert!((of_angle - speed).abs() < 1e-2 * STEADY.speed, "at {theta}");
+            let of_speed = (speed_after - speed_before) / (2.0 * step);
+            assert!((of_speed - rate).abs() < 1e-2 * STEADY.speed * STEADY.speed, "at {theta}");
         }
         if strokes.swing_limit.is_some() {
             let end = (strokes.fast / 2.0).to_degrees();
-            let before = rows.iter().filter(|row| row[0] < -end).all(|row| row[2] > 0.0);
-            let after = rows.iter().filter(|row| row[0].abs() < end).all(|row| row[2] < 0.0);
+            let before = rows.iter().filter(|[theta, ..]| *theta < -end).all(|[_, _, speed, _]| *speed > 0.0);
+            let after = rows.iter().filter(|[theta, ..]| theta.abs() < end).all(|[_, _, speed, _]| *speed < 0.0);
             assert!(before && after);
         }
         let drawing = Drawing::of(&figure);

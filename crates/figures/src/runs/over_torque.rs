@@ -57,7 +57,9 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
         ]),
         None => key.push(Entry::curve(as_run, Label::words("computed"))),
     }
-    Ok(Chart::new(panels).in_columns(COLUMNS).key(key).figure(words(group, &families), series(group, &families)))
+    let means = all_means(group, &families);
+    let words = words(group, families.len(), &means);
+    Ok(Chart::new(panels).in_columns(COLUMNS).key(key).figure(words, series(&means)))
 }
 
 /// Panels in a row.
@@ -99,28 +101,47 @@ fn mean(run: &Run) -> f64 {
     f64::midpoint(run.peak, run.minimum)
 }
 
-fn series(group: &Group, families: &[Family]) -> Series {
-    let columns = [("mu", "1"), ("K", "in lb"), ("mean printed", "rad/s"), ("as run", "rad/s"), ("as is", "rad/s")];
-    let rows = group.runs.iter().filter_map(|run| {
+/// Means of a run: as printed, with the runs' reset angle, and with the mechanism's.
+struct Means<'a> {
+    run: &'a Run,
+    printed: f64,
+    as_run: f64,
+    as_is: f64,
+}
+
+fn all_means<'a>(group: &'a Group, families: &[Family]) -> Vec<Means<'a>> {
+    let means = |run: &'a Run| {
         let family = families.iter().find(|family| family.friction == run.friction)?;
         let unit = (run.torque / group.inertias.follower()).sqrt();
         let as_is = family.as_is.unwrap_or(family.as_run);
-        Some([run.friction, run.torque, mean(run), family.as_run * unit, as_is * unit])
-    });
-    Series::new(columns, rows)
+        Some(Means { run, printed: mean(run), as_run: family.as_run * unit, as_is: as_is * unit })
+    };
+    group.runs.iter().filter_map(means).collect()
 }
 
-fn words(group: &Group, families: &[Family]) -> Words {
+fn series(means: &[Means<'_>]) -> Series {
+    Series::of_items(
+        means,
+        [
+            ("mu", "1", |means| means.run.friction),
+            ("K", "in lb", |means| means.run.torque),
+            ("mean printed", "rad/s", |means| means.printed),
+            ("as run", "rad/s", |means| means.as_run),
+            ("as is", "rad/s", |means| means.as_is),
+        ],
+    )
+}
+
+fn words(group: &Group, frictions: usize, means: &[Means<'_>]) -> Words {
     let pins = group.mechanism.pins();
     let name = count_word(pins);
-    let rows = series(group, families).rows;
-    let spread = |under: usize| {
-        let quotients = || rows.iter().map(|row| row[2] / row[under]);
+    let spread = |under: fn(&Means<'_>) -> f64| {
+        let quotients = || means.iter().map(|run| run.printed / under(run));
         [quotients().fold(f64::INFINITY, f64::min), quotients().fold(0.0, f64::max)].map(|of| significant(of, 3))
     };
-    let [low, high] = spread(3);
+    let [low, high] = spread(|means| means.as_run);
     let as_is = if group.own_reset().is_some() {
-        let [low, high] = spread(4);
+        let [low, high] = spread(|means| means.as_is);
         format!(" They are {low} to {high} times the right values, which are dashed.")
     } else {
         String::new()
@@ -142,10 +163,9 @@ fn words(group: &Group, families: &[Family]) -> Words {
         format!("runs-{name}-pin"),
         format!("Average terminal speed over the torque, {name} pins"),
         format!(
-            "A panel for each of {} frictions, over the torque K: the mean of peak and minimum, as printed and as \
+            "A panel for each of {frictions} frictions, over the torque K: the mean of peak and minimum, as printed and as \
              computed. The printed points lie on the rising curve of the runs, from {low} to {high} times its \
-             value.{as_is}",
-            families.len()
+             value.{as_is}"
         ),
         format!(
             "{inertias} The speed is the mean of peak and minimum, which the thesis calls average terminal \
@@ -157,7 +177,7 @@ fn words(group: &Group, families: &[Family]) -> Words {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, sound};
+    use crate::checks::{Drawing, columns, sound};
     use geneva_dynamics::Inertias;
     use geneva_kinematics::Mechanism;
     use std::f64::consts::FRAC_PI_2;
@@ -176,15 +196,14 @@ mod tests {
         for mechanism in Mechanism::ALL {
             let figure = over_torque(&group(mechanism, runs.clone())).expect("drawn");
             sound(&figure);
-            for pair in figure.series.rows.chunks(2) {
-                for column in [3, 4] {
-                    approx::assert_relative_eq!(pair[1][column], 2.0 * pair[0][column], max_relative = 1e-12);
-                }
+            for pair in columns(&figure.series, ["mu", "K", "as run", "as is"]).chunks(2) {
+                let ([_, _, slow_as_run, slow_as_is], [friction, torque, as_run, as_is]) = (pair[0], pair[1]);
+                approx::assert_relative_eq!(as_run, 2.0 * slow_as_run, max_relative = 1e-12);
+                approx::assert_relative_eq!(as_is, 2.0 * slow_as_is, max_relative = 1e-12);
                 // Each number by the engagement itself, at the run's own torque.
-                let row = &pair[1];
-                let own = group(mechanism, vec![]).engagement(row[0], row[1], FRAC_PI_2).expect("sound");
+                let own = group(mechanism, vec![]).engagement(friction, torque, FRAC_PI_2).expect("sound");
                 let steady = own.steady_state().expect("steady");
-                approx::assert_relative_eq!(row[3], steady.mean_of_extremes(), max_relative = 1e-9);
+                approx::assert_relative_eq!(as_run, steady.mean_of_extremes(), max_relative = 1e-9);
             }
             let drawing = Drawing::of(&figure);
             let curves = ["as-run", "as-is"].map(|class| drawing.count(class));

@@ -2,7 +2,7 @@
 
 use super::{aliasing, first_minimum, speeds};
 use crate::FigureError;
-use crate::checks::{Drawing, sound};
+use crate::checks::{Drawing, columns, sound};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -20,15 +20,16 @@ fn printed_peaks_are_below_the_true_ones_and_swing() {
         let (interval, duration) = (steady.period / 61.7, 9.3 * steady.period);
         let figure = aliasing(&one, interval, duration).expect("drawn");
         sound(&figure);
-        let rows = &figure.series.rows;
+        let rows = columns(&figure.series, ["peak true", "t printed", "peak printed"]);
         assert!(rows.len() >= 7, "{} engagements", rows.len());
-        for row in rows {
-            assert!(row[4] <= row[2] * (1.0 + 1e-9), "{row:?}");
-            assert!((row[3] / interval - (row[3] / interval).round()).abs() < 1e-6, "a multiple of the interval");
+        for [peak, time, printed] in &rows {
+            assert!(*printed <= peak * (1.0 + 1e-9), "{peak} {printed}");
+            assert!((time / interval - (time / interval).round()).abs() < 1e-6, "a multiple of the interval");
         }
-        let last = &rows[rows.len() - 1];
-        approx::assert_relative_eq!(last[2], steady.peak.speed, max_relative = 1e-6);
-        let printed = |pick: fn(f64, f64) -> f64| rows.iter().skip(2).map(|row| row[4]).reduce(pick).expect("some");
+        let [last, ..] = rows[rows.len() - 1];
+        approx::assert_relative_eq!(last, steady.peak.speed, max_relative = 1e-6);
+        let printed =
+            |pick: fn(f64, f64) -> f64| rows.iter().skip(2).map(|[_, _, printed]| *printed).reduce(pick).expect("some");
         assert!(printed(f64::max) > printed(f64::min) * (1.0 + 1e-6));
     }
 }
@@ -52,13 +53,14 @@ fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
         assert!(figure.caption.ends_with("Made up."));
         let rise = one.rise(1e-9).expect("steady");
         // φ' is never negative: the pins keep the sense.
-        assert!(figure.series.rows.iter().all(|row| row[2] > -1e-9 * row[1].max(1.0)));
+        let rows = columns(&figure.series, ["t", "theta'", "phi'"]);
+        assert!(rows.iter().all(|[_, driver, follower]| *follower > -1e-9 * driver.max(1.0)));
         let found = first_minimum(&one).expect("a minimum");
         let (first, speed) = (found.time, found.speed);
         assert!(first < rise.cycles[0].end && speed < rise.cycles[0].peak.speed, "in the first engagement");
         let around = |from: f64, to: f64| {
-            let rows = figure.series.rows.iter().filter(move |row| row[0] >= from && row[0] <= to);
-            rows.map(|row| row[1]).fold(f64::INFINITY, f64::min)
+            let within = rows.iter().filter(|[time, ..]| (from..=to).contains(time));
+            within.map(|[_, driver, _]| *driver).fold(f64::INFINITY, f64::min)
         };
         let period = rise.steady.period;
         assert!(around(first - 0.1 * period, first + 0.1 * period) >= speed * (1.0 - 1e-6));
@@ -75,9 +77,9 @@ fn the_follower_has_the_speed_that_the_run_gives_it() {
     // The drawing takes it from the pose; the run has it from its own variable.
     let one = engagement(Mechanism::THREE_PIN, 0.25);
     let figure = speeds(&one, "").expect("drawn");
-    let rows = &figure.series.rows;
+    let rows = columns(&figure.series, ["t", "phi'"]);
     let lines = one.run(rows[1][0], rows[rows.len() - 1][0] * (1.0 + 1e-9)).expect("a run");
-    for (row, line) in rows.iter().zip(&lines) {
-        assert!((row[2] - line.follower_speed).abs() < 1e-9 * (1.0 + line.speed), "{row:?} {line:?}");
+    for ([_, follower], line) in rows.iter().zip(&lines) {
+        assert!((follower - line.follower_speed).abs() < 1e-9 * (1.0 + line.speed), "{follower} {line:?}");
     }
 }

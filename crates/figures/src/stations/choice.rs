@@ -3,20 +3,22 @@
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
-use crate::{Figure, FigureError, Series, Words};
+use crate::{Figure, FigureError, Quantity, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::RangeInclusive;
 
-/// The curves of a panel: column of the series, colour, mark, side of the name, name.
-type Curves = [(usize, Colour, Mark, f64, &'static str); 2];
+/// The curves of a panel: quantity, colour, mark, side of the name, name.
+type Curves = [(Quantity<Wheel>, Colour, Mark, f64, &'static str); 2];
 
-const TIMES: Curves =
-    [(1, DRIVER, Mark::Disc, -FRAC_PI_2, "the wheel moves"), (2, FOLLOWER, Mark::Square, 0.8, "the wheel dwells")];
+const TIMES: Curves = [
+    (Wheel::motion_fraction, DRIVER, Mark::Disc, -FRAC_PI_2, "the wheel moves"),
+    (Wheel::dwell_fraction, FOLLOWER, Mark::Square, 0.8, "the wheel dwells"),
+];
 const SIZES: Curves = [
-    (3, RELATIVE, Mark::Diamond, FRAC_PI_2, "centre distance"),
-    (4, FOLLOWER, Mark::Square, -FRAC_PI_2, "wheel radius"),
+    (Wheel::centre_distance_ratio, RELATIVE, Mark::Diamond, FRAC_PI_2, "centre distance"),
+    (Wheel::wheel_radius_ratio, FOLLOWER, Mark::Square, -FRAC_PI_2, "wheel radius"),
 ];
 
 /// The parts of a turn for which the wheel moves and dwells, and its centre distance and radius in crank radii, over the
@@ -29,28 +31,19 @@ const SIZES: Curves = [
 /// [`FigureError::Wheel`] for a number of stations that no wheel has.
 pub fn choice(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
     let (first, last) = (*stations.start(), *stations.end());
-    let row = |n: u32| {
-        let wheel = Wheel::new(n)?;
-        Ok([
-            f64::from(n),
-            wheel.motion_fraction(),
-            wheel.dwell_fraction(),
-            wheel.centre_distance_ratio(),
-            wheel.wheel_radius_ratio(),
-        ])
-    };
-    let rows = stations.map(row).collect::<Result<Vec<_>, FigureError>>()?;
+    let wheels = stations.map(Wheel::new).collect::<Result<Vec<_>, _>>()?;
+    let number = |wheel: &Wheel| f64::from(wheel.stations());
     let marks = (first..=last).filter(|n| n.is_multiple_of(3)).map(f64::from);
     let x = Axis::whole(f64::from(first) - 0.7..f64::from(last) + 0.7, marks);
     let panel = |curves: &Curves, x: &Axis, title: &str| {
-        let values = || curves.iter().flat_map(|(column, ..)| rows.iter().map(|row| row[*column]));
+        let values = || curves.iter().flat_map(|(value, ..)| wheels.iter().map(value));
         let y = Axis::from_zero(0.0, values().fold(0.0, f64::max), 4.0).titled(Label::words(title));
-        curves.iter().fold(Panel::new(230.0, x, &y), |panel, (column, colour, mark, side, name)| {
-            let points = || rows.iter().map(|row| (row[0], row[*column]));
+        curves.iter().fold(Panel::new(230.0, x, &y), |panel, (value, colour, mark, side, name)| {
+            let points = || wheels.iter().map(|wheel| (number(wheel), value(wheel)));
             panel
                 .curve(points(), Stroke::new(*colour).wide(2.0).dashed("8 6"))
                 .marks(points(), Marker::new(*colour, *mark).class("point"))
-                .near(points().skip(rows.len() / 6), *side, Label::words(name).in_colour(*colour))
+                .near(points().skip(wheels.len() / 6), *side, Label::words(name).in_colour(*colour))
         })
     };
     let title = Label::words("number of stations ").and_symbol("N");
@@ -67,14 +60,23 @@ pub fn choice(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
         "What the number of stations decides, with one pin: more stations make the dwell shorter and the wheel larger for the \
          same crank. The number of stations is an integer, so the dashed lines only join the marks.",
     );
-    let columns = [("N", "1"), ("motion", "1"), ("dwell", "1"), ("l/r", "1"), ("wheel/r", "1")];
-    Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
+    let series = Series::of_items(
+        &wheels,
+        [
+            ("N", "1", number),
+            ("motion", "1", Wheel::motion_fraction),
+            ("dwell", "1", Wheel::dwell_fraction),
+            ("l/r", "1", Wheel::centre_distance_ratio),
+            ("wheel/r", "1", Wheel::wheel_radius_ratio),
+        ],
+    );
+    Ok(Chart::new(panels).figure(words, series))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, sound};
+    use crate::checks::{Drawing, columns, sound};
 
     #[test]
     fn the_wheel_moves_for_the_rest_of_its_dwell_and_a_wheel_of_two_stations_is_refused() {
@@ -83,7 +85,9 @@ mod tests {
             sound(&figure);
             assert_eq!(Drawing::of(&figure).count("point"), 4);
             assert_eq!(figure.series.rows.len(), stations.count());
-            assert!(figure.series.rows.iter().all(|row| (row[1] + row[2] - 1.0).abs() < 1e-12 && row[3] > row[4]));
+            for [motion, dwell, distance, radius] in columns(&figure.series, ["motion", "dwell", "l/r", "wheel/r"]) {
+                assert!((motion + dwell - 1.0).abs() < 1e-12 && distance > radius);
+            }
         }
         assert!(choice(2..=4).is_err());
     }

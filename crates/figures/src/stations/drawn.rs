@@ -2,7 +2,7 @@
 
 use super::{critical_geometry, extremes, indexing, mechanism, model, motion};
 use crate::FigureError;
-use crate::checks::{Drawing, PIXELS, drawn};
+use crate::checks::{Drawing, PIXELS, columns, drawn};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 
@@ -37,7 +37,9 @@ fn the_triangles_are_to_scale() {
         let crank = drawing.number("pin-circle", "r");
         assert!((drawing.length("side-R") - crank).abs() < PIXELS);
         assert!((drawing.length("side-l") - l * crank).abs() < PIXELS + 0.01 * l);
-        assert!((drawing.length("side-r") - figure.series.rows[0][2] * crank).abs() < PIXELS + 0.01 * l);
+        assert!(
+            (drawing.length("side-r") - figure.series.value("r/R").expect("a side") * crank).abs() < PIXELS + 0.01 * l
+        );
 
         let figure = critical_geometry(&wheel);
         let drawing = Drawing::of(&figure);
@@ -60,7 +62,7 @@ fn the_wheel_of_the_mechanism_is_to_scale_and_faces_the_driver() {
         let rounded = 2.0 * PIXELS + 0.01 * wheel.centre_distance_ratio();
         assert!((from(axis).fold(0.0, f64::max) - wheel.wheel_radius_ratio() * crank).abs() < rounded);
         // The nearest part of the wheel to the driver's axis is the locking arc that is centred there.
-        let locking_disc = figure.series.rows[0][5] * crank;
+        let locking_disc = figure.series.value("locking disc/r").expect("a radius") * crank;
         assert!((from(driver.x).fold(f64::INFINITY, f64::min) - locking_disc).abs() < rounded);
         assert_eq!(drawing.count("pin") as u32, wheel.pins());
         assert_eq!(drawing.count("locking-disc"), usize::from(wheel.dwell_fraction() > 1e-9));
@@ -70,21 +72,20 @@ fn the_wheel_of_the_mechanism_is_to_scale_and_faces_the_driver() {
 #[test]
 fn the_series_of_an_advance_is_symmetric_with_both_ends() {
     for wheel in wheels() {
-        let rows = indexing::rows(&wheel);
-        let last = rows.len() - 1;
+        let rows = columns(&indexing(&wheel).series, ["theta", "phi", "phi'/theta'", "phi''/theta'^2"]);
         assert!(rows.len() >= 91);
-        approx::assert_relative_eq!(rows[0][0], -wheel.engagement_half_angle().to_degrees(), max_relative = 1e-14);
-        approx::assert_relative_eq!(rows[0][1], -wheel.half_pitch_angle(), max_relative = 1e-13);
-        approx::assert_relative_eq!(rows[0][3], wheel.entry_acceleration(), max_relative = 1e-11);
-        for (k, row) in rows.iter().enumerate() {
-            let mirror = &rows[last - k];
-            assert_eq!([row[0], row[1], row[2], row[3]], [-mirror[0], -mirror[1], mirror[2], -mirror[3]]);
-            assert!(row[2] <= wheel.peak_velocity() * (1.0 + 1e-12));
-            assert!(row[3].abs() <= wheel.acceleration_peak().ratio * (1.0 + 1e-12));
+        let [theta, phi, velocity, acceleration] = rows[0];
+        approx::assert_relative_eq!(theta, -wheel.engagement_half_angle().to_degrees(), max_relative = 1e-14);
+        approx::assert_relative_eq!(phi, -wheel.half_pitch_angle(), max_relative = 1e-13);
+        assert_eq!(velocity, 0.0);
+        approx::assert_relative_eq!(acceleration, wheel.entry_acceleration(), max_relative = 1e-11);
+        for ([theta, phi, velocity, acceleration], mirror) in rows.iter().copied().zip(rows.iter().rev()) {
+            assert_eq!([-theta, -phi, velocity, -acceleration], *mirror);
+            assert!(velocity <= wheel.peak_velocity() * (1.0 + 1e-12));
+            assert!(acceleration.abs() <= wheel.acceleration_peak().ratio * (1.0 + 1e-12));
         }
-        assert_eq!([rows[0][2], rows[last][2]], [0.0, 0.0]);
     }
-    assert_eq!(indexing::rows(&Wheel::new(4).expect("possible")).len(), 91);
+    assert_eq!(indexing(&Wheel::new(4).expect("possible")).series.rows.len(), 91);
 }
 
 #[test]
@@ -99,15 +100,19 @@ fn the_jumps_are_drawn_where_there_is_a_dwell() {
 
 #[test]
 fn the_extremes_have_a_row_for_each_wheel_of_the_range() {
-    let rows = extremes(1..=18).series.rows;
-    assert_eq!(rows.len(), 16);
-    for row in &rows {
-        approx::assert_relative_eq!(row[1] + row[2], 1.0, max_relative = 1e-15);
-        approx::assert_relative_eq!(row[3], libm::hypot(1.0, row[4]), max_relative = 1e-14);
+    let series = extremes(1..=18).series;
+    assert_eq!(series.rows.len(), 16);
+    for [motion, dwell, distance, radius] in columns(&series, ["motion", "dwell", "l/r", "wheel/r"]) {
+        approx::assert_relative_eq!(motion + dwell, 1.0, max_relative = 1e-15);
+        approx::assert_relative_eq!(distance, libm::hypot(1.0, radius), max_relative = 1e-14);
+    }
+    let names =
+        ["N", "l/r", "wheel/r", "peak phi'/theta'", "entry phi''/theta'^2", "peak phi''/theta'^2", "theta of peak"];
+    for [stations, distance, radius, velocity, entry, peak, angle] in columns(&series, names) {
         // Peak velocity is sin α / (1 − sin α), entry acceleration tan α: one over k − 1, one over the rim's radius.
-        approx::assert_relative_eq!(row[5], 1.0 / (row[3] - 1.0), max_relative = 1e-12);
-        approx::assert_relative_eq!(row[6], 1.0 / row[4], max_relative = 1e-12);
-        assert!(row[7] > row[6] && row[8] > 0.0 && row[8] < 90.0 - 180.0 / row[0]);
+        approx::assert_relative_eq!(velocity, 1.0 / (distance - 1.0), max_relative = 1e-12);
+        approx::assert_relative_eq!(entry, 1.0 / radius, max_relative = 1e-12);
+        assert!(peak > entry && angle > 0.0 && angle < 90.0 - 180.0 / stations);
     }
 }
 

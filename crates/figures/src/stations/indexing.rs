@@ -4,7 +4,7 @@ use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, significant, with_minus_sign, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
-use crate::{Figure, Series, Words};
+use crate::{Figure, Quantity, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -24,11 +24,11 @@ const END: Marker = Marker::new(DRIVER, Mark::Disc).sized(11.0).class("indexing-
 /// the acceleration at entry and exit can be seen: a filled dot on the advance, an open one on the dwell. Series, in
 /// equal steps of at most a degree, both ends included: θ, φ, φ'/θ', φ''/θ'².
 pub fn indexing(wheel: &Wheel) -> Figure {
-    let rows = rows(wheel);
+    let instants = instants(wheel);
     let (alpha, peak) = (wheel.half_pitch_angle(), wheel.acceleration_peak());
     let most = wheel.engagement_half_angle().to_degrees();
     let rest = DWELL.min((PI / f64::from(wheel.pins())).to_degrees() - most).max(0.0);
-    let panels = [motion(wheel, &rows, most, rest), acceleration(wheel, &rows, most, rest)];
+    let panels = [motion(wheel, &instants, most, rest), acceleration(wheel, &instants, most, rest)];
     let words = Words::new(
         "wheel-indexing",
         format!("Position, velocity and acceleration of a wheel with {} stations", wheel.stations()),
@@ -53,22 +53,42 @@ pub fn indexing(wheel: &Wheel) -> Figure {
             wheel.stations()
         ),
     );
-    let columns = [("theta", "deg"), ("phi", "rad"), ("phi'/theta'", "1"), ("phi''/theta'^2", "1")];
-    Chart::new(panels).figure(words, Series::new(columns, rows))
+    let series = Series::of_items(
+        &instants,
+        [
+            ("theta", "deg", |at| at.theta),
+            ("phi", "rad", |at| at.phi),
+            ("phi'/theta'", "1", |at| at.velocity),
+            ("phi''/theta'^2", "1", |at| at.acceleration),
+        ],
+    );
+    Chart::new(panels).figure(words, series)
 }
 
-/// θ in degrees, φ in radians, φ'/θ', φ''/θ'²; from entry to exit, both included, symmetric to the last bit.
-pub(super) fn rows(wheel: &Wheel) -> Vec<[f64; 4]> {
+/// θ in degrees, φ in radians, φ'/θ' and φ''/θ'².
+struct Instant {
+    theta: f64,
+    phi: f64,
+    velocity: f64,
+    acceleration: f64,
+}
+
+/// The wheel from entry to exit, both included, symmetric to the last bit.
+fn instants(wheel: &Wheel) -> Vec<Instant> {
     let half = wheel.engagement_half_angle();
     let steps = LEAST_STEPS.max(libm::ceil(2.0 * half.to_degrees() - 1e-9) as u32);
-    let row = |k: u32| {
+    let instant = |k: u32| {
         // The share is exactly one at both ends.
         let theta = half * ((2.0 * f64::from(k) - f64::from(steps)) / f64::from(steps));
         let motion = wheel.engaged(theta).ok()?;
-        let velocity = without_noise(motion.velocity, 1.0);
-        Some([theta.to_degrees(), motion.angle, velocity, motion.acceleration])
+        Some(Instant {
+            theta: theta.to_degrees(),
+            phi: motion.angle,
+            velocity: without_noise(motion.velocity, 1.0),
+            acceleration: motion.acceleration,
+        })
     };
-    (0..=steps).filter_map(row).collect()
+    (0..=steps).filter_map(instant).collect()
 }
 
 /// The crank angle from one end of what is shown to the other.
@@ -86,36 +106,34 @@ fn ends(mut panel: Panel, most: f64, rest: f64, height: f64) -> Panel {
     panel
 }
 
-/// The rows between two parts of the way to an end, every third.
-fn part(rows: &[[f64; 4]], most: f64, from: f64, to: f64) -> impl Iterator<Item = &[f64; 4]> {
-    rows.iter().filter(move |row| row[0] >= from * most && row[0] <= to * most).step_by(3)
+/// The instants between two parts of the way to an end, every third.
+fn part(instants: &[Instant], most: f64, from: f64, to: f64) -> impl Iterator<Item = &Instant> {
+    instants.iter().filter(move |at| at.theta >= from * most && at.theta <= to * most).step_by(3)
 }
 
 /// The upper panel: angle and speed, entry and exit at ±`most` degrees, with so much of the dwell beyond.
-fn motion(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
+fn motion(wheel: &Wheel, instants: &[Instant], most: f64, rest: f64) -> Panel {
     let (alpha, end) = (wheel.half_pitch_angle(), most + rest);
     let [position, velocity, _] = symbols();
     let y = Axis::from_zero(-alpha, wheel.peak_velocity().max(alpha), 4.0);
     let head = y.range.end - 0.1 * (y.range.end - y.range.start);
-    let extended = |column: usize, value: f64| {
+    let extended = |curve: Quantity<Instant>, value: f64| {
         let dwell = |sense: f64| (rest > 0.0).then_some((sense * end, sense * value));
-        let inside = rows.iter().map(move |row| (row[0], row[column]));
+        let inside = instants.iter().map(move |at| (at.theta, curve(at)));
         dwell(-1.0).into_iter().chain(inside).chain(dwell(1.0))
     };
     let title = Label::words("angle ").and_label(&position).and(" and speed ").and_label(&velocity);
     let panel = Panel::new(240.0, &crank_angles(end), &y.titled(title))
         .horizontal(0.0, Stroke::thin("zero"))
-        .curve(extended(1, alpha), Stroke::new(RELATIVE).dashed("3 5"))
-        .curve(extended(2, 0.0), Stroke::new(FOLLOWER));
-    ends(panel, most, rest, head).near(part(rows, most, 0.1, 0.5).map(|row| (row[0], row[2])), 0.5, velocity).near(
-        part(rows, most, -1.0, -0.4).map(|row| (row[0], row[1])),
-        FRAC_PI_2,
-        position,
-    )
+        .curve(extended(|at| at.phi, alpha), Stroke::new(RELATIVE).dashed("3 5"))
+        .curve(extended(|at| at.velocity, 0.0), Stroke::new(FOLLOWER));
+    ends(panel, most, rest, head)
+        .near(part(instants, most, 0.1, 0.5).map(|at| (at.theta, at.velocity)), 0.5, velocity)
+        .near(part(instants, most, -1.0, -0.4).map(|at| (at.theta, at.phi)), FRAC_PI_2, position)
 }
 
 /// The lower panel: the acceleration and its jumps.
-fn acceleration(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
+fn acceleration(wheel: &Wheel, instants: &[Instant], most: f64, rest: f64) -> Panel {
     let end = most + rest;
     let [.., acceleration] = symbols();
     let y = Axis::symmetric(wheel.acceleration_peak().ratio);
@@ -125,7 +143,7 @@ fn acceleration(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel
     let curve = Stroke::new(DRIVER);
     let mut panel = Panel::new(240.0, &crank_angles(end).titled(angle), &y.titled(title))
         .horizontal(0.0, Stroke::thin("zero"))
-        .curve(rows.iter().map(|row| (row[0], row[3])), curve);
+        .curve(instants.iter().map(|at| (at.theta, at.acceleration)), curve);
     for (sense, jump) in [(-1.0, wheel.entry_acceleration()), (1.0, -wheel.entry_acceleration())] {
         let theta = sense * most;
         if rest > 0.0 {

@@ -97,15 +97,16 @@ fn compared(wheel: &dyn Indexing, radius_ratio: f64) -> Result<Compared, FigureE
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::drawn;
+    use crate::checks::{columns, drawn};
 
     #[test]
     fn the_chart_is_drawn_and_its_forces_are_torques_over_arms() {
         let figure = kinds(3..=18).expect("possible");
         drawn(&figure);
         assert!(kinds(2..=5).is_err());
-        for row in &figure.series.rows {
-            let alpha = std::f64::consts::PI / row[0];
+        let names = ["N", "external F R/(J theta'^2)", "internal F R/(J theta'^2)", "spherical F R/(J theta'^2)"];
+        for [stations, forces @ ..] in columns(&figure.series, names) {
+            let alpha = std::f64::consts::PI / stations;
             let (sin, cos) = libm::sincos(alpha);
             // The greatest torque over the arm, looked for at many angles, from the angle of the wheel alone.
             let force = |radius: f64, end: f64, place: &dyn Fn(f64) -> [f64; 2]| {
@@ -126,8 +127,8 @@ mod tests {
             let external = force(cos / sin, quarter - alpha, &|t| [1.0 / sin - libm::cos(t), libm::sin(t)]);
             let internal = force(cos / sin, quarter + alpha, &|t| [1.0 / sin + libm::cos(t), libm::sin(t)]);
             let spherical = force(1.0 / sin, quarter, &|t| [cos / sin, libm::sin(t)]);
-            for (column, expected) in [(4, external), (8, internal), (12, spherical)] {
-                approx::assert_relative_eq!(row[column], expected, max_relative = 1e-3);
+            for (drawn, expected) in forces.into_iter().zip([external, internal, spherical]) {
+                approx::assert_relative_eq!(drawn, expected, max_relative = 1e-3);
             }
         }
     }

@@ -65,24 +65,29 @@ pub fn running(misplaced: &Misplaced, crank: f64) -> Result<Figure, FigureError>
     let panels = panels(&rows, near.to_degrees(), &motion, end.to_degrees());
     let blow = misplaced.entry_velocity_ratio();
     let words = words(misplaced, crank, &motion, blow);
-    let columns =
-        [("theta", "deg"), ("phi", "rad"), ("phi'/theta'", "1"), ("phi''/theta'^2", "1"), ("phi'''/theta'^3", "1")];
-    let series = Series::new(columns, rows);
+    let series = Series::of_items(
+        &rows,
+        [
+            ("theta", "deg", |(theta, _)| *theta),
+            ("phi", "rad", |(_, motion)| motion.angle),
+            ("phi'/theta'", "1", |(_, motion)| motion.velocity),
+            ("phi''/theta'^2", "1", |(_, motion)| motion.acceleration),
+            ("phi'''/theta'^3", "1", |(_, motion)| motion.jerk),
+        ],
+    );
     Ok(Chart::new(panels).figure_below(words, series, ROOM.y, |canvas: &mut Canvas| {
         pin_circle(canvas, &placed.axis, placed.view.scale);
         placed.draw(canvas, crank, motion.angle, 2.0);
     }))
 }
 
-/// θ in degrees, φ and the three ratios over one passage and a part of the dwell to either side; two rows at each jump.
-fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<[f64; 5]>, FigureError> {
-    let row = |crank: f64, motion: Motion| {
-        let Motion { angle, velocity, acceleration, jerk, .. } = motion;
-        [crank.to_degrees(), angle, without_noise(velocity, 1.0), acceleration, jerk]
-    };
-    let still = |crank: f64| -> Result<[f64; 5], FigureError> {
-        let angle = of.at(crank)?.angle;
-        Ok([crank.to_degrees(), angle, 0.0, 0.0, 0.0])
+/// θ in degrees, and the wheel there.
+type Row = (f64, Motion);
+
+/// The wheel over one passage and a part of the dwell to either side; two rows at each jump.
+fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
+    let still = |crank: f64| -> Result<Row, FigureError> {
+        Ok((crank.to_degrees(), Motion { velocity: 0.0, acceleration: 0.0, jerk: 0.0, ..of.at(crank)? }))
     };
     let mut rows = Vec::new();
     if end > half {
@@ -90,7 +95,8 @@ fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<[f64; 5]>, FigureErro
     }
     for k in 0..=STEPS {
         let crank = half * ((2.0 * f64::from(k) - f64::from(STEPS)) / f64::from(STEPS));
-        rows.push(row(crank, of.at(crank)?));
+        let motion = of.at(crank)?;
+        rows.push((crank.to_degrees(), Motion { velocity: without_noise(motion.velocity, 1.0), ..motion }));
     }
     if end > half {
         rows.extend([still(half)?, still(end)?]);
@@ -99,16 +105,16 @@ fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<[f64; 5]>, FigureErro
 }
 
 /// The three curves, one under another.
-fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel> {
+fn panels(rows: &[Row], near: f64, motion: &Motion, end: f64) -> Vec<Panel> {
     let marks = || {
         let count = ((end + 1e-9) / MARKS) as i32;
         (-count..=count).map(|k| MARKS * f64::from(k))
     };
     // Rest, advance and rest: two rows at one angle are a jump.
-    let parts: Vec<&[[f64; 5]]> = rows.chunk_by(|a, b| a[0] < b[0]).collect();
+    let parts: Vec<&[Row]> = rows.chunk_by(|(a, _), (b, _)| a < b).collect();
     let panel = |(k, (name, colour, value)): (usize, &Curve)| {
-        let column = || rows.iter().map(move |row| row[k + 2]);
-        let [least, most] = [column().fold(0.0, f64::min), column().fold(0.0, f64::max)];
+        let values = || rows.iter().map(|(_, motion)| value(motion));
+        let [least, most] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
         let title = Label::words(name).in_colour(*colour);
         let y = Axis::spanning(least, most, 3.0).titled(title);
         let x = Axis::whole(-end..end, marks());
@@ -120,14 +126,14 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
         };
         let mut panel = Panel::new(FRAME, &x, &y).horizontal(0.0, Stroke::thin("zero"));
         for part in &parts {
-            panel = panel.curve(part.iter().map(|row| (row[0], row[k + 2])), Stroke::new(*colour));
+            panel = panel.curve(part.iter().map(|(theta, motion)| (*theta, value(motion))), Stroke::new(*colour));
         }
-        let jump = |pair: &[&[[f64; 5]]], column: usize| match pair {
-            [[.., before], [after, ..]] => (before[0], [before[column], after[column]]),
+        let jump = |pair: &[&[Row]], value: fn(&Motion) -> f64| match pair {
+            [[.., (theta, before)], [(_, after), ..]] => (*theta, [value(before), value(after)]),
             _ => (0.0, [0.0, 0.0]),
         };
         for (pair, sense) in parts.windows(2).zip([1.0, -1.0]) {
-            let (theta, [before, after]) = jump(pair, k + 2);
+            let (theta, [before, after]) = jump(pair, *value);
             // A jump is a ring at rest and a disc on the advance; the rate of what jumps is an impulse.
             if before != after {
                 let (still, moving) = if sense > 0.0 { (before, after) } else { (after, before) };
@@ -136,8 +142,9 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
                     panel.marks([(theta, value)], Marker::new(*colour, mark).sized(JUMP).class(class))
                 });
             }
-            let (_, [before, after]) = jump(pair, k + 1);
-            if k > 0 && before != after {
+            let Some((.., integral)) = k.checked_sub(1).map(|k| &CURVES[k]) else { continue };
+            let (_, [before, after]) = jump(pair, *integral);
+            if before != after {
                 panel = panel.impulse(theta, after > before, Stroke::new(*colour).class("impulse"));
                 if sense > 0.0 {
                     let edge = panel.ends()[usize::from(after > before)];

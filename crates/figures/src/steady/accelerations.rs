@@ -18,7 +18,12 @@ const MARKS: i32 = 3;
 const THOUSAND: f64 = 1000.0;
 
 /// One instant: θ in degrees, θ', φ', θ'' and φ'' in thousands, F R / K.
-type Row = [f64; 6];
+struct Instant {
+    angle: f64,
+    speeds: [f64; 2],
+    accelerations: [f64; 2],
+    force: f64,
+}
 
 /// Speed and acceleration of driver and follower, and the force between pin and slot, over one engagement of the steady
 /// motion: three panels over the driver angle.
@@ -33,14 +38,15 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
     let mechanism = parameters.mechanism();
     let engagement = Engagement::new(parameters)?;
     let lines = engagement.steady_cycle(PARTS)?;
-    let rows = lines.iter().map(|line| row(parameters, line.angle, line.speed)).collect::<Result<Vec<Row>, _>>()?;
+    let instants = lines.iter().map(|line| instant(parameters, line.angle, line.speed));
+    let instants = instants.collect::<Result<Vec<_>, _>>()?;
     let half = mechanism.engagement_half_angle();
     let x = Axis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let panels = [
-        both(&x, &rows, [1, 2], "speeds ", 1, " in rad/s"),
-        jumping(both(&x, &rows, [3, 4], "accelerations ", 2, " in 1000 rad/s²"), &rows),
-        force(&x.clone().titled(angle), &rows),
+        both(&x, &instants, |at| at.speeds, "speeds ", 1, " in rad/s"),
+        jumping(both(&x, &instants, |at| at.accelerations, "accelerations ", 2, " in 1000 rad/s²"), &instants),
+        force(&x.clone().titled(angle), &instants),
     ];
     let change = engagement.passage(engagement.steady_state()?.entry_speed)?.reversal_angle();
     let flank = Stroke::thin("switch").dashed("5 4");
@@ -49,21 +55,19 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         None => panel,
     });
 
-    let greatest = |column: usize| significant(rows.iter().map(|row| row[column]).fold(0.0, f64::max), 3);
+    let [driver, follower] = [0, 1].map(|k| significant(instants.iter().map(|at| at.speeds[k]).fold(0.0, f64::max), 3));
     let strongest = Accelerations::new(parameters)?;
     let said = |what: Strongest, unit: f64| format!("{} at θ = {}", short(what.value / unit, 3), degrees(what.angle));
-    let [first, last] = [rows.first(), rows.last()].map(|row| row.map_or(0.0, |row| row[4]));
+    let [first, last] = [instants.first(), instants.last()].map(|at| at.map_or(0.0, |at| at.accelerations[1]));
     let words = Words::new(
         "timer-accelerations",
         format!("Speeds, accelerations and pin force over one engagement, {} pins", mechanism.pins()),
         format!(
-            "Three panels over the driver angle from {} to {}. Speeds: the driver's is {} rad/s at most, the follower's \
-             {}. Accelerations in 1000 rad/s²: the driver's strongest is {}, the follower's {}; the follower's is {} at \
+            "Three panels over the driver angle from {} to {}. Speeds: the driver's is {driver} rad/s at most, the \
+             follower's {follower}. Accelerations in 1000 rad/s²: the driver's strongest is {}, the follower's {}; the follower's is {} at \
              entry and {} at exit. The force F R / K is strongest with {}.",
             degrees(-half),
             degrees(half),
-            greatest(1),
-            greatest(2),
             said(strongest.driver, THOUSAND),
             said(strongest.follower, THOUSAND),
             short(first, 3),
@@ -81,34 +85,35 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
             ))
         ),
     );
-    let columns = [
-        ("theta", "deg"),
-        ("theta'", "rad/s"),
-        ("phi'", "rad/s"),
-        ("theta''", "1000 rad/s^2"),
-        ("phi''", "1000 rad/s^2"),
-        ("F R/K", "1"),
-    ];
-    Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
+    let series = Series::of_items(
+        &instants,
+        [
+            ("theta", "deg", |at| at.angle),
+            ("theta'", "rad/s", |at| at.speeds[0]),
+            ("phi'", "rad/s", |at| at.speeds[1]),
+            ("theta''", "1000 rad/s^2", |at| at.accelerations[0]),
+            ("phi''", "1000 rad/s^2", |at| at.accelerations[1]),
+            ("F R/K", "1", |at| at.force),
+        ],
+    );
+    Ok(Chart::new(panels).figure(words, series))
 }
 
-fn row(parameters: &Parameters, angle: f64, speed: f64) -> Result<Row, FigureError> {
+fn instant(parameters: &Parameters, angle: f64, speed: f64) -> Result<Instant, FigureError> {
     let forces = parameters.contact_forces(angle, speed)?;
     let ratio = parameters.mechanism().wheel().velocity_ratio(angle).unwrap_or_default();
     let driver = parameters.acceleration(angle, speed)?.value;
-    Ok([
-        angle.to_degrees(),
-        speed,
-        without_noise(ratio, 1.0) * speed,
-        driver / THOUSAND,
-        forces.follower_acceleration / THOUSAND,
-        forces.normal_moment / parameters.torque(),
-    ])
+    Ok(Instant {
+        angle: angle.to_degrees(),
+        speeds: [speed, without_noise(ratio, 1.0) * speed],
+        accelerations: [driver / THOUSAND, forces.follower_acceleration / THOUSAND],
+        force: forces.normal_moment / parameters.torque(),
+    })
 }
 
 /// A panel with the driver's and the follower's curve, each named.
-fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, order: usize, unit: &str) -> Panel {
-    let values = || rows.iter().flat_map(|row| columns.map(|column| row[column]));
+fn both(x: &Axis, instants: &[Instant], pair: fn(&Instant) -> [f64; 2], what: &str, order: usize, unit: &str) -> Panel {
+    let values = || instants.iter().flat_map(pair);
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
     let [theta, phi] =
         [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, colour)| Label::rate(letter, order).in_colour(colour));
@@ -116,31 +121,31 @@ fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, order: usize, u
     let strokes = [Stroke::new(DRIVER).dashed("10 5"), Stroke::new(FOLLOWER)];
     let mut panel = Panel::new(190.0, x, &y.titled(title)).horizontal(0.0, Stroke::thin("zero"));
     let names = [theta.and(" driver"), phi.and(" follower")];
-    for (column, stroke) in columns.into_iter().zip(strokes) {
-        panel = panel.curve(rows.iter().map(|row| (row[0], row[column])), stroke);
+    for (k, stroke) in strokes.into_iter().enumerate() {
+        panel = panel.curve(instants.iter().map(|at| (at.angle, pair(at)[k])), stroke);
     }
-    for ((column, name), first) in columns.into_iter().zip(names).zip([PI - 0.6, FRAC_PI_2]) {
+    for ((k, name), first) in names.into_iter().enumerate().zip([PI - 0.6, FRAC_PI_2]) {
         // Where the curve is far from zero, it is far from the other one as well.
-        let far = rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
-        let points = rows.iter().filter(|row| row[column].abs() > 0.4 * far).step_by(4);
-        panel = panel.near(points.map(|row| (row[0], row[column])), first, name);
+        let far = instants.iter().map(|at| pair(at)[k].abs()).fold(0.0, f64::max);
+        let points = instants.iter().filter(|at| pair(at)[k].abs() > 0.4 * far).step_by(4);
+        panel = panel.near(points.map(|at| (at.angle, pair(at)[k])), first, name);
     }
     panel
 }
 
 /// Adds rings at the ends of the follower's acceleration to a panel.
-fn jumping(panel: Panel, rows: &[Row]) -> Panel {
-    let ends = [rows.first(), rows.last()].into_iter().flatten().map(|row| (row[0], row[4]));
+fn jumping(panel: Panel, instants: &[Instant]) -> Panel {
+    let ends = [instants.first(), instants.last()].into_iter().flatten().map(|at| (at.angle, at.accelerations[1]));
     panel.marks(ends, Marker::new(FOLLOWER, Mark::Ring).sized(10.0).class("hand-over"))
 }
 
 /// The force between pin and slot.
-fn force(x: &Axis, rows: &[Row]) -> Panel {
-    let values = || rows.iter().map(|row| row[5]);
+fn force(x: &Axis, instants: &[Instant]) -> Panel {
+    let values = || instants.iter().map(|at| at.force);
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
     let symbol = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
     let title = Label::words("force on the pin ").and_label(&symbol);
     Panel::new(190.0, x, &y.titled(title))
         .horizontal(0.0, Stroke::thin("zero"))
-        .curve(rows.iter().map(|row| (row[0], row[5])), Stroke::new(RELATIVE).class("force"))
+        .curve(instants.iter().map(|at| (at.angle, at.force)), Stroke::new(RELATIVE).class("force"))
 }

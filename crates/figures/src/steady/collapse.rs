@@ -25,6 +25,15 @@ fn given(run: &Run, unit: f64) -> [f64; 3] {
     [run.peak / unit, run.minimum / unit, run.period * unit]
 }
 
+/// A run without scale: peak, minimum and period as given, as computed for the run, and as computed for the mechanism.
+struct Scaled {
+    slots: f64,
+    friction: f64,
+    printed: [f64; 3],
+    as_run: [f64; 3],
+    own: [f64; 3],
+}
+
 /// A curve over the friction, with all three results at each point.
 type Results = Vec<(f64, [f64; 3])>;
 
@@ -39,7 +48,7 @@ type Results = Vec<(f64, [f64; 3])>;
 ///
 /// [`FigureError`] if there is no run, or one without a steady motion.
 pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
-    let mut rows: Vec<[f64; 11]> = Vec::new();
+    let mut runs = Vec::new();
     for group in groups {
         for run in &group.runs {
             let unit = (run.torque / group.inertias.follower()).sqrt();
@@ -48,32 +57,40 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
                 Some(reset) => group.engagement(run.friction, run.torque, reset)?.steady_state()?,
                 None => steady,
             };
-            let ([a, b, c], [d, e, f], [g, h, i]) = (given(run, unit), scaled(&steady, unit), scaled(&own, unit));
-            rows.push([f64::from(group.mechanism.slots()), run.friction, a, b, c, d, e, f, g, h, i]);
+            runs.push(Scaled {
+                slots: f64::from(group.mechanism.slots()),
+                friction: run.friction,
+                printed: given(run, unit),
+                as_run: scaled(&steady, unit),
+                own: scaled(&own, unit),
+            });
         }
     }
-    let x = frictions(&rows)?;
+    let x = frictions(&runs)?;
     let curves = groups.iter().map(|group| both(group, &x)).collect::<Result<Vec<_>, FigureError>>()?;
-    let panels = [0, 1, 2].map(|k| panel(groups, &rows, &curves, &x, k));
+    let panels = [0, 1, 2].map(|k| panel(groups, &runs, &curves, &x, k));
     let markers = groups.iter().map(|group| of_mechanism(group.mechanism.slots()).1);
     let printed = std::iter::once(Entry::marks(markers, Label::words("printed")));
     let [own, as_run] = [Stroke::new(INK).wide(2.2), Stroke::new(INK).wide(1.6).dashed(DASHES)];
     let lines = [(own, "the mechanism"), (as_run, "the program as run")];
     let key = printed.chain(lines.map(|(stroke, name)| Entry::curve(stroke, Label::words(name))));
-    let columns = [
-        ("slots", "1"),
-        ("mu", "1"),
-        ("peak printed", "1"),
-        ("min printed", "1"),
-        ("period printed", "1"),
-        ("peak as run", "1"),
-        ("min as run", "1"),
-        ("period as run", "1"),
-        ("peak", "1"),
-        ("min", "1"),
-        ("period", "1"),
-    ];
-    let worst = |k: usize| rows.iter().map(|row| (row[2 + k] / row[5 + k] - 1.0).abs()).fold(0.0, f64::max);
+    let series = Series::of_items(
+        &runs,
+        [
+            ("slots", "1", |run| run.slots),
+            ("mu", "1", |run| run.friction),
+            ("peak printed", "1", |run| run.printed[0]),
+            ("min printed", "1", |run| run.printed[1]),
+            ("period printed", "1", |run| run.printed[2]),
+            ("peak as run", "1", |run| run.as_run[0]),
+            ("min as run", "1", |run| run.as_run[1]),
+            ("period as run", "1", |run| run.as_run[2]),
+            ("peak", "1", |run| run.own[0]),
+            ("min", "1", |run| run.own[1]),
+            ("period", "1", |run| run.own[2]),
+        ],
+    );
+    let worst = |k: usize| runs.iter().map(|run| (run.printed[k] / run.as_run[k] - 1.0).abs()).fold(0.0, f64::max);
     let [peak, minimum, period] = [0, 1, 2].map(|k| significant(100.0 * worst(k), 2));
     let of_group =
         |group: &Group| format!("{} with {} pins", significant(group.inertias.ratio(), 2), group.mechanism.pins());
@@ -87,7 +104,7 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
              another angle. The {} runs of all torques are on the curves of what was run, one over another. The \
              farthest differ from these curves by {peak} % in the peaks, {minimum} % in the minima and {period} % in \
              the periods.",
-            rows.len()
+            runs.len()
         ),
         format!(
             "The law of similarity: torque and inertias set the scales of speed and time. Divided by these scales, the \
@@ -98,14 +115,14 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
              follower's: {inertias}."
         ),
     );
-    Ok(Chart::new(panels).key(key).figure(words, Series::new(columns, rows)))
+    Ok(Chart::new(panels).key(key).figure(words, series))
 }
 
-/// The axis of the frictions of all rows.
-fn frictions(rows: &[[f64; 11]]) -> Result<Axis, FigureError> {
-    let frictions = || rows.iter().map(|row| row[1]);
+/// The axis of the frictions of all runs.
+fn frictions(runs: &[Scaled]) -> Result<Axis, FigureError> {
+    let frictions = || runs.iter().map(|run| run.friction);
     let (least, most) = (frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max));
-    if rows.is_empty() {
+    if runs.is_empty() {
         return Err(FigureError::Nothing);
     }
     let room = 0.06 * (most - least).max(0.1 * most);
@@ -122,8 +139,8 @@ fn both(group: &Group, x: &Axis) -> Result<[Option<Results>; 2], FigureError> {
 }
 
 /// The panel of one of the three results.
-fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], x: &Axis, k: usize) -> Panel {
-    let values = rows.iter().flat_map(|row| [row[2 + k], row[5 + k]]);
+fn panel(groups: &[Group], runs: &[Scaled], curves: &[[Option<Results>; 2]], x: &Axis, k: usize) -> Panel {
+    let values = runs.iter().flat_map(|run| [run.printed[k], run.as_run[k]]);
     let values = values.chain(curves.iter().flatten().flatten().flatten().map(|(_, values)| values[k]));
     let (name, height) = PANELS[k];
     let title = Label::words(name).and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
@@ -137,8 +154,8 @@ fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], 
         for (points, stroke) in both.iter().zip([stroke.wide(1.6).dashed(DASHES), stroke.wide(2.2)]) {
             panel = panel.curve(points.iter().flatten().map(|(friction, values)| (*friction, values[k])), stroke);
         }
-        let own = rows.iter().filter(|row| row[0] == f64::from(group.mechanism.slots()));
-        panel = panel.marks(own.map(|row| (row[1], row[2 + k])), marker.sized(8.0));
+        let own = runs.iter().filter(|run| run.slots == f64::from(group.mechanism.slots()));
+        panel = panel.marks(own.map(|run| (run.friction, run.printed[k])), marker.sized(8.0));
         if let Some((_, values)) = both[1].as_ref().and_then(|points| points.last()) {
             let label = Label::words(&group.mechanism.pins().to_string()).in_colour(marker.colour);
             panel = panel.name(label, Spot::Beside(values[k]));

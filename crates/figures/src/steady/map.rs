@@ -217,7 +217,7 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, sound};
+    use crate::checks::{Drawing, columns, sound};
 
     fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
         Design { mechanism, inertia_ratio, friction }
@@ -229,15 +229,15 @@ mod tests {
             let designs = [design(mechanism, 0.5, 0.125), design(mechanism, 0.25, 0.25)];
             let figure = map(mechanism, &designs).expect("drawn");
             sound(&figure);
-            let rows = &figure.series.rows;
-            for row in rows {
-                let state = steady(mechanism, row[3], row[2]).expect("sound");
-                let value = VALUES[row[0] as usize - 1](&state);
+            let rows = columns(&figure.series, ["panel", "value", "mu", "I_D/I_f"]);
+            for row @ [panel, level, friction, inertia_ratio] in &rows {
+                let state = steady(mechanism, *inertia_ratio, *friction).expect("sound");
+                let value = VALUES[*panel as usize - 1](&state);
                 // The grid is straight between its nodes.
-                assert!((value / row[1] - 1.0).abs() < 0.04, "{mechanism:?} {row:?} {value}");
-                assert!(row[3] >= critical_inertia_ratio(mechanism, row[2]).expect("a ratio"), "{row:?}");
+                assert!((value / level - 1.0).abs() < 0.04, "{mechanism:?} {row:?} {value}");
+                assert!(*inertia_ratio >= critical_inertia_ratio(mechanism, *friction).expect("a ratio"), "{row:?}");
             }
-            assert!([1.0, 2.0].iter().all(|panel| rows.iter().filter(|row| row[0] == *panel).count() > 40));
+            assert!([1.0, 2.0].iter().all(|panel| rows.iter().filter(|[own, ..]| own == panel).count() > 40));
             let drawing = Drawing::of(&figure);
             // Two designs in two panels; a square or a diamond has a rim of its own class.
             assert_eq!(drawing.count("marks"), 4);

@@ -3,7 +3,7 @@
 use super::contact::at_instants;
 use super::{accelerations, contact, phase, return_map};
 use crate::FigureError;
-use crate::checks::{Drawing, sound};
+use crate::checks::{Drawing, columns, sound};
 use geneva_dynamics::joints::{Escapement, Joints};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::Accelerations;
@@ -22,13 +22,12 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
         sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
         let fixed = steady.entry_speed * steady.entry_speed / one.drive();
-        let rows = &figure.series.rows;
-        for row in rows {
-            assert_eq!(row[1] > row[0], row[0] < fixed, "{row:?}");
-        }
         // Without friction the gain is the work of the torque: 2 × 2π/m over the driver's inertia.
-        let angular_acceleration = 4.0 * mechanism.engagement_half_angle() / one.inertias().ratio();
-        assert!(rows.iter().all(|row| (row[2] - row[0] - angular_acceleration).abs() < 1e-9 * angular_acceleration));
+        let gain = 4.0 * mechanism.engagement_half_angle() / one.inertias().ratio();
+        for [entry, exit, free] in columns(&figure.series, ["u entry", "u exit", "without friction"]) {
+            assert_eq!(exit > entry, entry < fixed, "{entry} {exit}");
+            assert!((free - entry - gain).abs() < 1e-9 * gain);
+        }
         // The fixed point is on the diagonal through the corner, where the staircase begins.
         let drawing = Drawing::of(&figure);
         let diagonal = drawing.path("diagonal", 0);
@@ -46,15 +45,15 @@ fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
         let figure = phase(&one).expect("drawn");
         sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
-        let rows = &figure.series.rows;
+        let names = ["rest 1", "rest 2", "rest 3", "steady", "above 3", "above 2", "above 1"];
+        let rows = columns(&figure.series, names);
         // The steady cycle ends with the speed at which it begins.
-        let unit = one.drive().sqrt();
-        assert!((rows[0][7] - steady.entry_speed / unit).abs() < 1e-12);
-        assert!((rows[rows.len() - 1][7] - steady.entry_speed / unit).abs() < 1e-6 * rows[0][7]);
-        for row in rows {
-            let slack = 1e-6 * row[7];
-            assert!(row[1] <= row[2] + slack && row[2] <= row[3] + slack && row[3] <= row[7] + slack, "{row:?}");
-            assert!(row[4] >= row[5] - slack && row[5] >= row[6] - slack && row[6] >= row[7] - slack, "{row:?}");
+        let entry = steady.entry_speed / one.drive().sqrt();
+        let [first, last] = [rows[0], rows[rows.len() - 1]].map(|[_, _, _, steady, ..]| steady);
+        assert!((first - entry).abs() < 1e-12 && (last - entry).abs() < 1e-6 * first);
+        for row in &rows {
+            let [_, _, _, steady, ..] = row;
+            assert!(row.is_sorted_by(|slower, faster| *slower <= faster + 1e-6 * steady), "{row:?}");
         }
         let drawing = Drawing::of(&figure);
         assert_eq!(["from-rest", "from-above", "cycle"].map(|class| drawing.count(class)), [3, 3, 1]);
@@ -70,18 +69,19 @@ fn the_accelerations_are_drawn_up_to_their_strongest() {
         let figure = accelerations(&one, "an example").expect("drawn");
         sound(&figure);
         let strongest = Accelerations::new(&one).expect("steady");
-        let rows = &figure.series.rows;
-        for (column, value) in [
-            (3, strongest.driver.value / 1000.0),
-            (4, strongest.follower.value / 1000.0),
-            (5, strongest.normal_moment.value / one.torque()),
+        for (name, value) in [
+            ("theta''", strongest.driver.value / 1000.0),
+            ("phi''", strongest.follower.value / 1000.0),
+            ("F R/K", strongest.normal_moment.value / one.torque()),
         ] {
-            let drawn = rows.iter().map(|row| row[column]).max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("rows");
-            assert!((drawn / value - 1.0).abs() < 0.04, "column {column}: {drawn} and {value}");
+            let drawn = columns(&figure.series, [name]).into_iter().flatten();
+            let drawn = drawn.max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("rows");
+            assert!((drawn / value - 1.0).abs() < 0.04, "{name}: {drawn} and {value}");
         }
-        let (first, last) = (&rows[0], &rows[rows.len() - 1]);
-        approx::assert_relative_eq!(first[4] - last[4], strongest.jump / 1000.0, max_relative = 1e-9);
-        assert!((first[1] / last[1] - 1.0).abs() < 1e-9 && first[2] == 0.0);
+        let rows = columns(&figure.series, ["theta'", "phi'", "phi''"]);
+        let ([driver, follower, acceleration], [end_driver, _, end_acceleration]) = (rows[0], rows[rows.len() - 1]);
+        approx::assert_relative_eq!(acceleration - end_acceleration, strongest.jump / 1000.0, max_relative = 1e-9);
+        assert!((driver / end_driver - 1.0).abs() < 1e-9 && follower == 0.0);
         let drawing = Drawing::of(&figure);
         assert_eq!((drawing.count("force"), drawing.count("curve")), (1, 4));
     }
@@ -102,10 +102,10 @@ fn the_surface_of_a_pin_slides_more_slowly_than_its_centre_moves() {
             let drawing = Drawing::of(&figure);
             assert_eq!(["wall", "bearing-flank", "enlarged-pin"].map(|class| drawing.count(class)), [4, 2, 2]);
             let rows = &figure.series.rows;
-            assert_eq!([rows[0][1], rows[1][1]], [1.0, -1.0]);
-            for row in rows {
-                assert!(row[4].abs() < row[2].abs() && row[4] * row[2] > 0.0, "{row:?}");
-                assert!((row[2] + row[3] - row[4]).abs() < 1e-12);
+            assert_eq!(columns(&figure.series, ["side"]), [[1.0], [-1.0]]);
+            for [centre, turning, surface] in columns(&figure.series, ["dr/dtheta", "s rho (1+q)", "w/theta'"]) {
+                assert!(surface.abs() < centre.abs() && surface * centre > 0.0, "{centre} {surface}");
+                assert!((centre + turning - surface).abs() < 1e-12);
             }
             // The steady motion itself: only the first instant is nearer to the line of centres.
             let itself = contact(&parameters(mechanism, 0.125), pin_radius).expect("drawn").series.rows;

@@ -53,11 +53,47 @@ impl Tested {
         Ok(self.parameters.with_friction(friction)?)
     }
 
+    /// The quantities at so many steps of friction between the ends, and at the frictions of the runs.
+    fn curve(
+        &self,
+        [from, to]: [f64; 2],
+        steps: u32,
+        quantities: impl Fn(&Parameters) -> Result<[f64; 4], FigureError>,
+    ) -> Result<Curve, FigureError> {
+        let mechanism = self.parameters.mechanism();
+        let pins = f64::from(mechanism.pins());
+        let point = |friction| Ok(Point { pins, friction, values: quantities(&self.with(friction)?)? });
+        let points = |frictions: &[f64]| frictions.iter().copied().map(point).collect::<Result<Vec<_>, FigureError>>();
+        let curve = points(&self.steps(from, to, steps)?)?;
+        Ok(Curve { slots: mechanism.slots(), points: curve, marks: points(&self.frictions)? })
+    }
+
     /// So many steps of friction from one to another, or to where the escapement jams.
     fn steps(&self, from: f64, to: f64, steps: u32) -> Result<Vec<f64>, FigureError> {
         let critical = critical_friction(self.parameters.mechanism(), self.parameters.inertias().ratio())?.friction;
         let end = to.min(NEAREST * critical);
         Ok((0..=steps).map(|k| from + (end - from) * f64::from(k) / f64::from(steps)).collect())
+    }
+}
+
+/// Four quantities of an escapement over the friction: at the points of its curve, and at the frictions of its runs.
+struct Curve {
+    slots: u32,
+    points: Vec<Point>,
+    marks: Vec<Point>,
+}
+
+/// One escapement at one friction.
+struct Point {
+    pins: f64,
+    friction: f64,
+    values: [f64; 4],
+}
+
+impl Point {
+    /// Where the point is in a panel of this quantity.
+    fn at(&self, quantity: usize) -> (f64, f64) {
+        (self.friction, self.values[quantity])
     }
 }
 

@@ -1,11 +1,12 @@
 //! What one per cent more of torque, friction or inertia does to the rate.
 
-use super::{MINUTES, Tested, axis, key, of_friction};
+use super::{Curve, MINUTES, Tested, axis, key, of_friction};
 use crate::chart::{Axis, Chart, Panel, Stroke, of_mechanism};
 use crate::number::{trimmed, with_minus_sign};
 use crate::svg::Label;
 use crate::theme::INK;
 use crate::{Figure, FigureError, Series, Words};
+use geneva_dynamics::Parameters;
 use geneva_dynamics::timer::Sensitivities;
 use std::f64::consts::FRAC_PI_2;
 
@@ -32,44 +33,27 @@ const CHANGED: [(&str, f64); 4] = [
 pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
     let x = axis(all)?.titled(of_friction());
     let ends = super::frictions(all)?;
-    let mut rows: Vec<[f64; 6]> = Vec::new();
-    let mut curves = Vec::new();
-    for one in all {
-        let row = |friction: f64| {
-            let found = Sensitivities::new(&one.with(friction)?)?;
-            let powers = [found.torque, found.friction, found.driver_inertia, found.follower_inertia];
-            let [a, b, c, d] = powers.map(|power| MINUTES * power / 100.0);
-            Ok([f64::from(one.parameters.mechanism().pins()), friction, a, b, c, d])
-        };
-        let curve: Vec<[f64; 6]> =
-            one.steps(ends[0], ends[1], STEPS)?.into_iter().map(row).collect::<Result<_, FigureError>>()?;
-        let marks = one.frictions.iter().copied().map(row).collect::<Result<Vec<_>, FigureError>>()?;
-        rows.extend(curve.iter());
-        curves.push((one, curve, marks));
-    }
-    let of = |k: usize| rows.iter().map(move |row| row[2 + k]);
+    let curves = all.iter().map(|one| one.curve(ends, STEPS, quantities)).collect::<Result<Vec<_>, _>>()?;
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let of = |k: usize| points().map(move |point| point.values[k]);
     let all_values = || (0..CHANGED.len()).flat_map(of);
     let y = Axis::from_zero(ROOM * all_values().fold(0.0, f64::min), all_values().fold(0.0, f64::max), 5.0);
     let y = y.titled(Label::words("gain for 1 % more, minutes a day"));
     let mut panel = Panel::new(430.0, &x, &y).horizontal(0.0, Stroke::thin("none"));
-    for (one, curve, marks) in &curves {
-        let (stroke, marker) = of_mechanism(one.parameters.mechanism().slots());
+    for Curve { slots, points, marks } in &curves {
+        let (stroke, marker) = of_mechanism(*slots);
         for k in 1..CHANGED.len() {
-            panel = panel.curve(curve.iter().map(|row| (row[1], row[2 + k])), stroke.wide(2.0).class("gain"));
-            panel = panel.marks(marks.iter().map(|row| (row[1], row[2 + k])), marker.sized(7.0));
+            panel = panel.curve(points.iter().map(|point| point.at(k)), stroke.wide(2.0).class("gain"));
+            panel = panel.marks(marks.iter().map(|point| point.at(k)), marker.sized(7.0));
         }
     }
     // The torque's is the same for all.
-    let torque = rows.first().map_or(0.0, |row| row[2]);
+    let torque = of(0).next().unwrap_or_default();
     panel = panel.curve(ends.map(|friction| (friction, torque)), Stroke::new(INK).class("of-torque"));
     for (k, (name, side)) in CHANGED.iter().enumerate() {
         let middle = (ends[0] + ends[1]) / 2.0;
-        let values = || curves.iter().flat_map(|(_, curve, _)| curve.iter()).map(|row| row[2 + k]);
-        let height = if *side > 0.0 {
-            values().fold(f64::NEG_INFINITY, f64::max)
-        } else {
-            values().fold(f64::INFINITY, f64::min)
-        };
+        let height =
+            if *side > 0.0 { of(k).fold(f64::NEG_INFINITY, f64::max) } else { of(k).fold(f64::INFINITY, f64::min) };
         panel = panel.near([(middle, height)], *side, Label::words(name));
     }
     let said = CHANGED.iter().enumerate().map(|(k, (name, _))| {
@@ -93,7 +77,23 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
             super::inertias(all)
         ),
     );
-    let columns =
-        [("pins", "1"), ("mu", "1"), ("gain K", "min"), ("gain mu", "min"), ("gain I_D", "min"), ("gain I_f", "min")];
-    Ok(Chart::new([panel]).key(key(all)).figure(words, Series::new(columns, rows)))
+    let series = Series::of_items(
+        points(),
+        [
+            ("pins", "1", |point| point.pins),
+            ("mu", "1", |point| point.friction),
+            ("gain K", "min", |point| point.values[0]),
+            ("gain mu", "min", |point| point.values[1]),
+            ("gain I_D", "min", |point| point.values[2]),
+            ("gain I_f", "min", |point| point.values[3]),
+        ],
+    );
+    Ok(Chart::new([panel]).key(key(all)).figure(words, series))
+}
+
+/// Minutes a day that one per cent more of each of [`CHANGED`] gains.
+fn quantities(parameters: &Parameters) -> Result<[f64; 4], FigureError> {
+    let found = Sensitivities::new(parameters)?;
+    let powers = [found.torque, found.friction, found.driver_inertia, found.follower_inertia];
+    Ok(powers.map(|power| MINUTES * power / 100.0))
 }

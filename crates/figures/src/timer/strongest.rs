@@ -1,10 +1,11 @@
 //! The greatest accelerations and forces of the steady motion over the friction.
 
-use super::{Tested, axis, key, of_friction};
+use super::{Curve, Tested, axis, key, of_friction};
 use crate::chart::{Axis, Chart, Panel, Spot, of_mechanism};
 use crate::number::significant;
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
+use geneva_dynamics::Parameters;
 use geneva_dynamics::timer::Accelerations;
 
 const STEPS: u32 = 15;
@@ -23,23 +24,9 @@ const PANELS: usize = 4;
 pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
     let x = axis(all)?;
     let ends = super::frictions(all)?;
-    let mut rows: Vec<[f64; 6]> = Vec::new();
-    let mut curves = Vec::new();
-    for one in all {
-        let row = |friction: f64| {
-            let of = one.with(friction)?;
-            let found = Accelerations::new(&of)?;
-            let [driver, follower, jump] =
-                [found.driver.value, found.follower.value, found.jump].map(|a| a.abs() / of.drive());
-            let force = found.normal_moment.value.abs() / of.torque();
-            Ok([f64::from(one.parameters.mechanism().pins()), friction, driver, follower, jump, force])
-        };
-        let curve: Vec<[f64; 6]> =
-            one.steps(ends[0], ends[1], STEPS)?.into_iter().map(row).collect::<Result<_, FigureError>>()?;
-        let marks = one.frictions.iter().copied().map(row).collect::<Result<Vec<_>, FigureError>>()?;
-        rows.extend(curve.iter());
-        curves.push((one, curve, marks));
-    }
+    let curves = all.iter().map(|one| one.curve(ends, STEPS, quantities)).collect::<Result<Vec<_>, _>>()?;
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let of = |k: usize| points().map(move |point| point.values[k]);
     let scaled = |words: &str, symbol: &str| {
         Label::words(words).and_rate(symbol, 2).and(" × ").and_symbol("I").sub("f").and(" / ").and_symbol("K")
     };
@@ -50,22 +37,20 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         Label::words("pin force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K"),
     ];
     let panels = titles.into_iter().enumerate().map(|(k, title)| {
-        let most = rows.iter().map(|row| row[2 + k]).fold(0.0, f64::max);
-        let y = Axis::from_zero(0.0, most, 3.0).titled(title);
+        let y = Axis::from_zero(0.0, of(k).fold(0.0, f64::max), 3.0).titled(title);
         let x = if k + 1 == PANELS { x.clone().titled(of_friction()) } else { x.clone().unnumbered() };
-        curves.iter().fold(Panel::new(185.0, &x, &y), |panel, (one, curve, marks)| {
-            let (stroke, marker) = of_mechanism(one.parameters.mechanism().slots());
+        curves.iter().fold(Panel::new(185.0, &x, &y), |panel, Curve { slots, points, marks }| {
+            let (stroke, marker) = of_mechanism(*slots);
             let panel = panel
-                .curve(curve.iter().map(|row| (row[1], row[2 + k])), stroke.wide(2.2).class("greatest"))
-                .marks(marks.iter().map(|row| (row[1], row[2 + k])), marker.sized(8.0));
-            let name = Label::words(&one.parameters.mechanism().pins().to_string()).in_colour(marker.colour);
-            panel.name(name, Spot::Beside(curve.last().map_or(0.0, |row| row[2 + k])))
+                .curve(points.iter().map(|point| point.at(k)), stroke.wide(2.2).class("greatest"))
+                .marks(marks.iter().map(|point| point.at(k)), marker.sized(8.0));
+            let Some(last) = points.last() else { return panel };
+            let name = Label::words(&last.pins.to_string()).in_colour(marker.colour);
+            panel.name(name, Spot::Beside(last.values[k]))
         })
     });
-    let range = |k: usize| {
-        let values = || rows.iter().map(|row| row[2 + k]);
-        [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)].map(|value| significant(value, 3))
-    };
+    let range =
+        |k: usize| [of(k).fold(f64::INFINITY, f64::min), of(k).fold(0.0, f64::max)].map(|value| significant(value, 3));
     let said =
         ["driver's acceleration", "follower's acceleration", "its jump", "force on the pin"].into_iter().enumerate();
     let said = said.map(|(k, name)| {
@@ -90,7 +75,24 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
             super::inertias(all)
         ),
     );
-    let columns =
-        [("pins", "1"), ("mu", "1"), ("theta'' I_f/K", "1"), ("phi'' I_f/K", "1"), ("jump I_f/K", "1"), ("F R/K", "1")];
-    Ok(Chart::new(panels).key(key(all)).figure(words, Series::new(columns, rows)))
+    let series = Series::of_items(
+        points(),
+        [
+            ("pins", "1", |point| point.pins),
+            ("mu", "1", |point| point.friction),
+            ("theta'' I_f/K", "1", |point| point.values[0]),
+            ("phi'' I_f/K", "1", |point| point.values[1]),
+            ("jump I_f/K", "1", |point| point.values[2]),
+            ("F R/K", "1", |point| point.values[3]),
+        ],
+    );
+    Ok(Chart::new(panels).key(key(all)).figure(words, series))
+}
+
+/// Sizes of the quantities of the panels.
+fn quantities(parameters: &Parameters) -> Result<[f64; 4], FigureError> {
+    let found = Accelerations::new(parameters)?;
+    let [driver, follower, jump] =
+        [found.driver.value, found.follower.value, found.jump].map(|a| a.abs() / parameters.drive());
+    Ok([driver, follower, jump, found.normal_moment.value.abs() / parameters.torque()])
 }

@@ -2,7 +2,7 @@
 
 use super::{Tested, friction, sensitivity, settling, strongest, torque};
 use crate::FigureError;
-use crate::checks::{Drawing, drawn, sound};
+use crate::checks::{Drawing, columns, drawn, sound};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::{Accelerations, Sensitivities};
@@ -21,17 +21,17 @@ fn tested() -> Vec<Tested> {
 fn half_the_torque_loses_the_hours_of_the_root() {
     let figure = torque();
     sound(&figure);
-    let rows = &figure.series.rows;
-    let (first, set) = (&rows[0], rows.iter().find(|row| row[0] == 100.0).expect("the torque at which it was set"));
-    assert!((first[1] - 24.0 * (0.5_f64.sqrt() - 1.0)).abs() < 1e-12 && first[0] == 50.0);
-    assert!(set[1..].iter().all(|gain| *gain == 0.0));
+    let rows = columns(&figure.series, ["torque", "gain^1/2", "gain^1/3", "gain^1"]);
+    let [torque, root, ..] = rows[0];
+    assert!((root - 24.0 * (0.5_f64.sqrt() - 1.0)).abs() < 1e-12 && torque == 50.0);
+    assert!(rows.contains(&[100.0, 0.0, 0.0, 0.0]), "no gain at the torque at which it was set");
     // The root lies between the powers of a verge with a drag, on both sides.
-    assert!(rows.iter().all(|row| (row[1] - row[2]) * (row[1] - row[3]) <= 0.0));
+    assert!(rows.iter().all(|[_, root, cube_root, first]| (root - cube_root) * (root - first) <= 0.0));
     // The name of the verge is in its area, below the root.
     let (named, height) = torque::NAMED;
     for torque in [named.start, named.end] {
-        let row = rows.iter().find(|row| (row[0] - torque).abs() < 0.51).expect("a row near it");
-        assert!(row[3] < height && height < row[1], "{row:?}");
+        let row @ [_, root, _, first] = rows.iter().find(|row| (row[0] - torque).abs() < 0.51).expect("a row near it");
+        assert!(*first < height && height < *root, "{row:?}");
     }
     let drawing = Drawing::of(&figure);
     assert_eq!(["root", "verge", "own-period"].map(|class| drawing.count(class)), [2, 2, 2]);
@@ -42,11 +42,12 @@ fn the_rate_falls_with_the_friction_through_the_one_at_which_it_was_set() {
     let pairs = [(0.09, "some oil"), (0.22, "dry")];
     let figure = friction(&tested(), 0.15, &pairs).expect("drawn");
     sound(&figure);
-    for pair in figure.series.rows.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
-        assert!(pair[1][1] > pair[0][1] && pair[1][2] < pair[0][2], "{pair:?}");
+    let rows = columns(&figure.series, ["pins", "mu", "gain"]);
+    for curve in rows.chunk_by(|[one, ..], [other, ..]| one == other) {
+        assert!(curve.is_sorted_by(|[_, mu, gain], [_, more, less]| more > mu && less < gain), "{curve:?}");
     }
-    for row in &figure.series.rows {
-        assert!((row[1] - 0.15) * row[2] <= 0.0, "{row:?}");
+    for [_, mu, gain] in &rows {
+        assert!((mu - 0.15) * gain <= 0.0, "{mu} {gain}");
     }
     let drawing = Drawing::of(&figure);
     assert_eq!(["rate", "marks", "pair"].map(|class| drawing.count(class)), [3, 3, 2]);
@@ -54,9 +55,9 @@ fn the_rate_falls_with_the_friction_through_the_one_at_which_it_was_set() {
     let speed = |mu: f64| {
         Engagement::new(&one.with(mu).expect("sound")).and_then(|of| of.steady_state()).expect("steady").mean_speed
     };
-    let last =
-        figure.series.rows.iter().rfind(|row| row[0] == f64::from(one.parameters.mechanism().pins())).expect("a row");
-    assert!((last[2] - 24.0 * (speed(last[1]) / speed(0.15) - 1.0)).abs() < 1e-9);
+    let own = f64::from(one.parameters.mechanism().pins());
+    let [_, mu, gain] = rows.iter().rfind(|[pins, ..]| *pins == own).expect("a row");
+    assert!((gain - 24.0 * (speed(*mu) / speed(0.15) - 1.0)).abs() < 1e-9);
 }
 
 #[test]
@@ -77,11 +78,12 @@ fn the_minutes_are_those_of_the_powers() {
     let figure = sensitivity(&tested()).expect("drawn");
     sound(&figure);
     let one = &tested()[0];
-    let row =
-        figure.series.rows.iter().find(|row| row[0] == f64::from(one.parameters.mechanism().pins())).expect("a row");
-    let found = Sensitivities::new(&one.with(row[1]).expect("sound")).expect("steady");
+    let own = f64::from(one.parameters.mechanism().pins());
+    let rows = columns(&figure.series, ["pins", "mu", "gain K", "gain mu", "gain I_D", "gain I_f"]);
+    let [_, mu, gains @ ..] = rows.iter().find(|[pins, ..]| *pins == own).expect("a row");
+    let found = Sensitivities::new(&one.with(*mu).expect("sound")).expect("steady");
     for (minutes, power) in
-        row[2..].iter().zip([found.torque, found.friction, found.driver_inertia, found.follower_inertia])
+        gains.iter().zip([found.torque, found.friction, found.driver_inertia, found.follower_inertia])
     {
         assert!((minutes - 14.4 * power).abs() < 1e-9);
     }
@@ -104,10 +106,11 @@ fn the_greatest_values_hold_for_every_torque() {
         assert!(row.iter().zip(same).all(|(a, b)| (a - b).abs() < 1e-6 * a.abs()), "{row:?} {same:?}");
     }
     let one = &tested()[1];
-    let row =
-        figure.series.rows.iter().find(|row| row[0] == f64::from(one.parameters.mechanism().pins())).expect("a row");
-    let found = Accelerations::new(&one.with(row[1]).expect("sound")).expect("steady");
-    assert!((row[5] - found.normal_moment.value.abs() / one.parameters.torque()).abs() < 1e-9);
+    let own = f64::from(one.parameters.mechanism().pins());
+    let rows = columns(&figure.series, ["pins", "mu", "F R/K"]);
+    let [_, mu, force] = rows.iter().find(|[pins, ..]| *pins == own).expect("a row");
+    let found = Accelerations::new(&one.with(*mu).expect("sound")).expect("steady");
+    assert!((force - found.normal_moment.value.abs() / one.parameters.torque()).abs() < 1e-9);
     assert_eq!(Drawing::of(&figure).count("greatest"), 12);
 }
 

@@ -30,27 +30,21 @@ fn more_torque() -> Claim {
             "more torque gives more speed and a shorter rise time",
         )
         .by(Quadrature, |stated| {
-            let pairs: Vec<_> = series().flat_map(|own| own.windows(2)).collect();
-            let goes = |pair: &&&[Row]| {
+            let goes = |pair: &[Row]| {
                 let [weak, strong] = [&pair[0], &pair[1]].map(start);
                 let (Some(weak), Some(strong)) = (weak, strong) else { return false };
                 let shorter = (0..2).all(|k| strong.rise_times[k] < weak.rise_times[k]);
                 let [torque, velocity] = [pair[1].torque() / pair[0].torque(), strong.velocity / weak.velocity];
                 shorter && stated.pick(velocity > 1.0, (velocity / torque - 1.0).abs() < 1e-6)
             };
-            let right = pairs.iter().filter(goes).count();
             let printed = with_more_torque(rows());
-            Finding::new(
-                !pairs.is_empty() && right == pairs.len(),
+            Finding::for_all(series().flat_map(|own| own.windows(2)), goes, |right, all| {
                 format!(
-                    "this holds for {right} of {} pairs of neighbouring rows; of the rise times that Appendix E \
+                    "this holds for {right} of {all} pairs of neighbouring rows; of the rise times that Appendix E \
                      prints, {} of {} go up with the torque and {} stay the same",
-                    pairs.len(),
-                    printed.up,
-                    printed.pairs,
-                    printed.equal
-                ),
-            )
+                    printed.up, printed.pairs, printed.equal
+                )
+            })
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 2)))
         .but_not("the lower the rise time, and in proportion the greater the terminal velocity")

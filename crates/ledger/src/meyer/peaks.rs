@@ -99,8 +99,9 @@ fn at_entry() -> Vec<Claim> {
                     let turning = |part| PinKinematics::new(at, part * at.engagement_half_angle()).angular_velocity();
                     ends.iter().all(|part| vanishes(turning(part)))
                 };
-                let count = Mechanism::ALL.iter().filter(|at| still(at)).count();
-                Finding::new(count == 3, format!("with {count} of 3 mechanisms the pin moves along its slot there"))
+                Finding::for_all(&Mechanism::ALL, still, |count, all| {
+                    format!("with {count} of {all} mechanisms the pin moves along its slot there")
+                })
             })
             .by(ClosedForm, |stated| {
                 let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[-0.99, 0.99]);
@@ -108,9 +109,10 @@ fn at_entry() -> Vec<Claim> {
                     let crank = Turn::from_radians(part * PI / f64::from(at.pins()));
                     velocity_ratio(&(1.0 / libm::sin(PI / f64::from(at.slots()))), &crank)
                 };
-                let still = |at: &&Mechanism| ends.iter().all(|part| vanishes(ratio(at, *part)));
-                let count = Mechanism::ALL.iter().filter(still).count();
-                Finding::new(count == 3, format!("with {count} of 3 mechanisms φ'/θ' of Eq. (1-7) is zero there"))
+                let still = |at: &Mechanism| ends.iter().all(|part| vanishes(ratio(at, *part)));
+                Finding::for_all(&Mechanism::ALL, still, |count, all| {
+                    format!("with {count} of {all} mechanisms φ'/θ' of Eq. (1-7) is zero there")
+                })
             })
             .but_not("the follower stands still a hundredth of the way from there to the line of centres")
             .read_as("We take the three mechanisms, in which a pin enters and leaves along its slot."),

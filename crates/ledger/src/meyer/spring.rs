@@ -106,16 +106,12 @@ fn has_its_period(row: &Row, is_rate: bool) -> Option<bool> {
 fn in_the_equation(stated: Stated) -> Finding {
     const TORQUE: f64 = 1.25;
     let right = right_side("meyer.eq-1-15");
-    let agrees = [0.5, 1.0, 2.0].map(|turned| {
+    let gives_it = |turned: f64| {
         let letters = [("K".to_owned(), TORQUE / stated.pick(1.0, turned)), ("theta".to_owned(), turned)].into();
         agrees(reading::value(right, &letters), TORQUE)
-    });
+    };
     let what = stated.pick("a torque", "a torque per unit of angle");
-    Finding::new(
-        agrees == [true; 3],
-        format!(
-            "if K is {what}, Eq. (1-15) gives the torque at {} of 3 angles",
-            agrees.iter().filter(|agrees| **agrees).count()
-        ),
-    )
+    Finding::for_all([0.5, 1.0, 2.0], gives_it, |found, all| {
+        format!("if K is {what}, Eq. (1-15) gives the torque at {found} of {all} angles")
+    })
 }

@@ -35,15 +35,13 @@ pub fn claims() -> Vec<Claim> {
                 )
             })
             .by(RungeKutta, |stated| {
-                let settled = |row: &&Row| {
+                let settled = |row: &Row| {
                     let [before, last] = last_two(row, stated.pick(1.0, 0.0));
                     (before.1 / last.1 - 1.0).abs() <= crate::tolerance::STEPS.relative
                 };
-                let count = rows().iter().filter(settled).count();
-                Finding::new(
-                    count == rows().len(),
-                    format!("{count} of {} runs repeat their speed after {ENGAGEMENTS} engagements", rows().len()),
-                )
+                Finding::for_all(rows(), settled, |count, all| {
+                    format!("{count} of {all} runs repeat their speed after {ENGAGEMENTS} engagements")
+                })
             })
             .but_not("the mechanism reaches one without friction too"),
         ABSTRACT

@@ -211,15 +211,10 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
                 let width = 2.0 * (p + t) / arms[0] * crank;
                 agrees(stated.pick(rim - deepest, width), crank + rim - centres)
             };
-            let holding = ANY.filter(|slots| holds(*slots)).count();
-            Finding::new(
-                holding == ANY.count(),
-                format!(
-                    "s is the slot's {} for {holding} of {} numbers of slots",
-                    stated.pick("length", "width"),
-                    ANY.count()
-                ),
-            )
+            let what = stated.pick("length", "width");
+            Finding::for_all(ANY, holds, |holding, all| {
+                format!("s is the slot's {what} for {holding} of {all} numbers of slots")
+            })
         })
 }
 
@@ -317,11 +312,7 @@ fn right_angle() -> Claim {
             let [one, other, opposite] = stated.pick([crank, rim, centres], [crank, centres, rim]);
             vanishes((one * one + other * other - opposite * opposite) / (centres * centres))
         };
-        let right = ANY.filter(|slots| square(*slots)).count();
-        Finding::new(
-            right == ANY.count(),
-            format!("the angle is right for {right} of {} numbers of slots", ANY.count()),
-        )
+        Finding::for_all(ANY, square, |right, all| format!("the angle is right for {right} of {all} numbers of slots"))
     };
     ANVILATE
         .statement(

@@ -107,28 +107,26 @@ fn runs() -> Vec<Claim> {
             )
             .by(Evidence::Quadrature, |stated| {
                 // Behind the strongest spring of a series comes the weakest of the next, which would be fast at once.
-                let slower = || rows().windows(2).filter(|pair| pair[1].torque() < pair[0].torque());
-                let found =
-                    slower().filter(|pair| nearer_from_rest(&pair[0], &pair[1]) == Some(stated.pick(true, false)));
-                let (found, all) = (found.count(), slower().count());
-                Finding::new(
-                    found == all && all > 0,
-                    format!(
-                        "after a faster run, {found} of {all} printed peaks are nearer to the peaks of a run {}",
-                        stated.pick("from rest", "that takes over the speed")
-                    ),
+                let slower = rows().windows(2).filter(|pair| pair[1].torque() < pair[0].torque());
+                Finding::for_all(
+                    slower,
+                    |pair| nearer_from_rest(&pair[0], &pair[1]) == Some(stated.pick(true, false)),
+                    |found, all| {
+                        format!(
+                            "after a faster run, {found} of {all} printed peaks are nearer to the peaks of a run {}",
+                            stated.pick("from rest", "that takes over the speed")
+                        )
+                    },
                 )
             })
             .by(OtherPlaceInSource, |stated| {
                 let begun = |at: usize| stated.pick(0.0, listing().duration * at as f64);
-                let within = |(at, row): &(usize, &Row)| {
-                    row.number(Column::Rise) > begun(*at) && row.number(Column::Rise) < begun(*at) + listing().duration
+                let within = |(at, row): (usize, &Row)| {
+                    row.number(Column::Rise) > begun(at) && row.number(Column::Rise) < begun(at) + listing().duration
                 };
-                let found = rows().iter().enumerate().filter(within).count();
-                Finding::new(
-                    found == rows().len(),
-                    format!("{found} of {} rise times of Appendix E fall within the run of their set", rows().len()),
-                )
+                Finding::for_all(rows().iter().enumerate(), within, |found, all| {
+                    format!("{found} of {all} rise times of Appendix E fall within the run of their set")
+                })
             })
             .but_not("one run goes through all the sets, so each set takes over speed and time from the previous one")
             .read_as(

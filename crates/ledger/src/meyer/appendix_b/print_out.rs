@@ -102,8 +102,11 @@ fn in_all_runs(words: &str, stated: Stated, runs: &[Option<Vec<Columns>>]) -> Fi
         let even = steps(0).all(|(step, _)| agrees(step, interval));
         Some(even && is_rate(1) && is_rate(2) && lines.iter().all(|line| line.1.abs() < 1e-3 * (1.0 + line.0[2].abs())))
     };
-    let (found, all) = (rows().iter().zip(runs).filter(|of| holds(*of) == Some(true)).count(), rows().len());
-    Finding::new(found == all, format!("the columns hold what their headings say in {found} of {all} runs"))
+    Finding::for_all(
+        rows().iter().zip(runs),
+        |of| holds(of) == Some(true),
+        |found, all| format!("the columns hold what their headings say in {found} of {all} runs"),
+    )
 }
 
 /// The cards after FIN.
@@ -116,14 +119,15 @@ fn output() -> Claim {
         )
         .by(ByProgram, |stated| {
             let kinds = [&OUTPUT[..], stated.pick(&[], &["FIN"])].concat();
-            let of_output = kinds.iter().filter(|kind| prints_alone(kind) == Some(true)).count();
-            Finding::new(
-                of_output == kinds.len(),
-                format!(
-                    "for {of_output} of {} kinds of cards, a deck without them prints something else but takes the \
-                     same steps",
-                    kinds.len()
-                ),
+            Finding::for_all(
+                kinds,
+                |kind| prints_alone(kind) == Some(true),
+                |found, all| {
+                    format!(
+                        "for {found} of {all} kinds of cards, a deck without them prints something else but takes the \
+                         same steps"
+                    )
+                },
             )
         })
         .by(LimitCase, |stated| {
@@ -133,18 +137,16 @@ fn output() -> Claim {
                 let integrator = geneva_mimic::Parameters { run_length: length, ..listing().integrator() };
                 Hypothesis { constants: Constants::Exact, ..Hypothesis::AS_RUN }.program(row)?.run(&integrator).ok()
             };
-            let same = weakest().zip(by_deck()).filter(|(row, by_deck)| {
+            let same = |(row, by_deck): (&Row, &Option<Vec<Vec<f64>>>)| {
                 by_deck.as_ref().zip(translated(row)).is_some_and(|(rows, translated)| {
                     let near = |(of, line): (&Vec<f64>, &Line)| (of[2] - line.speed).abs() < 1e-6 * (1.0 + line.speed);
                     let lines = translated.lines;
                     rows.len() == lines.len() && rows.iter().zip(&lines).all(near)
                 })
-            });
-            let (same, all) = (same.count(), weakest().count());
-            Finding::new(
-                same == all,
-                format!("translated without them, the program prints the same speeds in {same} of {all} runs"),
-            )
+            };
+            Finding::for_all(weakest().zip(by_deck()), same, |same, all| {
+                format!("translated without them, the program prints the same speeds in {same} of {all} runs")
+            })
         })
         .but_not("the FIN card takes no part in it either")
         .read_as("END, the last of these cards, is not a command, because it only ends the deck.")

@@ -79,9 +79,11 @@ fn hypothesis(stated: Stated) -> Hypothesis {
 
 /// Whether all rows with six and three pins come out to one unit.
 fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) -> Option<f64>) -> Finding {
-    let others = || rows().iter().filter(|row| row.mechanism != Mechanism::FOUR_PIN);
-    let near = others().filter(|row| off(of, row).is_some_and(|off| off.abs() <= unit * (1.0 + 1e-9))).count();
-    Finding::new(near == others().count(), format!("{near} of {} {what} agree to one unit", others().count()))
+    Finding::for_all(
+        rows().iter().filter(|row| row.mechanism != Mechanism::FOUR_PIN),
+        |row| off(of, row).is_some_and(|off| off.abs() <= unit * (1.0 + 1e-9)),
+        |near, all| format!("{near} of {all} {what} agree to one unit"),
+    )
 }
 
 /// The claims of the axes of Figs. 10 and 11.
