@@ -172,6 +172,8 @@ impl Shown {
     fn framed(&self, attributes: &str, caption: &str, inner: &str, source: &str, csv: String) -> (String, File) {
         let file = File::of(&self.file(), csv);
         let (kind, number, path) = (self.kind, &self.number, file.path());
+        // A caption that moves is compared with what its script writes.
+        let caption = if attributes.contains("live") { caption.to_owned() } else { units::tied(caption) };
         let caption = format!(
             "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
              title=\"made by {}\" download>Data (CSV)</a></small></figcaption>",

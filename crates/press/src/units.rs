@@ -11,7 +11,7 @@ const UNITS: &[&str] = &[
 /// a script compares with those it shows.
 const KEPT: &[&str] = &["pre", "code", "math", "svg", "script", "style", "textarea", "output"];
 
-/// The words of a figure that moves, which its script compares, too.
+/// The words of a caption: of a figure that moves, its script compares them, too. Other captions come here as they are to stay.
 const SAYS: &str = "<span class=\"says\"";
 
 /// A page in Markdown or HTML, with a space that breaks no line between each number and its unit.
