@@ -295,6 +295,20 @@ mod tests {
     }
 
     #[test]
+    fn the_reading_counts_the_rise_times_as_the_finding_does() {
+        let claims = claims();
+        let claim = claims.iter().find(|claim| claim.id == "meyer.more-torque").expect("the claim");
+        let printed = with_more_torque(rows());
+        let (failing, pairs) = (printed.up + printed.equal, printed.pairs);
+        let counted = [
+            format!("in {failing} of {pairs} pairs of neighbouring rows"),
+            format!("In {} of them the printed time goes up with the torque, and in {} it", printed.up, printed.equal),
+        ];
+        let reading = claim.reading.expect("a reading");
+        assert!(counted.iter().all(|words| reading.contains(words.as_str())), "{reading}");
+    }
+
+    #[test]
     fn a_line_meets_a_line_and_misses_a_parabola() {
         for (stated, start) in [(Stated::right(""), 3.0), (Stated::wrong(""), 0.0)] {
             let points: Vec<(f64, f64)> = (1..6).map(|k| (f64::from(k), start + 2.0 * f64::from(k))).collect();

@@ -106,7 +106,7 @@ const RISEN: usize = 8;
 
 /// Which lines are looked at: those of the print-out for its peaks, and closer ones for the peaks of the motion.
 fn looked_at(stated: Stated) -> &'static str {
-    stated.pick("lines as far apart as the printed ones", "lines much closer together than the printed ones")
+    stated.pick("lines printed as often as in the runs", "lines printed much more often")
 }
 
 /// The engagements and speeds of a run's lines.

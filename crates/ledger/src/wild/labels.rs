@@ -244,7 +244,10 @@ fn stop_arc() -> Claim {
             let across = (drawn[0] - drawn[1]).norm();
             let arc = crank - 1.5 * p;
             let said = crank - stated.number() * stated.pick(across, across / 2.0);
-            Finding::new(agrees(arc, said), format!("the arcs have the radius {arc:.1} and are said to have {said:.1}"))
+            Finding::new(
+                agrees(arc, said),
+                format!("the arcs have a radius of {arc:.1}, and the other place gives {said:.1}"),
+            )
         })
         .corrected(
             "1.5 × pin diameter",

@@ -92,8 +92,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "the pin comes to the rim at {place:.3} half pitches from the line of centres (the slot is at 1), and \
-                 the wheel starts with {speed:.3} times the driver's speed"
+                "the pin comes to the rim {place:.3} of a half pitch from the line of centres, where the slot is one half \
+                 pitch from it, so the wheel starts at {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
