@@ -8,8 +8,8 @@ use geneva_kinematics::Mechanism;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// The driver's angles that steps lead to, with the factors of the equation of motion at each and in the middle between
-/// two.
+/// The driver's angles that steps lead to, with the factors of the equation of motion at each, and du/dθ there and in
+/// the middle between two.
 #[derive(Clone)]
 pub struct Course {
     /// The driver's angles from the line of centres, or how far it has turned.
