@@ -19,6 +19,26 @@ fn typed(more: &'static str) -> Vec<&'static str> {
 }
 
 #[test]
+fn every_field_has_a_row_in_the_table() {
+    let asked = [ASKED.trim_end_matches(" --at -20"), MATERIALS, " --format fields"].concat();
+    let table = stdout(&["wheel"].into_iter().chain(asked.split_whitespace()).collect::<Vec<_>>(), 0);
+    let rows = csv::Reader::from_reader(table.as_bytes()).into_records().map(|row| row.expect("CSV"));
+    let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(str::to_owned).collect()).collect();
+    assert_eq!(table.lines().next(), Some("key,name,value,unit,meaning"));
+    let answer = answer();
+    assert_eq!(rows.len(), answer.fields().count());
+    for (row, field) in rows.iter().zip(answer.fields()) {
+        let value = row[2].parse().ok();
+        assert_eq!((&*row[0], &*row[3]), (field.key, field.unit), "{row:?}");
+        assert!(field.number() == value || field.number().is_none(), "{row:?}");
+        let Some(line) = &field.line else { continue };
+        // The name that a sheet leaves out under a line of the same name is there.
+        assert!(!row[1].is_empty() && (line.name.is_empty() || line.name == row[1]), "{row:?}");
+        assert!(line.meaning.is_empty() || line.meaning == row[4], "{row:?}");
+    }
+}
+
+#[test]
 fn every_field_is_in_the_object_and_on_the_sheet() {
     let (answer, found) = (answer(), object(&typed(MATERIALS)));
     let sheet = stdout(&typed(MATERIALS), 0);

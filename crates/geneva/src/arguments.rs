@@ -123,6 +123,7 @@ Examples:
   geneva wheel --stations 8 --centre-distance 100 --pin-diameter 8 --play 0.05 --wheel-shaft 20
   geneva wheel --stations 5 --type internal --rpm 60 --at -90 --at 30
   geneva wheel --stations 4 --pins 2 --format json
+  geneva wheel --stations 6 --rpm 60 --format fields --output numbers.csv
   geneva wheel --stations 6 --rpm 60 --format csv --output cycle.csv
   geneva wheel --stations 6 --format svg --output wheel.svg
   geneva wheel --stations 6 --crank-radius 50 --format dxf --output wheel.dxf
@@ -376,6 +377,8 @@ pub enum Format {
     Json,
     /// A series: one row per claim, mistake or time.
     Csv,
+    /// The numbers of one mechanism: one row per field, as CSV.
+    Fields,
     /// A drawing as a standalone file.
     Svg,
     /// A drawing for cutting machines.
@@ -396,6 +399,7 @@ impl Format {
             Self::Print => "print",
             Self::Json => "json",
             Self::Csv => "csv",
+            Self::Fields => "fields",
             Self::Svg => "svg",
             Self::Dxf => "dxf",
             Self::Scad => "scad",
@@ -422,7 +426,10 @@ pub fn formats(known: &'static [(Format, &'static str)]) -> impl TypedValueParse
     let refused = (!has_series).then(|| PossibleValue::new(Format::Csv.name()).hide(true));
     PossibleValuesParser::new(names.chain(refused)).try_map(move |name| {
         let format = known.iter().map(|(format, _)| *format).find(|format| format.name() == name);
-        format.ok_or("csv is for a series of rows, but this is a single mechanism; use json for its numbers")
+        format.ok_or(
+            "csv is for a series of rows, but this is a single mechanism; use fields for its numbers, one \
+                   in each row, or json",
+        )
     })
 }
 

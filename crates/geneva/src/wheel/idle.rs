@@ -29,6 +29,12 @@ pub fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
             material.name
         );
     }
+    if format == Format::Fields {
+        bail!(
+            "--format fields is for one wheel, but --index-time and --dwell-time propose several; choose --format csv, which has \
+             a row for each"
+        );
+    }
     if !gives_numbers(format) {
         bail!(
             "--format {}: --index-time and --dwell-time propose several wheels; to draw one of them, give its --stations \
@@ -58,6 +64,11 @@ pub fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
             );
             none_of(wanted, &SIZES, &why)?;
         }
+    }
+    if format == Format::Fields {
+        let why =
+            "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
+        none_of(wanted, &["at", "at-wheel"], why)?;
     }
     let is_sized = wanted.numbers().iter().any(|(name, _)| SIZES.contains(name));
     if !is_sized {
@@ -114,5 +125,5 @@ const MOTION: [&str; 6] = ["rpm", "inertia", "density", "friction-torque", "at",
 
 /// Whether a format gives numbers, and not shapes.
 fn gives_numbers(format: Format) -> bool {
-    matches!(format, Format::Text | Format::Json | Format::Csv)
+    matches!(format, Format::Text | Format::Json | Format::Csv | Format::Fields)
 }

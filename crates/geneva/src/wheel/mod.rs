@@ -99,6 +99,7 @@ pub struct WheelArguments {
         (Format::Text, "A readable sheet, which says where everything is measured from"),
         (Format::Json, "An object with all digits; null for values that need an option you didn't give"),
         (Format::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
+        (Format::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
         (Format::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
         (Format::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
         (Format::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
@@ -193,6 +194,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
             fields::csv(rows.first(), rows.iter().cloned())?
         }
         Format::Json => fields::json(&design.answer()?)?,
+        Format::Fields => fields::table(&design.answer()?)?,
         _ => fields::sheet(&design.answer()?),
     })
 }
