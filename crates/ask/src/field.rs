@@ -18,6 +18,8 @@ pub struct Field {
     pub rounding: Rounding,
     /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
     pub line: Option<Line>,
+    /// Whether a figure that a reader moves lists it although the figure has no place of its own for it.
+    pub is_on_pages: bool,
 }
 
 /// The line of a field: its name, and what its number means.
@@ -62,7 +64,7 @@ impl Field {
     /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
     pub fn in_unit(key: &'static str, value: impl Into<Value>, unit: &'static str) -> Self {
         let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
-        Self { key, value: value.into(), unit, rounding, line: None }
+        Self { key, value: value.into(), unit, rounding, line: None, is_on_pages: false }
     }
 
     /// The field with its line: a name, and what the number means. What is missing has none.
@@ -101,6 +103,11 @@ impl Field {
             (Some(Shows::Value), Value::Count(count)) => count.to_string(),
             _ => String::new(),
         }
+    }
+
+    /// The field also on pages: a figure that a reader moves lists it under its name.
+    pub fn on_pages(self) -> Self {
+        Self { is_on_pages: true, ..self }
     }
 
     /// The field with its own rounding.
@@ -154,7 +161,7 @@ pub struct Answer {
 pub struct Item {
     /// The heading of the section.
     pub heading: &'static str,
-    /// The fields that have a line, in the order of the sheet.
+    /// Its fields in the order of the sheet.
     pub fields: Vec<Field>,
     /// All of it as data.
     pub row: Row,

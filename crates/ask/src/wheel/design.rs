@@ -14,6 +14,7 @@ use geneva_kinematics::wheel::{
     CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel,
 };
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// A wheel, and what its question says about it.
 #[derive(Debug)]
@@ -32,6 +33,9 @@ pub struct Design {
     pub wheel_inertia: Option<f64>,
     /// The pin on the wall of its slot, if thickness and materials are given.
     pub contact: Option<LineContact>,
+    /// What takes long to find, once it has been asked for.
+    clearance: OnceLock<Result<Option<(Nearest, f64)>, Error>>,
+    centre_tolerance: OnceLock<Result<Option<CentreTolerance>, Error>>,
 }
 
 impl Design {
@@ -72,7 +76,8 @@ impl Design {
             }
             _ => None,
         };
-        Ok(Self { question, wheel, crank_radius, sizes, inertia, wheel_inertia, contact })
+        let (clearance, centre_tolerance) = (OnceLock::new(), OnceLock::new());
+        Ok(Self { question, wheel, crank_radius, sizes, inertia, wheel_inertia, contact, clearance, centre_tolerance })
     }
 
     /// The drawing: in true size with dimensions if the parts have sizes, otherwise not to scale.
@@ -144,9 +149,12 @@ impl Design {
     ///
     /// A distance of the axes at which the parts can't work together.
     pub fn clearance(&self) -> Result<Option<(Nearest, f64)>, Error> {
-        let Some(sizes) = &self.sizes else { return Ok(None) };
-        let centres = sizes.centre_distance + self.question.centre_error;
-        in_time(sizes.least_clearance_within(centres, self.question.effort.clearance))
+        let found = self.clearance.get_or_init(|| {
+            let Some(sizes) = &self.sizes else { return Ok(None) };
+            let centres = sizes.centre_distance + self.question.centre_error;
+            in_time(sizes.least_clearance_within(centres, self.question.effort.clearance))
+        });
+        found.clone()
     }
 
     /// By how much the axes may be nearer and farther; none without sizes, or where it would take too long to find.
@@ -155,8 +163,11 @@ impl Design {
     ///
     /// A distance of the axes at which the parts can't work together.
     pub fn centre_tolerance(&self) -> Result<Option<CentreTolerance>, Error> {
-        let Some(sizes) = &self.sizes else { return Ok(None) };
-        in_time(sizes.centre_tolerance_within(self.question.effort.tolerance))
+        let found = self.centre_tolerance.get_or_init(|| {
+            let Some(sizes) = &self.sizes else { return Ok(None) };
+            in_time(sizes.centre_tolerance_within(self.question.effort.tolerance))
+        });
+        found.clone()
     }
 }
 

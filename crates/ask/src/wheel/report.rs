@@ -9,6 +9,7 @@ use super::kind::Kind;
 use super::{loads, parts};
 use crate::written::{as_typed, count, degrees, number};
 use crate::{Answer, Error, Field};
+use geneva_kinematics::indexing::Indexing;
 
 impl Design {
     /// The answer, with the motion at the angles of the question.
@@ -17,20 +18,31 @@ impl Design {
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
     pub fn answer(&self) -> Result<Answer, Error> {
-        let sections = vec![
-            ("Given", given(self)),
-            ("Geometry", geometry(self)),
-            ("Parts", parts::parts(self)),
-            ("Play and tolerances of the parts", parts::tolerances(self)?),
-            ("Warnings", parts::warnings(self)),
-            ("Cycle", cycle(self)?),
-            ("Speed and acceleration of the wheel", motion(self)),
-            ("Loads", loads::fields(self)?),
-        ];
+        let sections = self.sections(self.wheel.indexing())?;
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
         let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
         if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
+    }
+
+    /// The fields of the answer under their headings.
+    ///
+    /// The design's wheel is an argument so that a page for wheels of one kind loads no code for the others.
+    ///
+    /// # Errors
+    ///
+    /// Speeds and inertias that no wheel has.
+    pub fn sections(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<(&'static str, Vec<Field>)>, Error> {
+        Ok(vec![
+            ("Given", given(self, wheel)),
+            ("Geometry", geometry(self, wheel)),
+            ("Parts", parts::parts(self)),
+            ("Play and tolerances of the parts", parts::tolerances(self)?),
+            ("Warnings", parts::warnings(self)),
+            ("Cycle", cycle(self, wheel)?),
+            ("Speed and acceleration of the wheel", motion(self, wheel)),
+            ("Loads", loads::fields(self, wheel)?),
+        ])
     }
 }
 
@@ -41,8 +53,7 @@ pub(super) fn too_large() -> Error {
     )
 }
 
-fn given(design: &Design) -> Vec<Field> {
-    let wheel = design.wheel.indexing();
+fn given(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Vec<Field> {
     vec![
         Field::new("type", design.wheel.kind().name()),
         Field::new("stations", wheel.stations()),
@@ -52,7 +63,7 @@ fn given(design: &Design) -> Vec<Field> {
     ]
 }
 
-fn geometry(design: &Design) -> Vec<Field> {
+fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<Field> {
     let wheel = &design.wheel;
     // Of an external wheel the length that was given comes back as it was given.
     let of_parts = design.sizes.map(|sizes| [sizes.centre_distance, sizes.wheel_radius]);
@@ -65,7 +76,7 @@ fn geometry(design: &Design) -> Vec<Field> {
         Kind::Spherical => "from there along the meridian to the pin's centre at its deepest",
     };
     vec![
-        Field::in_unit("engagement_half_angle_deg", wheel.indexing().engagement_half_angle().to_degrees(), "°")
+        Field::in_unit("engagement_half_angle_deg", indexing.engagement_half_angle().to_degrees(), "°")
             .line("engagement half-angle", "crank angle where a pin enters and leaves"),
         Field::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
             .line("centre distance", "wheel's axis to driver's axis"),
@@ -79,8 +90,8 @@ fn geometry(design: &Design) -> Vec<Field> {
     ]
 }
 
-fn cycle(design: &Design) -> Result<Vec<Field>, Error> {
-    let (wheel, times) = (design.wheel.indexing(), design.times(design.wheel.indexing())?);
+fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+    let times = design.times(wheel)?;
     Ok(vec![
         Field::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
             .line("motion fraction", "while a pin is in a slot"),
@@ -93,8 +104,8 @@ fn cycle(design: &Design) -> Result<Vec<Field>, Error> {
     ])
 }
 
-fn motion(design: &Design) -> Vec<Field> {
-    let (wheel, speed, kind) = (design.wheel.indexing(), design.speed(), design.wheel.kind());
+fn motion(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Vec<Field> {
+    let (speed, kind) = (design.speed(), design.wheel.kind());
     let (velocity, entry) = (wheel.peak_velocity(), wheel.entry_acceleration());
     let (acceleration, jerk) = (wheel.acceleration_peak(), wheel.jerk_peak());
     // With as many pins as fit and no dwell, one pin enters as another leaves.
