@@ -16,6 +16,7 @@ mod differing;
 mod errata;
 mod escapement;
 mod fields;
+mod format;
 #[cfg(test)]
 mod fuzz;
 mod input;
@@ -35,7 +36,8 @@ mod typed;
 mod wheel;
 mod workspace;
 
-use arguments::{Arguments, Command, Output};
+use arguments::{Arguments, Command};
+use format::Output;
 use output::{Outcome, Own, Streams};
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -126,7 +128,7 @@ fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
         geneva_ledger::verdicts()
     };
     streams.print(&summary::page(verdicts))?;
-    book::build(&arguments::BuildArguments::default(), streams)?;
+    book::build(&book::BuildArguments::default(), streams)?;
     Ok(as_recorded(verdicts, streams))
 }
 

@@ -1,10 +1,11 @@
-//! Numbers as they are typed at the command line, each with the range in which we can compute with it, and as messages
-//! repeat them.
+//! Numbers and names as they are typed at the command line, each number with the range in which we can compute with it, and as
+//! messages repeat them.
 //!
 //! The parser of an option returns a number that the option may have. If one number is possible only with another, the
 //! command says so.
 
 use crate::printable::shown;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use geneva_kinematics::wheel::STATIONS;
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
@@ -110,6 +111,16 @@ fn whole<T: FromStr>(text: &str, things: &str, possible: &str) -> Result<T, Stri
 /// A number, with either of the signs for minus: the sheet has the typographer's.
 pub fn number(text: &str) -> Option<f64> {
     text.trim().replace('−', "-").parse().ok()
+}
+
+/// One of the values in a list, by its name; help says what each means.
+pub fn named<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    slug: fn(T) -> &'static str,
+    meaning: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|value| PossibleValue::new(slug(*value)).help(meaning(*value))))
+        .try_map(move |name| all.iter().copied().find(|value| slug(*value) == name).ok_or("not a known name"))
 }
 
 /// `value`, which was typed so, if it is above zero and can be computed with.

@@ -3,8 +3,8 @@
 mod listed;
 mod report;
 
-use crate::arguments::{Format, Output, formats};
 use crate::destination::apart_from;
+use crate::format::{Format, Output, formats};
 use crate::input::{self, STANDARD_INPUT};
 use crate::output::count;
 use crate::printable::{shown, shown_path};

@@ -6,9 +6,9 @@ mod grid;
 mod range;
 mod row;
 
-use crate::arguments::Output;
 use crate::destination::Destination;
 use crate::fields;
+use crate::format::Output;
 use crate::output::count;
 use crate::printable::shown_path;
 use crate::threads::Threads;

@@ -1,6 +1,6 @@
 //! No option is ignored in silence: one that would have no effect is refused, with what would give it one.
 
-use crate::arguments::Format;
+use crate::format::Format;
 use crate::typed::as_typed;
 use anyhow::bail;
 use geneva_ask::wheel::{Kind, Question};

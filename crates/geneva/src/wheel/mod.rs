@@ -2,8 +2,8 @@
 
 mod idle;
 
-use crate::arguments::{Format, Output, formats};
 use crate::fields;
+use crate::format::{Format, Output, formats};
 use crate::typed;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
