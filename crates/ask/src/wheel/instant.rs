@@ -1,7 +1,9 @@
 //! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
+use super::Question;
 use super::design::Design;
 use super::report::too_large;
+use crate::written::{as_typed, rounded_down};
 use crate::{Error, Field, Item, Row};
 use geneva_dynamics::wheel_loads::Load;
 use geneva_kinematics::indexing::PinInSlot;
@@ -9,6 +11,9 @@ use geneva_kinematics::wheel::{Motion, Phase};
 
 /// Degrees of half a turn.
 const HALF_TURN: i32 = 180;
+
+/// Most angles at which the motion is reported at once.
+const MOST_INSTANTS: usize = 10_000;
 
 /// The wheel at one crank angle.
 struct Instant {
@@ -131,6 +136,31 @@ pub(super) fn item(design: &Design, degrees: f64) -> Result<Item, Error> {
 }
 
 impl Design {
+    /// The crank angles in degrees at which to report the motion.
+    pub(super) fn angles(&self) -> Result<Vec<f64>, Error> {
+        let Question { at, at_wheel, .. } = &self.question;
+        let asked = at.len() + at_wheel.len();
+        if asked > MOST_INSTANTS {
+            return Err(refused!(
+                "--at and --at-wheel give {asked} angles, but at most {MOST_INSTANTS} can be reported at once; give fewer, or \
+                 none with --format csv, which has a row for each degree"
+            ));
+        }
+        let wheel = self.wheel.indexing();
+        let most = 180.0 / f64::from(wheel.stations());
+        let of_the_wheel = at_wheel.iter().map(|degrees| {
+            if degrees.abs() > most {
+                return Err(refused!(
+                    "--at-wheel {}: during an index the wheel turns from −{most}° to {most}°; give an angle in this range",
+                    as_typed(*degrees),
+                    most = rounded_down(most)
+                ));
+            }
+            Ok(wheel.crank_at(degrees.to_radians())?.to_degrees())
+        });
+        at.iter().map(|degrees| Ok(*degrees)).chain(of_the_wheel).collect()
+    }
+
     /// The cycle: a row for each degree of a turn of the driver, both ends included, or for each angle of the question.
     ///
     /// # Errors
