@@ -6,8 +6,7 @@ use super::report::too_large;
 use crate::written::{as_typed, rounded_down};
 use crate::{Error, Field, Item, Row};
 use geneva_dynamics::wheel_loads::Load;
-use geneva_kinematics::indexing::PinInSlot;
-use geneva_kinematics::wheel::{Motion, Phase};
+use geneva_kinematics::indexing::{Motion, Phase, PinInSlot};
 
 /// Degrees of half a turn.
 const HALF_TURN: i32 = 180;

@@ -6,9 +6,8 @@ use super::general::printed_angle;
 use super::letters::{FASTEST, PARTS};
 use super::peak::{number, rounds_to_the_speed};
 use super::*;
-use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove};
 
 const DATA: Place = at("Example, data");
