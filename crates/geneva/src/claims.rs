@@ -1,8 +1,8 @@
 //! The list of claims.
 
-use crate::format::{Format, Output, formats};
+use crate::fields;
 use crate::output::{WIDTH, count, cut, heading, style};
-use crate::{fields, typed};
+use crate::typed::{self, Format, Output, formats};
 use clap::Args;
 use geneva_ledger::{Decimal, Judged, Verdict, Work, claims, in_full, verdict, verdicts, verdicts_of};
 use geneva_press::records;
@@ -93,7 +93,7 @@ fn computed(judged: &Judged) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arguments::{Arguments, Command};
+    use crate::{Arguments, Command};
     use clap::Parser;
 
     /// The ids of the claims that are listed for these options.

@@ -1,9 +1,9 @@
 //! The mistakes in the sources, most serious consequence first.
 
 use crate::claims::with_unit;
-use crate::format::{Format, Output, formats};
+use crate::fields;
 use crate::output::{count, field, heading, wrapped};
-use crate::{fields, typed};
+use crate::typed::{self, Format, Output, formats};
 use clap::Args;
 use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips, slips_in, verdicts, verdicts_of};
 use geneva_press::records;
@@ -185,7 +185,7 @@ fn code(characters: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arguments::{Arguments, Command};
+    use crate::{Arguments, Command};
     use clap::Parser;
 
     #[test]

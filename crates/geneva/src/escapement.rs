@@ -1,8 +1,7 @@
 //! One escapement: whether it runs, its steady state, its rise from rest, the run itself, or a drawing.
 
 use crate::fields;
-use crate::format::{Format, Output, formats, name_of};
-use crate::typed::{self, as_typed};
+use crate::typed::{self, Format, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::escapement::{Design, Drawing, Further, Question, Units};
 

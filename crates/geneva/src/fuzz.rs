@@ -3,8 +3,8 @@
 //! The options come from the parser itself, so a new one is tried without being named here. `GENEVA_FUZZ` says how many
 //! lines are tried, and `GENEVA_FUZZ_SEED` which.
 
-use crate::arguments::{self, Arguments, Command};
 use crate::printable::is_obeyed;
+use crate::{Arguments, Command};
 use crate::{claims, completions, coverage, errata, escapement, mimic, quick_return, sweep, wheel};
 use anstream::adapter::strip_str;
 use clap::CommandFactory;
@@ -163,7 +163,7 @@ fn fuzz_command_lines_are_answered_or_refused_in_words() {
     for _ in 0..lines {
         let line = line(&mut dice, &root);
         let tried = Tried(format!("{line:?}"));
-        let told = match arguments::parse(line.iter().map(OsString::from)) {
+        let told = match crate::parse(line.iter().map(OsString::from)) {
             Err(error) => {
                 misread += 1;
                 error.render().to_string()

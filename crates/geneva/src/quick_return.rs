@@ -1,8 +1,7 @@
 //! One quick-return mechanism at an instant: where its parts are, every velocity and acceleration, or a drawing.
 
 use crate::fields;
-use crate::format::{Format, Output, formats, name_of};
-use crate::typed;
+use crate::typed::{self, Format, Output, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::quick_return::{Design, Drawing, Place, Question};
 use geneva_kinematics::quick_return::Branch;

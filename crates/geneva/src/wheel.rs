@@ -4,8 +4,7 @@
 //! with what would give it one.
 
 use crate::fields;
-use crate::format::{Format, Output, formats};
-use crate::typed::{self, as_typed};
+use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};

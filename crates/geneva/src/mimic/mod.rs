@@ -4,13 +4,12 @@ mod listed;
 mod report;
 
 use crate::destination::apart_from;
-use crate::format::{Format, Output, formats};
 use crate::input::{self, STANDARD_INPUT};
 use crate::output::count;
 use crate::printable::{shown, shown_path};
 use crate::progress;
 use crate::threads::Threads;
-use crate::typed::{self, as_typed};
+use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::{anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_ledger::meyer::runs::{Hypothesis, rows};

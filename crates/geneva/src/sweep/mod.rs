@@ -8,11 +8,11 @@ mod row;
 
 use crate::destination::Destination;
 use crate::fields;
-use crate::format::Output;
 use crate::output::count;
 use crate::printable::shown_path;
+use crate::progress;
 use crate::threads::Threads;
-use crate::{progress, typed};
+use crate::typed::{self, Output};
 use clap::Args;
 use grid::Grid;
 use range::{Range, Spacing};
