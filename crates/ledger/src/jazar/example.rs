@@ -26,7 +26,7 @@ fn advances() -> Vec<Claim> {
             "jazar.ex.rpm",
             "360",
             "rpm",
-            "the given speed of the driver, which the printed angular velocity and number of advances reproduce",
+            "the given speed of the driver, confirmed by the printed angular velocity and number of advances",
         )
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances"))
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
@@ -52,7 +52,7 @@ fn advances() -> Vec<Claim> {
             "jazar.ex.stations",
             "6",
             "stations",
-            "the given number of stations, which the printed angles reproduce",
+            "the given number of stations, confirmed by the printed angles",
         )
         .by(OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance"))
         .by(OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
