@@ -290,7 +290,7 @@ fn old_acceleration() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.delay",
                 "t-DT/10",
-                "the old acceleration is the acceleration a tenth of the print interval earlier",
+                "the old acceleration is the acceleration as it was a tenth of the print interval earlier",
             )
             .missing(
                 "The card of the delay, TDL, asks for this acceleration. Whether the program gets it depends on what \
