@@ -106,9 +106,10 @@ pub fn accelerations() -> anyhow::Result<Table> {
         "pin force, <small>× spring’s</small>",
     ];
     let caption = "Accelerations of the greatest magnitude, in 1000 rad/s², each with the driver's angle from the line \
-                   of centres. Then follow the jump of the follower's acceleration when the next pin takes over, and \
-                   the greatest force on the pin, divided by the spring's force at the crank radius. The mechanisms \
-                   are ideal. For each friction value, the table shows the thesis's run with the strongest spring";
+                   of centres. The last two columns give the jump of the follower's acceleration when the next pin \
+                   takes over, and the greatest force on the pin, divided by the spring's force at the crank radius. \
+                   The mechanisms are ideal. For each friction value, the table shows the thesis's run with the \
+                   strongest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
