@@ -57,8 +57,8 @@ fn conditions() -> Vec<Claim> {
                 "as an escapement, the mechanism needs a pin engaged at every instant",
             )
             .missing(
-                "The sentence may state what every such escapement needs, or what was chosen for this design, and the \
-                 thesis does not say which. Without an engaged pin, the follower rests. The text calls such \
+                "The sentence can be read as a need of every such escapement, or as a choice made for this design, and \
+                 the thesis does not say which. Without an engaged pin, the follower rests. The text calls such \
                  intermittent motion undesirable, not impossible. If the sentence states a choice, there is nothing to \
                  test. If it states a need, it is false. Even with some pins taken away, and with the follower held \
                  between engagements, each of the three mechanisms comes to a steady speed at each friction value of \

@@ -25,12 +25,12 @@ fn less_friction() -> Claim {
              three mechanisms together. First, suppose that the rise ends when the velocity at each angle is steady to \
              one per cent. Then the rise becomes longer in 7 of the steps, but by less than a tenth of a millisecond, \
              and the tables' unit is one millisecond. With two per cent instead of one, it becomes longer in none of \
-             the steps. If we assume that each engagement shrinks a difference in speed by the same factor, each of \
-             the friction values in the runs gives a shorter rise than the value below it. Now suppose that the rise \
-             ends with the first engagement whose average of peak and minimum is the steady average. Then the rise \
-             becomes longer in nearly every step, because each engagement takes longer. But where the rise needs one \
-             engagement fewer than in the step before, it becomes shorter. In Appendix E, the row with more friction \
-             has the longer rise time in 8 of 34 pairs of rows",
+             the steps. If we assume that a difference in speed dies away evenly, each of the friction values in the \
+             runs gives a shorter rise than the value below it. Now suppose that the rise ends with the first \
+             engagement whose average of peak and minimum is the steady average. Then the rise becomes longer in \
+             nearly every step, because each engagement takes longer. But where the rise needs one engagement fewer \
+             than in the step before, it becomes shorter. In Appendix E, the row with more friction has the longer \
+             rise time in 8 of 34 pairs of rows",
         )
 }
 

@@ -228,7 +228,7 @@ fn described() -> Vec<Claim> {
                  cards, and it ends without data. The thesis does not say whether these are the seven cards that it \
                  means, and the data cards are missing",
             ),
-        constant("meyer.app-b.spring-constant", PROGRAM, "the name that K is given", "spring constant"),
+        constant("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant"),
         PROGRAM
             .statement(
                 "meyer.app-b.letters",

@@ -42,7 +42,7 @@ fn constants() -> Vec<Claim> {
         no_rate(
             "meyer.listing.comment-k",
             at("Appendix B, program, comment on K"),
-            "the name that K is given",
+            "what K is called",
             "SPRING RATE",
             "TORQUE OF THE SPRING",
         ),
