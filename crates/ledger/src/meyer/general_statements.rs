@@ -95,8 +95,8 @@ fn least_rise_time() -> Claim {
                          stays the same. So all times are proportional to √(I_f/K), where I_f is the follower's \
                          inertia and K the torque. As K grows, this square root becomes as small as we like, and there \
                          is no minimum.",
-                witness: "We proved the law of similarity for the equation and showed that it fails if the times are \
-                          left unchanged.",
+                witness: "We proved the law of similarity for the equation, and showed that it fails if the times do \
+                          not change with the torque.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,
                 changes: "A stronger spring always shortens the rise. With four times the torque, the rise is half as \

@@ -88,8 +88,8 @@ pub fn claims() -> Vec<Claim> {
                              are longer than fifty milliseconds, both with six pins and with four. The printed rise \
                              times do not show which time is right, because no definition of the rise time that we \
                              tried reproduces them. But some of the computed motions take longer than the abstract's \
-                             time to come within one per cent of the terminal velocity, whether we read this as the \
-                             velocity at each angle or as the average of peak and minimum.",
+                             time to come within one per cent of the terminal velocity, whether we take the velocity \
+                             at each angle or the average of peak and minimum.",
                     witness: "We solved the equation of motion for the ideal mechanisms.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Conclusion,

@@ -228,7 +228,7 @@ fn described() -> Vec<Claim> {
                  cards, and it ends without data. The thesis does not say whether these are the seven cards that it \
                  means, and the data cards are missing",
             ),
-        constant("meyer.app-b.spring-constant", PROGRAM, "the name that K is given", "spring constant"),
+        constant("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant"),
         PROGRAM
             .statement(
                 "meyer.app-b.letters",
@@ -290,7 +290,7 @@ fn old_acceleration() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.delay",
                 "t-DT/10",
-                "the old acceleration is the acceleration a tenth of the print interval earlier",
+                "the old acceleration is the acceleration as it was a tenth of the print interval earlier",
             )
             .missing(
                 "The card of the delay, TDL, asks for this acceleration. Whether the program gets it depends on what \

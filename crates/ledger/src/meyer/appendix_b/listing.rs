@@ -42,7 +42,7 @@ fn constants() -> Vec<Claim> {
         no_rate(
             "meyer.listing.comment-k",
             at("Appendix B, program, comment on K"),
-            "the name that K is given",
+            "what K is called",
             "SPRING RATE",
             "TORQUE OF THE SPRING",
         ),
@@ -91,7 +91,7 @@ fn constants() -> Vec<Claim> {
             .statement(
                 "meyer.listing.delay",
                 listed::DELAY,
-                "the card asks for the acceleration a tenth of the print interval earlier",
+                "the card asks for the acceleration as it was a tenth of the print interval earlier",
             )
             .by(OtherPlaceInSource, |stated| {
                 let told = parts_of_the_interval("meyer.app-b.delay");
