@@ -215,7 +215,7 @@ fn angle() -> Vec<Claim> {
                     "we used the same speed and acceleration of the driver for both pins, in coordinates",
                 )
             })
-            .but_not("it starts with the follower's acceleration too"),
+            .but_not("it also starts with the follower's acceleration from the end of the one before"),
         AFTER
             .statement(
                 "meyer.app-b.one-pin-at-a-time",
