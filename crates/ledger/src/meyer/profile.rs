@@ -33,8 +33,7 @@ pub fn claims() -> Vec<Claim> {
             "The text does not name the run, and it need not be one of the runs in the tables. In the four-pin runs of \
              the tables the velocity takes 29 ms or more to become steady, whether we go by the velocity at each angle \
              or by the average of peak and minimum, and no row has the 25 ms that the text gives. In two of these runs \
-             the time of the first minimum rounds to 25 ms, but the rise times of these two runs are longer by half or \
-             more",
+             the time of the first minimum rounds to 25 ms, but their rise times are longer than that by half or more",
         ),
         first_minimum(),
     ]

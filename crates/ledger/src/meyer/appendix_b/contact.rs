@@ -70,7 +70,7 @@ fn solved() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.must-be-solved",
                 "it must first be solved",
-                "before MIMIC can integrate the equation, it must be solved for the acceleration",
+                "the equation must be solved for the acceleration before MIMIC can integrate it",
             )
             .missing(IMPLICIT),
     ]
