@@ -60,10 +60,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "We hold the printed sentence only to this: with each mechanism, the curve goes up and down equally often \
-             in all runs, as far as speeds rounded to the tables' whole units can show. That is the least that “shape” \
-             can mean. In the correction, “shape” means how low the minimum is and how high the speed at entry is, \
-             both relative to the peak.",
+            "We ask only one thing of the printed sentence: with each mechanism, the curve must go up and down equally \
+             often in all runs, to the whole units in which the tables give speeds. That is the least that “shape” can \
+             mean. In the correction, “shape” means how low the minimum is and how high the speed at entry is, both \
+             relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",
@@ -210,7 +210,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         .collect();
     Finding::new(
         counts.iter().all(same),
-        format!("in a cycle, the driver's speed changes between rising and falling {}", joined(&each)),
+        format!("in a cycle, the driver's speed turns from rising to falling or back {}", joined(&each)),
     )
 }
 

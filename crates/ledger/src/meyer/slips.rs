@@ -171,8 +171,9 @@ pub const SAMPLED_PEAKS: Slip = Slip {
               are equal.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "There is nothing in the mechanism to investigate, because the oscillations disappear if the print-out \
-              has more lines per second. Where the true peak lasts only a short time, the printed peak is too low.",
+    changes: "The thesis wants these oscillations investigated, but they are not in the mechanism: they disappear if \
+              the print-out has more lines per second. Where the true peak lasts only a short time, the printed peak \
+              is too low.",
 };
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.

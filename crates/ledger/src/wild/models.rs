@@ -156,7 +156,7 @@ fn freecad() -> Claim {
                  at the wheel's axis is then half the angle between two slots for at most one number of slots. A \
                  comment in the program gives formulas in which you can choose only one radius.",
                 TWICE,
-                "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
+                "The slot waits on a line that is farther from the pin's circle than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",
             ),
         ),
@@ -215,8 +215,8 @@ fn model3d() -> Claim {
         MODEL3D,
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
-        "radius of the driven wheel, without its slack of 0.015 and the rounding of its tips, in a program whose pin \
-         circle, without the slack, has the right radius (the centre distance over √2)",
+        "radius of the driven wheel, in a program whose pin circle has the right radius (the centre distance over √2); \
+         both without the slack of 0.015, and the wheel without the rounding of its tips",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }
