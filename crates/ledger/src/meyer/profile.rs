@@ -32,8 +32,8 @@ pub fn claims() -> Vec<Claim> {
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
             "The text does not name the run, and it need not be one of the runs in the tables. In the four-pin runs of \
              the tables the velocity takes 29 ms or more to become steady, whether we go by the velocity at each angle \
-             or by the average of peak and minimum, and no row has the 25 ms that the text gives. In two of these runs \
-             the time of the first minimum rounds to 25 ms, but their rise times are longer than that by half or more",
+             or by the average of peak and minimum. No row has the 25 ms that the text gives. In two of these runs the \
+             time of the first minimum rounds to 25 ms, but their rise times are longer than that by half or more",
         ),
         first_minimum(),
     ]

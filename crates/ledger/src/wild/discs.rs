@@ -241,8 +241,8 @@ fn freecad_arcs() -> Claim {
         .example(
             "wild.freecad.arcs",
             "x = y - b/2",
-            "position x, from the driver's axis, of the centre of an arc of the wheel at rest, for wheel radius b and \
-             arcs of radius y, with the wheel's axis at −c",
+            "position x of the centre of an arc of the wheel at rest, measured from the driver's axis, for wheel \
+             radius b and arc radius y, with the wheel's axis at −c",
         )
         .by(ClosedForm, move |stated| {
             rests(freecad_wheels().map(|wheel| {
