@@ -135,9 +135,10 @@ fn first_minimum() -> Claim {
          steady state",
         Slip {
             id: "",
-            reason: "The first minimum belongs to an engagement that begins at rest. In every run it is lower than the \
-                     minimum of the steady state, and the less friction there is, the lower it is. In a few runs the \
-                     difference is 1 rad/s or less, so the tables, whose speeds have no decimals, hardly show it.",
+            reason: "The first minimum belongs to an engagement that begins at rest. In every run this minimum is \
+                     lower than the minimum of the steady state, and the less friction there is, the lower it is. In a \
+                     few runs the difference is 1 rad/s or less, so the tables, whose speeds have no decimals, hardly \
+                     show it.",
             witness: "We computed the motions in small steps of the driver's angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,

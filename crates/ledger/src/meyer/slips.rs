@@ -148,11 +148,11 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
 /// A number in a row that nothing explains, because neither the mechanism nor the program gives it.
 pub const UNEXPLAINED: Slip = Slip {
     id: "",
-    reason: "With four pins, the program resets the driver's angle correctly, so both program and mechanism should \
-             have the printed peak. But both give a higher peak. The largest speed that the program prints exceeds the \
-             printed peak by more than one and a half units of the last digit. The mechanism's own peak, which we give \
-             as the right one, exceeds the printed peak by more than two and a half units. The minimum and the period \
-             in the same row do agree. We do not know how the printed peak came about.",
+    reason: "With four pins, the program resets the driver's angle correctly, so both the program and the mechanism \
+             should give the printed peak. But both give a higher peak. The largest speed that the program prints \
+             exceeds the printed peak by more than one and a half units of the last digit. The mechanism's own peak, \
+             which we give as the right one, exceeds the printed peak by more than two and a half units. The minimum \
+             and the period in the same row do agree. We do not know how the printed peak came about.",
     witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both give a higher \
               peak.",
     origin: Origin::Arithmetic,

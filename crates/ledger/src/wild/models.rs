@@ -92,8 +92,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "the pin comes to the rim {place:.3} of a half pitch from the line of centres, where the slot is one half \
-                 pitch from it, so the wheel starts at {speed:.3} times the driver's speed"
+                "the pin comes to the rim {place:.3} half pitches from the line of centres (the slot is 1 half pitch \
+                 from this line), and the wheel starts at {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -152,9 +152,9 @@ fn freecad() -> Claim {
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
-                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. The angle \
-                 at the wheel's axis is then half the angle between two slots for at most one number of slots. A \
-                 comment in the program gives formulas in which you can choose only one radius.",
+                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. But this \
+                 makes the angle at the wheel's axis half the angle between two slots for one number of slots at most. \
+                 A comment in the program gives formulas in which you can choose only one radius.",
                 TWICE,
                 "The slot waits on a line that is farther from the pin's circle than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",

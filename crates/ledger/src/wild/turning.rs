@@ -26,7 +26,7 @@ const DWELL: Slip = Slip {
 /// The mistake about how long a wheel moves, on another page.
 const MORE_SLOTS: Slip = Slip {
     id: "wild.unseel.six",
-    ..slip(TURNED, TWICE, "If you want a longer rest and choose more slots to get it, you get a shorter rest.")
+    ..slip(TURNED, TWICE, "If you choose more slots to get a longer rest, you get a shorter rest.")
 };
 
 pub fn claims() -> Vec<Claim> {
