@@ -134,8 +134,8 @@ pub const TERMS: [Term; 8] = [
         word: "is a maximum, is a minimum, coincides, slows down, decreases",
         known_by: &[],
         meaning: "within one unit of the tables' speeds, 1 rad/s, of the greatest or the least speed of the cycle. A \
-                  member slows down, or its speed decreases, if the speed is nowhere more than one such unit above the \
-                  least value that it had before",
+                  member slows down, or its speed decreases, if the speed never rises by more than one such unit above \
+                  its lowest value so far",
         rests_on: "Appendix E, whose speeds have no decimals",
         measure: "terms::is_there",
         claims: &[
