@@ -16,9 +16,9 @@ const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
     reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because the \
              printed ratio is larger than the largest value that the equation takes for six stations. We can only \
-             guess at its origin: the equation gives the printed digits with the printed angle of 22.9° in the \
-             numerator but an angle of 22.5° in the denominator. The answer to (e) is the printed ratio times the \
-             square of the driver's speed, and that speed is right.",
+             guess at its origin: the equation gives the printed digits if the angle in the numerator is the printed \
+             one, 22.90°, but the angle in the denominator is 22.50°, with a 5 in place of the 9. The answer to (e) is \
+             the printed ratio times the square of the driver's speed, and that speed is right.",
     witness: "We wrote the pin's position as a power series and derived from it the pin's direction as seen from the \
               wheel's axis. By bisection, we found where the third derivative of this direction's angle is zero, which \
               is where the acceleration peaks.",

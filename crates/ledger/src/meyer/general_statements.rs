@@ -112,7 +112,7 @@ fn graphs() -> Vec<Claim> {
             .statement(
                 "meyer.fig-10.rise-axis",
                 "RISE TIME TO 99% OF TERMINAL VELOCITY",
-                "the rise time that is drawn ends at 99 per cent of the terminal velocity",
+                "in the curves, the rise ends at 99 per cent of the terminal velocity",
             )
             .missing(
                 "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \

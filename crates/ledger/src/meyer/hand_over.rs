@@ -37,8 +37,8 @@ pub fn conclusion() -> Vec<Claim> {
                    number of slots count as a configuration if each pin takes over from the previous one without a \
                    gap, as chapter I requires. For all configurations of up to eight pins and eight slots, we tested \
                    whether the motion reaches a terminal velocity. In these tests we used the friction values of the \
-                   runs and the inertias of the six-pin runs. (With other inertias and more friction, some \
-                   configurations have no terminal velocity, and this is true of the thesis's three as well.)";
+                   runs and the inertias of the six-pin runs. (With other inertias and more friction, a configuration \
+                   may have no terminal velocity. This can happen to the thesis's three, too.)";
     vec![
         at(locator)
             .statement(

@@ -134,8 +134,8 @@ pub const TERMS: [Term; 8] = [
         word: "is a maximum, is a minimum, coincides, slows down, decreases",
         known_by: &[],
         meaning: "the speed differs from the greatest or the least speed of the cycle by no more than one unit of the \
-                  tables, 1 rad/s. A member slows down, or its speed decreases, if the speed is nowhere more than one \
-                  such unit above the least value that it had before",
+                  tables, 1 rad/s. A member slows down, or its speed decreases, if the speed never rises by more than \
+                  one such unit above its lowest value so far",
         rests_on: "Appendix E, whose speeds have no decimals",
         measure: "terms::is_there",
         claims: &[
@@ -151,8 +151,8 @@ pub const TERMS: [Term; 8] = [
         known_by: &["almost"],
         meaning: "a straight line misses each velocity by less than a twentieth. The source does not define the word",
         rests_on: "no place in the thesis, because the measure is ours. The verdict is the same for any measure \
-                   between two limits: the greatest miss of the straight lines, and the least miss of the straight \
-                   lines through the origin",
+                   between the greatest miss of a best straight line and the greatest miss of a best straight line \
+                   through the origin",
         measure: "general_statements::straight",
         claims: &["meyer.almost-linear"],
     },

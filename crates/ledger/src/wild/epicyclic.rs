@@ -47,8 +47,8 @@ const FRACTION: Slip = slip(
 const WHOLE_TURNS: &str = "The pinion must make a whole number of turns relative to the crank while the wheel moves, \
                            and also in a full turn of the crank. By the first condition, the ratio must be a multiple \
                            of the printed expression: 2n/(n − 2) for an external wheel and 2n/(n + 2) for an internal \
-                           one. By the second condition, the ratio must be an integer. So k is the least integer that \
-                           makes the ratio an integer.";
+                           one. By the second condition, the ratio must be an integer. So we multiply the expression \
+                           by k, the least integer that makes the ratio an integer.";
 
 /// What the ratio of teeth is for, with an external and with an internal wheel.
 const GEARS: [&str; 2] = [

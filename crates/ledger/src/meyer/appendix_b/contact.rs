@@ -62,15 +62,15 @@ fn solved() -> Vec<Claim> {
             })
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
-                "We read “solved” as having a formula that gives the acceleration in terms of the other letters. The \
-                 text goes on to replace the bars by a sign, which it takes from an earlier acceleration. Whether the \
-                 computer needed this is a question for other claims, which we leave open.",
+                "We read “solved” as having a formula that gives the acceleration in terms of the other letters. Next, \
+                 the text replaces the bars by a sign, which it takes from an earlier acceleration. Whether the \
+                 computer needed this replacement is a question for other claims, which we leave open.",
             ),
         PROGRAM
             .statement(
                 "meyer.app-b.must-be-solved",
                 "it must first be solved",
-                "before MIMIC can integrate the equation, it must be solved for the acceleration",
+                "the equation must be solved for the acceleration before MIMIC can integrate it",
             )
             .missing(IMPLICIT),
     ]

@@ -111,8 +111,8 @@ fn constants() -> Vec<Claim> {
                  took there.",
             ),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
-            "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on it, \
-             because they are the same whether the delay keeps a hundred values or all of them",
+            "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on this \
+             number: they are the same whether the delay keeps a hundred values or all of them",
         ),
         PROGRAM
             .value(
