@@ -46,7 +46,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("findings", "What we found when we tried the forms of an equation, a figure or a statement."),
     (
         "findings.form",
-        "Which form was tried: the printed one, the corrected one, or a near miss, by the first route or by the witness.",
+        "Which form was tried (the printed one, the corrected one or a near miss), and by which route (the first or the witness).",
     ),
     ("findings.holds", "Whether this form holds."),
     ("findings.how", "How we know, in words."),

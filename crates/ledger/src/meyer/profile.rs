@@ -69,8 +69,7 @@ fn shape() -> Claim {
             "will, with the exception of the driving torque, change the shape of the curve",
             Slip {
                 id: "",
-                reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \
-                         change how deep the minimum is relative to the peak and how fast a pin enters. They even \
+                reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, change the curve's shape: the minimum and the speed at entry, both relative to the peak. They even \
                          change how often the curve goes up and down in an engagement. With six pins the speed dips \
                          shortly before the hand-over and rises again until just after it. With little friction this \
                          second rise is too small to show in the whole numbers of the tables, but with more friction \

@@ -98,6 +98,9 @@ fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {
     let holds = allowed.contains(&beta) && !allowed.contains(&other);
     Finding::new(
         holds,
-        format!("the printed speeds need an angle between {:.2}° and {:.2}°", allowed.start, allowed.end),
+        format!(
+            "the printed speeds need an angle between {:.2}° and {:.2}°; β is {beta}°, and the printed angle is {other}°",
+            allowed.start, allowed.end
+        ),
     )
 }

@@ -41,7 +41,7 @@ const FRACTION: Slip = slip(
     "We computed the pin's motion in coordinates for all ratios up to twice the number of slots, in steps of one \
      twelfth. The pin must move along the slot as it leaves one slot and as it comes to the next one.",
     "The formula is right for three, four and six slots. For five it gives 10/3, so the pin comes back to its place \
-     only in every third turn of the crank. Five slots need the ratio 10.",
+     only in every third turn of the crank. For the pin to come back in every turn, the ratio must be 10.",
 );
 
 const WHOLE_TURNS: &str = "The pinion must make a whole number of turns relative to the crank while the wheel moves, \

@@ -272,8 +272,8 @@ fn sdfx() -> Claim {
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
-                "With any wheel radius other than the right one, the pin still meets the mouth of the slot, but it \
-                 does not move along the slot there.",
+                "The program computes the crank radius from the wheel radius, so for any wheel radius the pin \
+                 meets the mouth of the slot. But it moves along the slot there only with the right wheel radius.",
                 TWICE,
                 "An ideal pin, without thickness or play, starts the wheel with a jump in speed. In the second example \
                  of the program, with ten slots, the pin first pushes the wheel back.",
@@ -361,7 +361,7 @@ fn pitter_cam() -> Claim {
             "cam radius 22.0, cut width 22 √3",
             slip(
                 "The cut must reach 60° to either side of the pin, because the pin enters 60° before the line of \
-                 centres. But the box that makes the cut is narrower.",
+                 centres. But the box that makes the cut is too narrow for that.",
                 "We used coordinates to check points all along the cam's rim.",
                 "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
                  centres and holds the wheel.",
