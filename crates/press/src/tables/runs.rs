@@ -87,8 +87,8 @@ pub fn weighings() -> anyhow::Result<Table> {
     ];
     let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
                 the other combinations. Each of the last two lines keeps the conditions of the line above it. For the \
-                last line we took from each group the row of the weakest spring, then of the next, and so on, and show \
-                the smallest difference";
+                last line we took from each group the row with the weakest spring, then the row with the next stronger \
+                one, and so on, and show the smallest of these differences";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 

@@ -277,8 +277,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.simultaneous",
                 "cannot solve simultaneous equations",
-                "F cannot be computed from the acceleration at the same instant, because that acceleration itself \
-                 depends on F",
+                "F, the expression between the bars, cannot be computed from the acceleration at the same instant, \
+                 because that acceleration itself depends on F",
             )
             .missing(IMPLICIT),
     ]
