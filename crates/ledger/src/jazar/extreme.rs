@@ -88,10 +88,11 @@ fn alpha_range() -> Claim {
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "With three stations, the smallest number that the handout allows, α is exactly 60°, and what \
-                         the handout says about the choice of the root is true for three stations too. The copy may \
-                         have lost a stroke of the inequality sign. But the right sign is nowhere else in the handout, \
-                         so we put this mistake down to the handout.",
+                reason: "The smallest number of stations that the handout allows is three. With three stations α is \
+                         exactly 60°, which the printed range leaves out, although what the handout says about the \
+                         choice of the root holds there too. The copy may have lost a stroke of the inequality sign. \
+                         But the right sign appears nowhere else in the handout, so we count this mistake as the \
+                         handout's.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
                 origin: Origin::Misprint,
