@@ -369,3 +369,24 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
         refused!("--{name} {text}: give one of {names}")
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{ARGUMENTS, Place, Question};
+
+    #[test]
+    fn each_argument_sets_the_field_of_its_name() {
+        for argument in ARGUMENTS {
+            let (value, set) = match argument.place {
+                Place::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                Place::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
+                Place::Stations(_) | Place::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
+                Place::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),
+                _ => ("7", format!("{}: Some(7.0)", argument.name)),
+            };
+            let question = Question::parse(&format!("--{} {value}", argument.name)).expect("an argument");
+            let set = format!(" {}", set.replace('-', "_"));
+            assert!(format!("{question:?}").contains(&set), "--{}: no{set}", argument.name);
+        }
+    }
+}
