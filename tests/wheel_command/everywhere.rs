@@ -83,9 +83,8 @@ fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
     }
     let mut all = 0;
     for of in live.quantities.iter().chain(live.others).chain(&moved.further) {
-        let (Some(key), Some(number)) = (of.key, moved.numbers.iter().find(|number| number.name == of.name)) else {
-            continue;
-        };
+        let Some(key) = of.key else { continue };
+        let number = moved.numbers.iter().find(|number| number.name == of.name).expect(of.name);
         // With its axes in place a wheel knocks as the answer says.
         let field = answer.field(if key == "entry_knock_mm_s" { "knock_mm_s" } else { key }).expect(key);
         let part = if matches!(field.rounding, Rounding::Percent(_)) { 100.0 } else { 1.0 };
