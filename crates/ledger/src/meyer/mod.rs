@@ -203,8 +203,7 @@ fn is_zero(number: &Roots) -> bool {
 /// Whether all of the identities hold, with the finding for each.
 fn all_proven<const V: usize>(identities: &[impl Identity<V>]) -> Finding {
     let findings: Vec<Finding> = identities.iter().map(|identity| prove(identity).into()).collect();
-    let how: Vec<_> = findings.iter().map(|finding| finding.how.as_str()).collect();
-    Finding::new(findings.iter().all(|finding| finding.holds), how.join("; "))
+    Finding::of_cases(findings.iter().all(|finding| finding.holds), &findings)
 }
 
 use Evidence::{ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};
