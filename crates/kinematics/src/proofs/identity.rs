@@ -82,8 +82,8 @@ impl fmt::Display for Proof {
             [all @ .., last] => {
                 write!(
                     f,
-                    "the two sides are exactly equal at {} points, enough to prove an equation of degrees {} and {last} \
-                     in its variables",
+                    "the two sides are exactly equal at {} points, enough to prove an equation of degrees {} and \
+                     {last} in its variables",
                     self.points,
                     all.join(", ")
                 )

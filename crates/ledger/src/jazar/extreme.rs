@@ -90,8 +90,8 @@ fn alpha_range() -> Claim {
                 id: "",
                 reason: "The smallest number of stations that the handout allows is three. Then α is exactly 60°, and \
                          what the handout says about the choice of the root is still true. The copy may have lost a \
-                         stroke of the inequality sign. But the right sign is nowhere else in the handout, so we count \
-                         this mistake as the handout's.",
+                         stroke of the inequality sign. But the right sign does not appear anywhere else in the \
+                         handout, so we count this mistake as the handout's.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
                 origin: Origin::Misprint,

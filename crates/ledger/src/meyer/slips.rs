@@ -188,8 +188,9 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
              times the crank radius. Each pin then takes over from the pin before it without a blow, although the \
              follower never stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each hand-over, and \
              there are three of them.",
-    witness: "We used coordinates to check pins and slots. For mechanisms with other numbers of pins and slots we also \
-              integrated the motion with friction, in steps. Each of them reaches a terminal velocity.",
+    witness: "We used coordinates to check the pins and slots at the hand-over. For mechanisms with other numbers of \
+              pins and slots we also integrated the motion with friction, in steps. Each of them reaches a terminal \
+              velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
     changes: "There are more than three mechanisms to choose from, because in many other mechanisms, too, each pin \

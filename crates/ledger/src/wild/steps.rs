@@ -39,7 +39,8 @@ pub fn claims() -> Vec<Claim> {
                          fit, and six fit only with three slots. So there are 1 to 6 steps in a turn of the driver.",
                         "Each move takes a certain part of a turn of the driver, so one turn cannot hold as many moves \
                          as the page says.",
-                        "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
+                        "A reader of the page expects up to eighteen steps for each turn of the input shaft, but there \
+                         are six at most.",
                     )
                 },
             ),
