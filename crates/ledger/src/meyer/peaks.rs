@@ -193,7 +193,7 @@ fn at_the_centres() -> Vec<Claim> {
             })
             .read_as(
                 "We test the sentence against the steady motion of every run. An extreme counts as being on the line \
-                 of centres if the speed on the line is within 1 rad/s, the unit of the tables, of the extreme speed.",
+                 of centres if the speed on the line is within 1 rad/s (the unit of the tables) of the extreme speed.",
             )
             .corrected(
                 "the driver velocity is a minimum 0.48 to 5.8° before the line, and on the line it is up to 2.1 rad/s \
@@ -317,7 +317,7 @@ fn beside_the_hand_over(
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
             "We test the sentence against the steady motion of every run. A peak counts as being at entry or exit if \
-             the driver's speed there is within 1 rad/s, the unit of the tables, of the peak speed.",
+             the driver's speed there is within 1 rad/s (the unit of the tables) of the peak speed.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }

@@ -157,7 +157,7 @@ pub const UNEXPLAINED: Slip = Slip {
               peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The peak printed in this row is too low by more than one per cent.",
+    changes: "The printed peak is too low by more than one per cent.",
 };
 
 /// The greatest printed speed is taken for the greatest.
@@ -179,15 +179,15 @@ pub const SAMPLED_PEAKS: Slip = Slip {
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
 pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     id: "meyer.conclusion.three",
-    reason: "An entering pin strikes the slot's wall if pin and wall have different velocities across the slot. So if \
-             the follower is at rest, the pin must move along the slot. But if the follower is turning, the pin's \
-             velocity across the slot must equal the wall's. The velocity ratio is an even function of the driver's \
-             angle. Therefore the leaving pin and the entering pin require the same speed of the follower, and nothing \
-             strikes. This holds for any number of pins and any number of slots, as long as there are enough of each \
-             to make a mechanism. For example, take five pins, five slots and a centre distance of the golden ratio \
-             times the crank radius. Each pin then takes over from the pin before it without a blow, although the \
-             follower never stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each hand-over, and \
-             there are three of them.",
+    reason: "An entering pin strikes the slot's wall if pin and wall have different velocities across the slot. To \
+             enter without a blow, the pin must therefore move along the slot if the follower is at rest, and have the \
+             wall's velocity across the slot if the follower is turning. The velocity ratio is an even function of the \
+             driver's angle. Therefore the leaving pin and the entering pin require the same speed of the follower, \
+             and nothing strikes. This holds for any number of pins and any number of slots, as long as there are \
+             enough of each to make a mechanism. For example, take five pins, five slots and a centre distance of the \
+             golden ratio times the crank radius. Each pin then takes over from the pin before it without a blow, \
+             although the follower never stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each \
+             hand-over, and there are three of them.",
     witness: "We used coordinates to check the pins and slots at the hand-over. For mechanisms with other numbers of \
               pins and slots we also integrated the motion with friction, in steps. Each of them reaches a terminal \
               velocity.",
