@@ -169,7 +169,8 @@ fn at_instants(both: impl Fn(&PinKinematics) -> (f64, f64)) -> Finding {
         })
         .fold(0.0, f64::max);
     let holds = worst <= crate::tolerance::ROUTES.relative;
-    Finding::new(holds, format!("it {} at 20 instants of each escapement", if holds { "agrees" } else { "differs" }))
+    let how = if holds { "are equal at each" } else { "differ at some" };
+    Finding::new(holds, format!("the two quantities compared {how} of 20 instants, in all three escapements"))
 }
 
 /// The k-th of the instants between −10 and 9.
