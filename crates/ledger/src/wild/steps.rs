@@ -143,7 +143,9 @@ fn least(stated: Stated, less: u32, works: impl Fn(u32) -> bool) -> Finding {
     let said = stated.count() + u32::from(above);
     let said = stated.pick(said, said.saturating_sub(less));
     let found = (1..=60).find(|slots| works(*slots) && (*slots..=60).all(&works));
-    Finding::new(found == Some(said), format!("wheels of {} to 60 slots work", found.unwrap_or(0)))
+    let first = found.unwrap_or(0);
+    let below = first.saturating_sub(1);
+    Finding::new(found == Some(said), format!("wheels of {first} to 60 slots work, but a wheel of {below} does not"))
 }
 
 /// Whether each slot more makes the move longer; or shorter.
