@@ -42,7 +42,10 @@ pub const OF_A_CLAIM: &[Field] = &[
          released version.",
     ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
-    ("evidence", "The kinds of the two routes, in their order. The list is empty if a claim cannot be decided."),
+    (
+        "evidence",
+        "The kinds of evidence of the two routes, the first route first. The list is empty if a claim cannot be decided.",
+    ),
     ("findings", "What we found when we tried the forms of an equation, a figure or a statement."),
     (
         "findings.form",

@@ -55,7 +55,7 @@ fn solved() -> Vec<Claim> {
                 Finding::new(
                     single.len() > 30 && (solved == single.len()) == stated.pick(true, false),
                     format!(
-                        "one formula gives the acceleration by Newton's laws at {solved} of {} instants",
+                        "one formula gives the acceleration that Newton's laws require at {solved} of {} instants",
                         single.len()
                     ),
                 )
