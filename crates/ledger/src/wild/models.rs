@@ -202,8 +202,7 @@ fn freecad_count() -> Claim {
         .corrected(
             "range(n), 360/n",
             slip(
-                "The loops that cut slots and arcs use the number and the angle for six slots, not for the number that \
-                 you ask for.",
+                "The loops that cut slots and arcs always use six slots and the angle for six, whatever number you ask for.",
                 "We went through the directions of all slots, one by one.",
                 "If you ask for more or fewer slots than six, the wheel still gets six. The version of the macro that \
                  opens a window cuts as many slots as you ask for.",
