@@ -103,7 +103,7 @@ pub const OF_A_SLIP: &[Field] = &[
     ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("corrected", "What should stand in their place."),
-    ("unit", "The unit of the printed and the corrected characters. Empty if there is none."),
+    ("unit", "The unit of measurement of the number, as printed and as corrected. Empty if there is none."),
     ("reason", "Why the printed characters are wrong."),
     ("witness", "The second, independent reason."),
     ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),
