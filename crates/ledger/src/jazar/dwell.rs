@@ -19,8 +19,8 @@ const MOVING_PART: Slip = Slip {
               code changes from indexing to dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \
-              long.",
+    changes: "The printed answer to (c) is the time for which the output moves, but the output stands still for twice \
+              as long.",
 };
 
 pub fn claims() -> Vec<Claim> {

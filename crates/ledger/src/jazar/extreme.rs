@@ -40,7 +40,7 @@ fn root_choice() -> Claim {
             let product: Finding = prove(&ProductOfTheRoots).into();
             let [_, end] = stated.numbers()[..] else { return Finding::new(false, "not two numbers") };
             let square: Finding = prove(&SquareAt { end: stated.pick(1, -1) * end as i64 }).into();
-            Finding::new(product.holds && square.holds, format!("{}; {}", product.how, square.how))
+            Finding::of_cases(product.holds && square.holds, &[product, square])
         })
         .but_not("only the negative root does")
 }

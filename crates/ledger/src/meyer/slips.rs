@@ -157,7 +157,7 @@ pub const UNEXPLAINED: Slip = Slip {
               peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The peak printed in this row is too low by more than one per cent.",
+    changes: "The printed peak is too low by more than one per cent.",
 };
 
 /// The greatest printed speed is taken for the greatest.

@@ -55,7 +55,7 @@ fn solved() -> Vec<Claim> {
                 Finding::new(
                     single.len() > 30 && (solved == single.len()) == stated.pick(true, false),
                     format!(
-                        "one formula gives the acceleration by Newton's laws at {solved} of {} instants",
+                        "one formula gives the acceleration that Newton's laws require at {solved} of {} instants",
                         single.len()
                     ),
                 )
@@ -63,8 +63,7 @@ fn solved() -> Vec<Claim> {
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
                 "By “solved” we understand that a formula gives the acceleration in terms of the other letters. Next, \
-                 the text replaces the bars by a sign, which it takes from an earlier acceleration. Whether the \
-                 computer needed this replacement is a question for other claims, which we leave open.",
+                 the text replaces the bars by a sign, which it takes from an earlier acceleration. Whether the computer needed this replacement is the subject of other claims, whose verdict is open.",
             ),
         PROGRAM
             .statement(
