@@ -2,8 +2,8 @@
 
 use crate::answer::{self, Answer, Number};
 use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
+use geneva_ask::Error;
 use geneva_ask::wheel::{Design, Effort, Question};
-use geneva_ask::{Error, Field};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{Contact, Nearest, Sizes};
@@ -179,8 +179,7 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let design = design(settings)?;
     let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
-    let sections = design.sections(&sizes.wheel).map_err(words)?;
-    let mut fields: Vec<Field> = sections.into_iter().flat_map(|(_, fields)| fields).collect();
+    let mut fields = design.shown(&sizes.wheel).map_err(words)?;
     let blow = design.blow(sizes);
     let is_met = blow.number().is_some();
     // With the axes apart the backlash is another.

@@ -34,8 +34,8 @@ pub struct Design {
     /// The pin on the wall of its slot, if thickness and materials are given.
     pub contact: Option<LineContact>,
     /// What takes long to find, once it has been asked for.
-    clearance: OnceLock<Result<Option<(Nearest, f64)>, Error>>,
-    centre_tolerance: OnceLock<Result<Option<CentreTolerance>, Error>>,
+    clearance: OnceLock<Option<(Nearest, f64)>>,
+    centre_tolerance: OnceLock<Option<CentreTolerance>>,
 }
 
 impl Design {
@@ -149,12 +149,10 @@ impl Design {
     ///
     /// A distance of the axes at which the parts can't work together.
     pub fn clearance(&self) -> Result<Option<(Nearest, f64)>, Error> {
-        let found = self.clearance.get_or_init(|| {
-            let Some(sizes) = &self.sizes else { return Ok(None) };
-            let centres = sizes.centre_distance + self.question.centre_error;
-            in_time(sizes.least_clearance_within(centres, self.question.effort.clearance))
-        });
-        found.clone()
+        let Some(sizes) = &self.sizes else { return Ok(None) };
+        let centres = sizes.centre_distance + self.question.centre_error;
+        let find = || in_time(sizes.least_clearance_within(centres, self.question.effort.clearance));
+        once(&self.clearance, find)
     }
 
     /// By how much the axes may be nearer and farther; none without sizes, or where it would take too long to find.
@@ -163,11 +161,8 @@ impl Design {
     ///
     /// A distance of the axes at which the parts can't work together.
     pub fn centre_tolerance(&self) -> Result<Option<CentreTolerance>, Error> {
-        let found = self.centre_tolerance.get_or_init(|| {
-            let Some(sizes) = &self.sizes else { return Ok(None) };
-            in_time(sizes.centre_tolerance_within(self.question.effort.tolerance))
-        });
-        found.clone()
+        let Some(sizes) = &self.sizes else { return Ok(None) };
+        once(&self.centre_tolerance, || in_time(sizes.centre_tolerance_within(self.question.effort.tolerance)))
     }
 }
 
@@ -176,6 +171,14 @@ const MEGA: f64 = 1e6;
 
 fn own_inertia(sizes: &Sizes, thickness: f64, density: f64) -> Result<f64, Error> {
     Ok(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
+}
+
+/// What is found at the first time, and kept.
+fn once<T: Copy>(kept: &OnceLock<T>, find: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+    match kept.get() {
+        Some(found) => Ok(*found),
+        None => find().map(|found| *kept.get_or_init(|| found)),
+    }
 }
 
 /// What was found, if it was found in time.

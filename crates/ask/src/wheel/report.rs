@@ -18,31 +18,37 @@ impl Design {
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
     pub fn answer(&self) -> Result<Answer, Error> {
-        let sections = self.sections(self.wheel.indexing())?;
+        let wheel = self.wheel.indexing();
+        let sections = vec![
+            ("Given", given(self)),
+            ("Geometry", geometry(self, wheel)),
+            ("Parts", parts::parts(self)),
+            ("Play and tolerances of the parts", parts::tolerances(self)?),
+            ("Warnings", parts::warnings(self)),
+            ("Cycle", cycle(self, wheel)?),
+            ("Speed and acceleration of the wheel", motion(self)),
+            ("Loads", loads::fields(self, wheel)?),
+        ];
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
         let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
         if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
     }
 
-    /// The fields of the answer under their headings.
+    /// The fields of the answer that pages show of a wheel of known kind: sizes, play, times and loads.
     ///
     /// The design's wheel is an argument so that a page for wheels of one kind loads no code for the others.
     ///
     /// # Errors
     ///
     /// Speeds and inertias that no wheel has.
-    pub fn sections(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<(&'static str, Vec<Field>)>, Error> {
-        Ok(vec![
-            ("Given", given(self, wheel)),
-            ("Geometry", geometry(self, wheel)),
-            ("Parts", parts::parts(self)),
-            ("Play and tolerances of the parts", parts::tolerances(self)?),
-            ("Warnings", parts::warnings(self)),
-            ("Cycle", cycle(self, wheel)?),
-            ("Speed and acceleration of the wheel", motion(self, wheel)),
-            ("Loads", loads::fields(self, wheel)?),
-        ])
+    pub fn shown(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+        let mut fields = geometry(self, wheel);
+        fields.extend(parts::parts(self));
+        fields.extend(parts::tolerances(self)?);
+        fields.extend(cycle(self, wheel)?);
+        fields.extend(loads::fields(self, wheel)?);
+        Ok(fields)
     }
 }
 
@@ -53,7 +59,8 @@ pub(super) fn too_large() -> Error {
     )
 }
 
-fn given(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Vec<Field> {
+fn given(design: &Design) -> Vec<Field> {
+    let wheel = design.wheel.indexing();
     vec![
         Field::new("type", design.wheel.kind().name()),
         Field::new("stations", wheel.stations()),
@@ -104,8 +111,8 @@ fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>
     ])
 }
 
-fn motion(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Vec<Field> {
-    let (speed, kind) = (design.speed(), design.wheel.kind());
+fn motion(design: &Design) -> Vec<Field> {
+    let (wheel, speed, kind) = (design.wheel.indexing(), design.speed(), design.wheel.kind());
     let (velocity, entry) = (wheel.peak_velocity(), wheel.entry_acceleration());
     let (acceleration, jerk) = (wheel.acceleration_peak(), wheel.jerk_peak());
     // With as many pins as fit and no dwell, one pin enters as another leaves.
