@@ -27,11 +27,11 @@ fn less_friction() -> Claim {
              of a millisecond, while the tables give only whole milliseconds. With two per cent instead of one, it \
              becomes longer in none of the steps. If we assume that each engagement reduces the difference from the \
              steady speed by the same factor, each of the friction values in the runs gives a shorter rise than the \
-             next lower value. Now suppose that the rise ends with the first engagement in which the average of peak and \
-             minimum is within one per cent of the steady average. Then the rise becomes longer in nearly every step, \
-             because each engagement takes longer. But where the rise needs one engagement fewer than before the step, \
-             it becomes shorter. In Appendix E, the row with more friction has the longer rise time in 8 of 34 pairs \
-             of rows",
+             next lower value. Now suppose that the rise ends with the first engagement in which the average of peak \
+             and minimum is within one per cent of the steady average. Then the rise becomes longer in nearly every \
+             step, because each engagement takes longer. But where the rise needs one engagement fewer than before the \
+             step, it becomes shorter. In Appendix E, the row with more friction has the longer rise time in 8 of 34 \
+             pairs of rows",
         )
 }
 
