@@ -15,11 +15,7 @@ pub fn claims() -> Vec<Claim> {
 
 fn not_fast_enough() -> Claim {
     at("Recommendation 1")
-        .statement(
-            "meyer.not-fast-enough",
-            "not fast enough",
-            "the rise times are too long for a timer of milliseconds",
-        )
+        .statement("meyer.not-fast-enough", "not fast enough", "the rise times are too long for a millisecond timer")
         .by(OtherPlaceInSource, |stated| {
             let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
             Finding::new(
@@ -40,9 +36,7 @@ fn not_fast_enough() -> Claim {
             )
         })
         .but_not("they are too long for a timer of three hundredths of a second")
-        .read_as(
-            "A timer of milliseconds measures less than ten milliseconds, so a longer rise is not fast enough for it.",
-        )
+        .read_as("A millisecond timer measures less than ten milliseconds, so a longer rise is not fast enough for it.")
 }
 
 /// Ten and thirty milliseconds, in s.
