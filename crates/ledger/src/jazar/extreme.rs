@@ -93,8 +93,8 @@ fn alpha_range() -> Claim {
                          handout says about the choice of the root holds there too. The copy may have lost a stroke \
                          of the inequality sign. But the right sign appears nowhere else in the handout, so we count \
                          this mistake as the handout's.",
-                witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
-                          wheel.",
+                witness: "For a three-station wheel, the coordinates of the pin at entry give a slot angle of 60°, \
+                          which is α.",
                 origin: Origin::Misprint,
                 consequence: Consequence::Remark,
                 changes: "",
