@@ -271,10 +271,10 @@ fn advantages() -> Vec<Claim> {
                 "over the interval",
                 Slip {
                     id: "",
-                    reason: "The paragraphs before this one cut the whole range into intervals of width h, and each \
-                             interval into four subintervals. Once y_1 is known, the integration has covered the \
-                             interval from x_0 to x_1.",
-                    witness: "A run of the classical method advances by whole steps.",
+                    reason: "In the paragraphs before this one, the appendix divides the whole range into intervals of \
+                             width h, and each interval into four subintervals. Once y_1 is known, the \
+                             integration has covered the interval from x_0 to x_1.",
+                    witness: "With each step, a run of the classical method advances by a whole interval.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,
                     changes: "",
