@@ -148,8 +148,8 @@ impl Parameters {
 
     /// The driver's acceleration at a crank angle (radians) and a speed (≥ 0, radians per unit of time).
     ///
-    /// While a pin is in its slot there always is one. Beyond, the formula is evaluated all the same, and may have
-    /// none.
+    /// While a pin is in its slot and the friction is below the critical friction, there is exactly one. Beyond these
+    /// limits the formula is evaluated all the same, and may give none.
     ///
     /// ```
     /// use geneva_dynamics::{Inertias, Parameters};
