@@ -119,6 +119,20 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     if decibels == [true, true] && (are_added(left) || are_added(right)) {
         return true;
     }
+    // A ratio and its size in decibels.
+    let in_decibels = |ratio: &Value, level: &Value| match (ratio.number(), level.number()) {
+        (Ok(of), Ok(level)) if of.point > 0.0 && !ratio.has_unit => {
+            let log = libm::log10(of.point);
+            [10.0, 20.0]
+                .iter()
+                .any(|factor| (factor * log - level.point).abs() <= level.half().max(0.02 * level.point.abs()))
+        }
+        _ => false,
+    };
+    if (decibels == [false, true] && in_decibels(one, other)) || (decibels == [true, false] && in_decibels(other, one))
+    {
+        return true;
+    }
     // A price.
     let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
     if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
