@@ -22,7 +22,7 @@ pub enum Doubt {
     Cut,
     /// The sides stand in an argument of something, beside what is not known, or in a line that is no formula.
     Unknown,
-    /// A number of one or two digits on the left, or two bare numbers with nothing to compute.
+    /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside a bare number.
     Fragment,
     /// The result is cut off where it should have been rounded.
     Truncated,
@@ -122,7 +122,9 @@ impl Place<'_> {
         let digits = tokens.next().and_then(Token::number).filter(|_| tokens.next().is_none());
         let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
         let apart = left.difference(right) > FAR;
-        bare(left) && (is_small || (bare(right) && apart))
+        // What the text names in words has its unit there, or the working leaves it out.
+        let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
+        lacks_unit || (bare(left) && (is_small || (bare(right) && apart)))
     }
 
     /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.

@@ -47,7 +47,10 @@ fn a_side_that_may_go_on_is_a_doubt() {
 
 #[test]
 fn a_number_that_may_be_a_part_is_a_doubt() {
-    aside(Doubt::Fragment, &[r"$1 = 0.08$", r"$0 = 5/9$", r"$10 = (4 \times 1)/40$", r"$0.67 = 6.7$"]);
+    aside(
+        Doubt::Fragment,
+        &[r"$1 = 0.08$", r"$0 = 5/9$", r"$10 = (4 \times 1)/40$", r"$0.67 = 6.7$", r"$74.5\,\text{J} = 19$ euros"],
+    );
     counts(&[r"$4! = 12$", r"$0.67 = 0.76$", r"$5/6 = 1/6$", r"$\cos 90^\circ = 1$", r"$10.5 = 4.5 + 5$"]);
 }
 
@@ -100,6 +103,24 @@ fn a_doubt_is_counted_and_has_no_hint() {
 fn what_is_said_at_a_brace_is_no_exponent() {
     counts(&[r"$\overbrace{1 + 2}^{3} + 4 = 8$"]);
     assert_eq!(doubts(r"$\overbrace{1 + 2}^{3} + 4 = 7$", Format::Markdown), []);
+}
+
+#[test]
+fn a_stroke_may_end_the_argument_of_a_logarithm() {
+    assert_eq!(doubts(r"$\ln 2/5 = 0.139$ and $\ln 2/5 = -0.916$", Format::Markdown), []);
+    counts(&[r"$\ln 2/5 = 0.193$", r"$\sin 30^\circ/2 = 0.35$"]);
+}
+
+#[test]
+fn a_product_may_leave_out_watts_and_hours() {
+    assert_eq!(doubts(r"$60 \times 1460 = 87.6\,\text{kW}\,\text{h}$", Format::Markdown), []);
+    counts(&[r"$60 \times 1460 = 86.7\,\text{kW}\,\text{h}$"]);
+}
+
+#[test]
+fn a_power_of_ten_alone_is_an_order_of_magnitude() {
+    assert_eq!(doubts(r"$e^{-23.0} \approx 10^{-10}$", Format::Markdown), []);
+    counts(&[r"$e^{-23.0} \approx 10^{-12}$", r"$2.0 \times 17.0 = 10^2$"]);
 }
 
 #[test]
