@@ -12,6 +12,9 @@ use crate::verdict::{Judgement, Verdict};
 /// How far two bare numbers are apart, relative to the larger one, if no digit explains it.
 const FAR: f64 = 0.7;
 
+/// How far a quantity may be from its size in rounder digits, relative to it.
+const ROUGH: f64 = 0.05;
+
 /// Tokens of the longest formula that is looked at as a whole.
 const LONGEST: usize = 1000;
 
@@ -22,7 +25,8 @@ pub enum Doubt {
     Cut,
     /// The sides stand in an argument of something, beside what is not known, or in a line that is no formula.
     Unknown,
-    /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside a bare number.
+    /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
+    /// a bare number or its own size.
     Fragment,
     /// The result is cut off where it should have been rounded.
     Truncated,
@@ -124,7 +128,10 @@ impl Place<'_> {
         let apart = left.difference(right) > FAR;
         // What the text names in words has its unit there, or the working leaves it out.
         let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
-        lacks_unit || (bare(left) && (is_small || (bare(right) && apart)))
+        // A quantity and its size, whose direction is said in words.
+        let both = left.literal == Literal::Number && right.literal == Literal::Number;
+        let opposite = both && left.dimension == right.dimension && left.clone().negated().meets(right, ROUGH);
+        lacks_unit || opposite || (bare(left) && (is_small || (bare(right) && apart)))
     }
 
     /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.

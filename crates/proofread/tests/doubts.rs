@@ -49,7 +49,14 @@ fn a_side_that_may_go_on_is_a_doubt() {
 fn a_number_that_may_be_a_part_is_a_doubt() {
     aside(
         Doubt::Fragment,
-        &[r"$1 = 0.08$", r"$0 = 5/9$", r"$10 = (4 \times 1)/40$", r"$0.67 = 6.7$", r"$74.5\,\text{J} = 19$ euros"],
+        &[
+            r"$1 = 0.08$",
+            r"$0 = 5/9$",
+            r"$10 = (4 \times 1)/40$",
+            r"$0.67 = 6.7$",
+            r"$74.5\,\text{J} = 19$ euros",
+            r"$-79.2\,\text{N} = 80\,\text{N}$",
+        ],
     );
     counts(&[r"$4! = 12$", r"$0.67 = 0.76$", r"$5/6 = 1/6$", r"$\cos 90^\circ = 1$", r"$10.5 = 4.5 + 5$"]);
 }
