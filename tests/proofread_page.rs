@@ -252,7 +252,7 @@ fn all_of_it_goes_by_keyboard_and_the_page_stays() {
     assert_eq!(typed, json!(["1 finding: 1 on a number.", "proofread.html", "one\ntwo: 2 + 2 = 5"]));
     // The controls follow one another, and then the findings.
     let mut reached = Vec::new();
-    for _ in 0..8 {
+    for _ in 0..9 {
         browser.press("Tab", 9);
         let now = of(
             &mut browser,
