@@ -28,7 +28,7 @@ pub enum Doubt {
     /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
     /// a bare number or its own size.
     Fragment,
-    /// The result is cut off where it should have been rounded.
+    /// The result is truncated where it should have been rounded.
     Truncated,
     /// The sides of several formulas of the document differ by this factor.
     Habit,
@@ -41,7 +41,7 @@ impl Doubt {
             Self::Cut => "a side may begin or end elsewhere",
             Self::Unknown => "something beside the numbers is not known",
             Self::Fragment => "a number may be part of something else",
-            Self::Truncated => "digits that are cut off are seldom meant to be rounded",
+            Self::Truncated => "a truncated result is seldom meant to be rounded",
             Self::Habit => "other formulas of the document differ by the same factor",
         }
     }

@@ -21,7 +21,7 @@ pub enum List {
     Bindings,
     /// Pairs in which nothing is wrong, kept only on request.
     Agreeing,
-    /// Differences that are set aside: the program may have misread the text, or the result is cut off.
+    /// Differences that are set aside: the program may have misread the text, or the result is truncated.
     Doubts,
 }
 

@@ -59,10 +59,10 @@ pub fn doubts(tally: &Tally) -> Option<String> {
     match tally.doubts {
         0 => None,
         1 => {
-            Some("1 difference is set aside, since the text may have been misread or the result is cut off".to_owned())
+            Some("1 difference is set aside, since the text may have been misread or the result is truncated".to_owned())
         }
         some => Some(format!(
-            "{} are set aside, since the text may have been misread or the results are cut off",
+            "{} are set aside, since the text may have been misread or the results are truncated",
             count(some, "difference")
         )),
     }

@@ -98,7 +98,7 @@ impl Args for Arguments {
                 .help("How findings are written; sarif is for code review"),
             switch("units").help("Also list numbers that agree although their units do not"),
             switch("doubts").help(
-                "Also list differences that are set aside, since the text may have been misread or the result is cut off",
+                "Also list differences that are set aside, since the text may have been misread or the result is truncated",
             ),
             option("bindings", "WHEN")
                 .value_parser(names(&FOLLOWED))
