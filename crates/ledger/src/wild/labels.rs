@@ -173,9 +173,7 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             let left = stated.pick(1.0, 0.5) * (p + t) - p;
             Finding::new(
                 vanishes(left - t),
-                format!(
-                    "half the stated slot width less the pin's radius is {left:.2}, and the tolerance is {t:.2}"
-                ),
+                format!("half the stated slot width less the pin's radius is {left:.2}, and the tolerance is {t:.2}"),
             )
         })
         .read_as(reading)
