@@ -58,9 +58,9 @@ pub fn units_alone(tally: &Tally) -> Option<String> {
 pub fn doubts(tally: &Tally) -> Option<String> {
     match tally.doubts {
         0 => None,
-        1 => {
-            Some("1 difference is set aside, since the text may have been misread or the result is truncated".to_owned())
-        }
+        1 => Some(
+            "1 difference is set aside, since the text may have been misread or the result is truncated".to_owned(),
+        ),
         some => Some(format!(
             "{} are set aside, since the text may have been misread or the results are truncated",
             count(some, "difference")
