@@ -31,7 +31,7 @@ fn needed() -> Claim {
             "without a separate line for the start, the program would have no first acceleration",
         )
         .missing(
-            "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \
+            "The thesis does not say what the delay returns while there is no earlier value. If the delay gives nothing, the term \
              F, from which the friction takes its sign, cannot be computed at the start, so a first acceleration must \
              be given. If the delay gives zero, no separate line is needed: the line that computes the acceleration \
              gives the same first value by itself. The sign makes no difference at the start: a pin enters along its \
