@@ -1,6 +1,6 @@
 //! Compares the second routes with the first, on tables that are from no source.
 
-use crate::rows::{LISTING, tables};
+use crate::tables::{LISTING, tables};
 use geneva_case1973::witness::{lagged, lagged_by, steps};
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Run};
 

@@ -1,12 +1,13 @@
 //! Chapter II's paragraph on the curves of Fig. 8: where in an engagement driver and follower are fastest and slowest.
 
 use super::by_steps::{Group, groups};
-use super::runs::{Hypothesis, Row, rows};
+use super::runs::table::rows;
 use super::study::steady;
 use super::terms::is_there;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::{Decimal, Stated};
+use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::steady::{Printed, SteadyState};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;

@@ -1,10 +1,11 @@
 //! Chapter II to Fig. 8, the abstract, and what the headings of Appendix E say beside their numbers.
 
 use super::inertia::printed_inertia;
-use super::runs::{Column, Hypothesis, Row, rows};
+use super::runs::table::rows;
 use super::*;
 use crate::Evidence::Quadrature;
 use crate::agreement::joined;
+use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_dynamics::steady::SteadyState;
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -116,7 +117,7 @@ pub fn of_axis() -> Claim {
 /// The claims in the headings of Appendix E, beside their numbers.
 pub fn of_headings() -> Vec<Claim> {
     vec![
-        runs::of_headings(),
+        runs::headings::of_headings(),
         spring::torque_per_radian(
             "meyer.app-e.torque-unit",
             TABLES,
