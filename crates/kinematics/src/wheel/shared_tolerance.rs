@@ -101,7 +101,7 @@ impl Sizes {
                 let wrong = self.with_errors(limit, sense);
                 let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return false };
                 let tolerance = assembly.tolerance;
-                let least = assembly.within(u32::MAX, 0.0, Assembly::least);
+                let least = assembly.least_within(u32::MAX, 0.0);
                 least.is_ok_and(|least| least.distance >= tolerance)
             })
         })

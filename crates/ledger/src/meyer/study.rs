@@ -1,7 +1,7 @@
 //! Chapter II to Fig. 8, the abstract, and what the headings of Appendix E say beside their numbers.
 
 use super::inertia::printed_inertia;
-use super::runs::table::rows;
+use super::runs::table::{UNIT, rows, units_in_one};
 use super::*;
 use crate::Evidence::Quadrature;
 use crate::agreement::joined;
@@ -136,7 +136,7 @@ fn factors(stated: Stated) -> std::ops::RangeInclusive<f64> {
 
 /// The inertias of the runs over the estimate, by size.
 fn over_estimate() -> Vec<f64> {
-    let estimate = 1e6 * printed_inertia();
+    let estimate = units_in_one(UNIT) * printed_inertia();
     let ids = ["meyer.app-e.4-pin.driver", "meyer.app-e.6-pin.follower", "meyer.app-e.6-pin.driver"];
     let more = ["meyer.app-e.3-pin.follower", "meyer.app-e.4-pin.follower"];
     ids.iter().chain(&more).map(|id| printed(id) / estimate).collect()
