@@ -9,7 +9,6 @@
 //!
 //! Notation: `a` crank radius, `c` centre distance, α half the angle between slots, `g` the gap of slot or arc.
 
-use super::clearance::Assembly;
 use super::crescent::Crescent;
 use super::sizes::{LockingDisc, Sizes};
 use crate::indexing::Indexing;

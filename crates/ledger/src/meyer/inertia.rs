@@ -141,7 +141,7 @@ fn estimate() -> Vec<Claim> {
                 // The acceleration of gravity in the units of the source.
                 let letter = density * stated.pick(1.0, 386.0);
                 let letters = [("m", letter), ("r", radius), ("t", thickness)];
-                let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
+                let letters = reading::by_name(letters);
                 same(reading::value(right_side("meyer.disc"), &letters), whole * radius * radius / 2.0)
             })
             .but_not("m is the weight of a unit of volume"),

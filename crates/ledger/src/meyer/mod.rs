@@ -10,6 +10,7 @@ mod appendix_b;
 mod appendix_c;
 mod appendix_d;
 mod by_steps;
+mod centres;
 mod combinations;
 mod concluded;
 mod conclusions;
@@ -46,7 +47,7 @@ pub mod terms;
 pub use concluded::CONCLUSIONS;
 pub use symbols::SYMBOLS;
 
-use crate::agreement::{agrees, same, vanishes};
+use crate::agreement::{agrees, range, same, vanishes};
 use crate::by_id::{characters, named, numbers, printed, right_side};
 use crate::tex as reading;
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work, claim, numeric_tokens};

@@ -152,21 +152,14 @@ fn first_minimum() -> Claim {
 /// Whether the first minima, which lack such parts of the steady ones, are steady to one per cent, or lack as much as is
 /// stated.
 fn achieved(stated: Stated, lacks: &[f64], count: usize) -> Finding {
-    let [least, most] =
-        lacks.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], lack| [low.min(*lack), high.max(*lack)]);
-    let said = stated.decimals();
-    let as_said = || {
-        let ends = [least, most].map(|lack| 100.0 * lack);
-        said.len() == ends.len() && ends.iter().zip(&said).all(|(lack, said)| said.is_rounding_of(*lack))
-    };
+    let [least, most] = range(lacks.iter().copied()).map(|lack| 100.0 * lack);
     let steady = lacks.iter().filter(|lack| lack.abs() <= terms::MISSING).count();
     Finding::new(
-        lacks.len() == count && stated.pick(as_said(), steady == count),
+        lacks.len() == count && stated.pick(stated.is_rounding_of(&[least, most]), steady == count),
         format!(
             "in {steady} of {count} motions the first minimum agrees with the steady minimum to one per cent; the \
              first minimum is {:.1} to {:.1} per cent too low",
-            100.0 * least,
-            100.0 * most
+            least, most
         ),
     )
 }

@@ -125,12 +125,11 @@ fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
             peaks[engagement] = peaks[engagement].max(speed);
         }
         let steady = peaks.get(RISEN..)?;
-        let least = steady.iter().copied().fold(f64::INFINITY, f64::min);
-        Some(steady.iter().copied().fold(0.0, f64::max) - least)
+        let [least, most] = range(steady.iter().copied());
+        Some(most - least)
     });
     let swings: Vec<f64> = swings.collect();
-    let [least, most] =
-        swings.iter().fold([f64::INFINITY, 0.0_f64], |[low, high], swing| [low.min(*swing), high.max(*swing)]);
+    let [least, most] = range(swings.iter().copied());
     Finding::new(
         swings.len() == series(rows()).count() && least >= 1.0,
         format!(

@@ -64,8 +64,7 @@ pub fn of_parameters() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| {
                 let (bounds, times) = (factors(stated), over_estimate());
                 // The least and the greatest are what is stated, rounded; or all are within somewhat.
-                let ends =
-                    [times.iter().copied().fold(f64::INFINITY, f64::min), times.iter().copied().fold(0.0, f64::max)];
+                let ends = range(times.iter().copied());
                 let exactly = ends.map(f64::round) == [*bounds.start(), *bounds.end()];
                 let holds = times.len() == 5 && stated.pick(exactly, ends.iter().all(|times| bounds.contains(times)));
                 let each: Vec<String> = times.iter().map(|times| format!("{times:.0}")).collect();

@@ -90,7 +90,7 @@ fn lines() -> Vec<Claim> {
                     let motion = [("E", number(7.0)), ("S", if k % 2 == 0 { 1.0 } else { -1.0 })];
                     let speed = ["theta'", "1DX"].map(|name| (name, number(11.0)));
                     let letters = letters.into_iter().chain(motion).chain(speed);
-                    let letters = letters.map(|(name, value)| (name.to_owned(), value)).collect();
+                    let letters = reading::by_name(letters);
                     agrees(reading::value(line, &letters), reading::value(&derived, &letters))
                 });
                 Finding::new(holds, "we read both formulas and evaluated them for 20 sets of numbers")

@@ -187,7 +187,7 @@ fn angle() -> Claim {
     };
     let value = |line: &str, mechanism: Mechanism, angle: f64| {
         let letters = [("G", mechanism.centre_distance_ratio()), ("X", angle)];
-        reading::value(parts(line).1, &letters.map(|(name, value)| (name.to_owned(), value)).into())
+        reading::value(parts(line).1, &reading::by_name(letters))
     };
     AFTER
         .statement(
