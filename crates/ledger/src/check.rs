@@ -208,7 +208,7 @@ impl Evidence {
             Self::Jet => "a derivative taken from power series of the positions",
             Self::AutomaticDerivative => "positions and angles differentiated with another library's dual numbers",
             Self::Vectors => "lengths and angles measured between points given by their coordinates",
-            Self::LimitCase => "cases in which the answer is known, or all cases of a list, one by one",
+            Self::LimitCase => "cases whose answer is known, or every case of a list, one by one",
             Self::Dimension => "the dimensions of the quantities",
             Self::OtherPlaceInSource => "what the same source says in another place",
             Self::Quadrature => "the equation of motion solved over the driver's angle, by integrals",

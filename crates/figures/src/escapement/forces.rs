@@ -177,7 +177,7 @@ impl Senses {
     pub fn flank_words(&self) -> &'static str {
         match self.flank() {
             Flank::Leading => "the pin bears on the leading flank and drives the follower",
-            Flank::Trailing => "the pin bears on the trailing flank, driven by the follower",
+            Flank::Trailing => "the follower drives the pin, which bears on the trailing flank",
             Flank::Neither => "the pin bears on neither flank",
         }
     }

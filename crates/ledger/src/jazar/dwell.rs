@@ -17,7 +17,7 @@ const MOVING_PART: Slip = Slip {
     witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle. For \
               six stations, power series give the crank angle at which the wheel comes to rest, and the corrected \
               fraction follows from this angle. It also follows from the crank angle at which the wheel in this book's \
-              code changes between indexing and dwell.",
+              code changes from indexing to dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \

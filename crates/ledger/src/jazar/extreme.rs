@@ -88,10 +88,10 @@ fn alpha_range() -> Claim {
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "With three stations, the smallest number that the handout allows, α is exactly 60°, and what \
-                         the handout says about the choice of the root is true for three stations too. The copy may \
-                         have lost a stroke of the inequality sign. But the right sign is nowhere else in the handout, \
-                         so we put this mistake down to the handout.",
+                reason: "The smallest number of stations that the handout allows is three. Then α is exactly 60°, and \
+                         what the handout says about the choice of the root is still true. The copy may have lost a \
+                         stroke of the inequality sign. But the right sign is nowhere else in the handout, so we count \
+                         this mistake as the handout's.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
                 origin: Origin::Misprint,

@@ -119,7 +119,7 @@ pub(super) fn most_stations() -> Claim {
              with each station beyond four. But measured in crank radii, or by the angle that they span, they grow. \
              With any number of stations they lock, whichever way the wheel is pushed. In wheel radii, the arcs of a \
              spherical wheel get just as short as the arcs of a planar wheel, although the handout says that the \
-             spherical wheel stays locked. No measure that we tried makes both sentences true",
+             spherical wheel stays locked. No measure that we tried makes both sentences of the handout true",
         )
 }
 

@@ -20,8 +20,8 @@ const EXTREMES_ON_CENTRES: Slip = Slip {
              where the pin goes over to the trailing flank of its slot. In the runs with six and four pins the \
              driver's minimum is so flat that the driver's speed on the line of centres exceeds the minimum by less \
              than 1 rad/s, the unit of the tables. In some runs with three pins, the driver's speed on the line \
-             exceeds the minimum by more than that. In all runs, the follower's speed on the line is below its maximum \
-             by more than that.",
+             exceeds the minimum by more than this unit. In all runs, the follower's speed on the line is below its \
+             maximum by more than this unit.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,

@@ -94,8 +94,8 @@ fn least_rise_time() -> Claim {
                          stays the same. So all times are proportional to √(I_f/K), where I_f is the follower's \
                          inertia and K the torque. As K grows, this square root becomes as small as we like, and there \
                          is no minimum.",
-                witness: "We proved the law of similarity for the equation and showed that it fails if the times are \
-                          left unchanged.",
+                witness: "We proved the law of similarity for the equation, and showed that it fails if the times do \
+                          not change with the torque.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,
                 changes: "A stronger spring always shortens the rise. With four times the torque, the rise is half as \
@@ -111,7 +111,7 @@ fn graphs() -> Vec<Claim> {
             .statement(
                 "meyer.fig-10.rise-axis",
                 "RISE TIME TO 99% OF TERMINAL VELOCITY",
-                "the rise time that is drawn ends at 99 per cent of the terminal velocity",
+                "in the curves, the rise ends at 99 per cent of the terminal velocity",
             )
             .missing(
                 "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \

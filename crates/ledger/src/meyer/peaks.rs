@@ -19,17 +19,17 @@ pub const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
     reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the pin \
-             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the friction \
-             μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre distance \
-             a in crank radii. This acceleration is zero at one speed only, and in no run is that the steady speed at \
-             entry. How far the peak is from the entry depends on the ratio of the inertias. In the runs with six pins \
-             the driver is heavy. The peak follows so soon after the entry that it exceeds the speed at entry by at \
-             most 1 rad/s, the unit of the tables. In the runs with four and three pins the driver is light. While the \
-             leaving pin still bears on the trailing flank, the friction already exceeds the spring's torque, so the \
-             peak comes before the pin leaves. If driver and follower are equal discs, as in the thesis's own estimate \
-             of the inertias, the drivers of all three mechanisms are fastest within three degrees past the entry. At \
-             the entry they already have 98 per cent of that speed or more, so for these drivers the sentence is \
-             nearly right.",
+             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the \
+             friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
+             distance a in crank radii. This acceleration is zero at one speed only, and no run has that speed at \
+             entry in its steady motion. How far the peak is from the entry depends on the ratio of the inertias. In \
+             the runs with six pins the driver is heavy. The peak follows so soon after the entry that it exceeds the \
+             speed at entry by at most 1 rad/s, the unit of the tables. In the runs with four and three pins the \
+             driver is light. While the leaving pin still bears on the trailing flank, the friction already exceeds \
+             the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as \
+             in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest within \
+             three degrees past the entry. At the entry they already have 98 per cent of that speed or more, so for \
+             these drivers the sentence is nearly right.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,

@@ -86,11 +86,12 @@ fn cyclic_oscillations() -> Claim {
             })
         })
         .read_as(
-            "A group of runs has one mechanism and one friction value. We read “excessively high” as ten times the \
-             greatest torque that the tables have for the group. We call an oscillation “significant” if, once the \
-             rise is over, the highest and the lowest peak differ by 1 rad/s or more, because the tables give peaks in \
-             whole rad/s. By this measure, the printed velocities oscillate in every group from about five times that \
-             greatest torque on, but not in every group at three times.",
+            "Runs with the same mechanism and the same friction value form a group. We read “excessively high” as ten \
+             times the greatest torque that the tables have for the group. We call an oscillation “significant” if, \
+             once the rise is over, the highest and the lowest peak differ by 1 rad/s or more, because the tables give \
+             peaks in whole rad/s. By this measure, the printed velocities oscillate in every group if the torque is \
+             about five times that greatest torque or more. At three times the greatest torque, they do not oscillate \
+             in every group.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \

@@ -29,7 +29,7 @@ pub fn claims() -> Vec<Claim> {
             "quick-return.driver-speed",
             "50",
             "r.p.m.",
-            "the given speed of the crank, which the solution's rate in rad/s reproduces",
+            "the given speed of the crank, confirmed by the solution's rate in rad/s",
         )
         .by(OtherPlaceInSource, || printed("quick-return.driver-rate") * 30.0 / PI)
         .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank") * 30.0 / PI),

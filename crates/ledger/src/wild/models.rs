@@ -92,8 +92,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "the pin comes to the rim {place:.3} of a half pitch from the line of centres, where the slot is one half \
-                 pitch from it, so the wheel starts at {speed:.3} times the driver's speed"
+                "the pin comes to the rim {place:.3} half pitches from the line of centres (the slot is 1 half pitch \
+                 from this line), and the wheel starts at {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -152,11 +152,11 @@ fn freecad() -> Claim {
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
-                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. The angle \
-                 at the wheel's axis is then half the angle between two slots for at most one number of slots. A \
-                 comment in the program gives formulas in which you can choose only one radius.",
+                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. But this \
+                 makes the angle at the wheel's axis half the angle between two slots for one number of slots at most. \
+                 A comment in the program gives formulas in which you can choose only one radius.",
                 TWICE,
-                "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
+                "The slot waits on a line that is farther from the pin's circle than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",
             ),
         ),
@@ -215,8 +215,8 @@ fn model3d() -> Claim {
         MODEL3D,
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
-        "radius of the driven wheel, without its slack of 0.015 and the rounding of its tips, in a program whose pin \
-         circle, without the slack, has the right radius (the centre distance over √2)",
+        "radius of the driven wheel, in a program whose pin circle has the right radius (the centre distance over √2); \
+         both without the slack of 0.015, and the wheel without the rounding of its tips",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }
@@ -272,8 +272,8 @@ fn sdfx() -> Claim {
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
-                "With any wheel radius other than the right one, the pin still meets the mouth of the slot, but it \
-                 does not move along the slot there.",
+                "The program computes the crank radius from the wheel radius, so for any wheel radius the pin \
+                 meets the mouth of the slot. But it moves along the slot there only with the right wheel radius.",
                 TWICE,
                 "An ideal pin, without thickness or play, starts the wheel with a jump in speed. In the second example \
                  of the program, with ten slots, the pin first pushes the wheel back.",
@@ -361,7 +361,7 @@ fn pitter_cam() -> Claim {
             "cam radius 22.0, cut width 22 √3",
             slip(
                 "The cut must reach 60° to either side of the pin, because the pin enters 60° before the line of \
-                 centres. But the box that makes the cut is narrower.",
+                 centres. But the box that makes the cut is too narrow for that.",
                 "We used coordinates to check points all along the cam's rim.",
                 "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
                  centres and holds the wheel.",

@@ -26,9 +26,9 @@ pub fn definitions() -> anyhow::Result<Table> {
     head.extend(parts.iter().map(String::as_str));
     head.extend(["by chance, <br>at most", &ideal]);
     let caption = "How many of the 49 printed rise times each definition explains, to within one unit of the last \
-                   place. The columns with a percentage are for the runs as they were, and the percentage says how far \
-                   the quantity may be from its steady value. The last two columns give the number that is expected by \
-                   chance, and the number for the real mechanisms";
+                   place. The columns headed by a percentage are for the program's runs, and the percentage says how \
+                   far the quantity may still be from its steady value. The last two columns give the largest number \
+                   that is expected by chance, and the number for the real mechanisms";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

@@ -86,8 +86,9 @@ pub fn weighings() -> anyhow::Result<Table> {
         "Another reset or <br>inertias, exponential",
     ];
     let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
-                the other combinations. The last two lines each keep the conditions of the line above them. The last \
-                line shows the smallest difference among the choices of rows that we tried";
+                the other combinations. Each of the last two lines keeps the conditions of the line above it. For the \
+                last line we took from each group the row of the weakest spring, then of the next, and so on, and show \
+                the smallest difference";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 

@@ -116,7 +116,7 @@ fn output() -> Claim {
         .statement(
             "meyer.app-b.output-cards",
             "remainder of the cards",
-            "the cards after FIN print and plot, and they take no part in the motion",
+            "the cards after FIN print and plot, and they take no part in computing the motion",
         )
         .by(ByProgram, |stated| {
             let kinds = [&OUTPUT[..], stated.pick(&[], &["FIN"])].concat();

@@ -29,7 +29,10 @@ pub fn reset(
             let pins: Vec<u32> = all.iter().filter(agree).map(|at| at.pins()).collect();
             Finding::new(
                 pins.len() == all.len(),
-                format!("the pin nearest to the follower's axis is at the computed angle for {} pins", joined(&pins)),
+                format!(
+                    "the pin nearest to the follower's axis is at the computed angle with these numbers of pins: {}",
+                    joined(&pins)
+                ),
             )
         })
         .corrected(corrected, RESET_ANGLE)

@@ -237,7 +237,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "runs.fifth",
-        meaning: "least margin of ln L of the listed lag over a fifth of the print interval or more",
+        meaning: "least margin of ln L, the listed lag over lags of a fifth of the print interval or more",
         by: DENSITIES,
         first: || over_a_fifth(|score| Some(score.likelihoods())),
         second: || over_a_fifth(by_densities),
