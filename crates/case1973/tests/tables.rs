@@ -88,4 +88,5 @@ fn a_pair_differs_in_one_value_and_the_next_row_has_more_of_it() {
     // More friction, less speed; and a stronger spring, more.
     assert_eq!(Trend::of(Column::Minimum, by_friction()), Trend { pairs: 12, up: 0, equal: 0 });
     assert_eq!(Trend::of(Column::Minimum, by_torque()), Trend { pairs: 18, up: 18, equal: 0 });
+    assert_eq!(Trend::of(Column::Friction, by_torque()), Trend { pairs: 18, up: 0, equal: 18 });
 }
