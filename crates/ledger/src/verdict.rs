@@ -69,7 +69,7 @@ impl Verdict {
                 "the exact value rounds to the printed digits, or an equation or statement holds as printed"
             }
             Self::Truncated => {
-                "the exact value, cut off, gives the printed digits, but if we round it, the last digit is another one"
+                "the printed digits are the first digits of the exact value, but rounding would change the last of them"
             }
             Self::FromRounded => {
                 "the source's own rounded intermediate results give the printed digits, but the exact value has other \

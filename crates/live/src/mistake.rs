@@ -15,8 +15,8 @@ const AT_ONCE: usize = 2;
 pub const LIVE: Live = Live {
     name: "mistake",
     figure: "live-mistake",
-    hint: "Move the reset angle away from 90°: the dots for three pins leave the line to one side, and the dots for six \
-           pins to the other. Only at 90° do nearly all dots for four pins stay on the line. Then set the sign of \
+    hint: "Move the reset angle away from 90°: the marks for three pins leave the line to one side, and the marks for \
+           six pins to the other. Only at 90° do nearly all marks for four pins stay on the line. Then set the sign of \
            friction to “late, as in the program”.",
     controls: &[
         Control::slider("reset", "reset angle", "°", [60.0, 120.0], 0.5, 90.0).typed([30.0, 170.0]).playing(6.0),

@@ -42,7 +42,10 @@ pub const OF_A_CLAIM: &[Field] = &[
          released version.",
     ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
-    ("evidence", "The kinds of the two routes, in their order. The list is empty if a claim cannot be decided."),
+    (
+        "evidence",
+        "The kinds of evidence of the two routes, the first route first. The list is empty if a claim cannot be decided.",
+    ),
     ("findings", "What we found when we tried the forms of an equation, a figure or a statement."),
     (
         "findings.form",
@@ -100,7 +103,7 @@ pub const OF_A_SLIP: &[Field] = &[
     ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("corrected", "What should stand in their place."),
-    ("unit", "The unit of the printed and the corrected characters. Empty if there is none."),
+    ("unit", "The unit of measurement of the number, as printed and as corrected. Empty if there is none."),
     ("reason", "Why the printed characters are wrong."),
     ("witness", "The second, independent reason."),
     ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),

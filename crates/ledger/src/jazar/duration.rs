@@ -160,7 +160,7 @@ fn compare_neighbours(quantities: &[fn(&Wheel) -> f64], ordering: Ordering) -> F
     };
     let failing = wheels().windows(2).find(|pair| !compares(pair));
     let how = match (failing, ordering) {
-        (Some(pair), _) => format!("it does not do so from {} stations to the next number", pair[0].stations()),
+        (Some(pair), _) => format!("this fails from {} stations to the next number", pair[0].stations()),
         (None, Ordering::Less) => format!("it rises with each additional station, for {}", numbers_of_stations()),
         (None, _) => format!("it falls with each additional station, for {}", numbers_of_stations()),
     };

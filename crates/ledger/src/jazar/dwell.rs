@@ -20,8 +20,8 @@ const MOVING_PART: Slip = Slip {
               code changes from indexing to dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \
-              long.",
+    changes: "The printed answer to (c) is the time for which the output moves, but the output stands still for twice \
+              as long.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -42,7 +42,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, || six(entry_crank) / example_speed())
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART),
-        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, cut off after the last place")
+        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, truncated instead of rounded")
             .by(ClosedForm, || {
                 let unit = unit_of_the_decimal().approximate();
                 libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit

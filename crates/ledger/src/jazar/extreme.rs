@@ -40,7 +40,7 @@ fn root_choice() -> Claim {
             let product: Finding = prove(&ProductOfTheRoots).into();
             let [_, end] = stated.numbers()[..] else { return Finding::new(false, "not two numbers") };
             let square: Finding = prove(&SquareAt { end: stated.pick(1, -1) * end as i64 }).into();
-            Finding::new(product.holds && square.holds, format!("{}; {}", product.how, square.how))
+            Finding::of_cases(product.holds && square.holds, &[product, square])
         })
         .but_not("only the negative root does")
 }
@@ -88,10 +88,11 @@ fn alpha_range() -> Claim {
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "The smallest number of stations that the handout allows is three. Then α is exactly 60°, and \
-                         what the handout says about the choice of the root is still true. The copy may have lost a \
-                         stroke of the inequality sign. But the right sign is nowhere else in the handout, so we count \
-                         this mistake as the handout's.",
+                reason: "The smallest number of stations that the handout allows is three. With three stations α is \
+                         exactly 60°, which the printed range leaves out, although what the handout says about the \
+                         choice of the root holds there too. The copy may have lost a stroke of the inequality sign. \
+                         But the right sign appears nowhere else in the handout, so we count this mistake as the \
+                         handout's.",
                 witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
                           wheel.",
                 origin: Origin::Misprint,

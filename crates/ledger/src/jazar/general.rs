@@ -7,8 +7,8 @@ use crate::vocabulary::equal_to;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::{Expression, Identity, prove};
 
-const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle of the pin's centre, because the \
-                          handout gives no radius of the pin itself.";
+const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle on which the pin's centre moves, \
+                          because the handout gives no radius of the pin itself.";
 const RATIOS: Place = at("Paragraph before Eq. (5.30)");
 
 pub fn claims() -> Vec<Claim> {

@@ -38,7 +38,7 @@ fn angulated() -> Claim {
             let quarter = stated.pick(false, true);
             let [rest, step]: [Finding; 2] =
                 [prove(&RestAtTheEnds { quarter }).into(), prove(&StepOfAStation { quarter }).into()];
-            Finding::new(rest.holds && step.holds, format!("{}; {}", rest.how, step.how))
+            Finding::of_cases(rest.holds && step.holds, &[rest, step])
         })
         .but_not("it also takes half of the driver's turn at every angle between the shafts")
         .read_as(

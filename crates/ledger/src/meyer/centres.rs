@@ -54,7 +54,7 @@ pub fn claims() -> Vec<Claim> {
             })
             .read_as(
                 "We test the sentence against the steady motion of every run. An extreme counts as being on the line \
-                 of centres if the speed on the line is within 1 rad/s, the unit of the tables, of the extreme speed.",
+                 of centres if the speed on the line is within 1 rad/s (the unit of the tables) of the extreme speed.",
             )
             .corrected(
                 "the driver velocity is a minimum 0.48 to 5.8° before the line, and on the line it is up to 2.1 rad/s \

@@ -96,9 +96,10 @@ fn small_variations() -> Claim {
              or one of the inertias changes peak, minimum and period of the steady motion by less than one per cent. \
              The second measure is the rise time. If the rise ends only when the velocity is steady at each angle, \
              such a change alters the rise time by more than one per cent in some runs. If the rise ends when the \
-             average of peak and minimum is steady, a change of one per cent does so in no run. But a change of a few \
-             per cent can shorten the rise by a whole engagement, which is half of the rise time. By the third \
-             measure, the effect is serious: a clock controlled by the mechanism gains or loses minutes a day",
+             average of peak and minimum is steady, such a change alters the rise time by less than one per cent in \
+             all runs. But a change of a few per cent can shorten the rise by a whole engagement, which is half of the \
+             rise time. By the third measure, the effect is serious: a clock controlled by the mechanism gains or \
+             loses minutes a day",
         )
 }
 

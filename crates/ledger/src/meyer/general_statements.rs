@@ -90,10 +90,10 @@ fn least_rise_time() -> Claim {
              torque reduces the rise time",
             Slip {
                 id: "",
-                reason: "If the torque grows and all times shrink in inverse proportion to its square root, Eq. (1-19) \
-                         stays the same. So all times are proportional to √(I_f/K), where I_f is the follower's \
-                         inertia and K the torque. As K grows, this square root becomes as small as we like, and there \
-                         is no minimum.",
+                reason: "If the torque grows and all times shrink in inverse proportion to the square root of the \
+                         torque, Eq. (1-19) stays the same. So all times are proportional to √(I_f/K), where I_f is \
+                         the follower's inertia and K the torque. As K grows, this square root becomes as small as we \
+                         like, and there is no minimum.",
                 witness: "We proved the law of similarity for the equation, and showed that it fails if the times do \
                           not change with the torque.",
                 origin: Origin::Concept,

@@ -28,8 +28,8 @@ const PEAKS_AT_ENTRY: Slip = Slip {
              driver is light. While the leaving pin still bears on the trailing flank, the friction already exceeds \
              the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as \
              in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest within \
-             three degrees past the entry. At the entry they already have 98 per cent of that speed or more, so for \
-             these drivers the sentence is nearly right.",
+             three degrees past the entry. At the entry they already have 98 per cent of their greatest \
+             speed or more, so for these drivers the sentence is nearly right.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,
@@ -226,7 +226,7 @@ fn beside_the_hand_over(
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
             "We test the sentence against the steady motion of every run. A peak counts as being at entry or exit if \
-             the driver's speed there is within 1 rad/s, the unit of the tables, of the peak speed.",
+             the driver's speed there is within 1 rad/s (the unit of the tables) of the peak speed.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }
@@ -307,7 +307,7 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
         format!(
             "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs with six pins, \
              and by {least:.0} to {most:.0} rad/s in the runs with four and three pins, where the peak is {:.2} to \
-             {:.2}° before the exit",
+             {:.2}° before the hand-over",
             before[0], before[1]
         ),
     )

@@ -60,10 +60,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "We ask only one thing of the printed sentence: with each mechanism, the curve must go up and down equally \
-             often in all runs, to the whole units in which the tables give speeds. That is the least that “shape” can \
-             mean. In the correction, “shape” means how low the minimum is and how high the speed at entry is, both \
-             relative to the peak.",
+            "We ask only one thing of the printed sentence: with each mechanism, the curve must go up and down \
+             equally often in all runs. Changes of less than 1 rad/s, the unit of the tables, do not count. That is \
+             the least that “shape” can mean. In the correction, “shape” means how low the minimum is and how high the \
+             speed at entry is, both relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",

@@ -157,7 +157,7 @@ pub const UNEXPLAINED: Slip = Slip {
               peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The peak printed in this row is too low by more than one per cent.",
+    changes: "The printed peak is too low by more than one per cent.",
 };
 
 /// The greatest printed speed is taken for the greatest.
@@ -183,11 +183,11 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
              the follower is at rest, the pin must move along the slot. But if the follower is turning, the pin's \
              velocity across the slot must equal the wall's. The velocity ratio is an even function of the driver's \
              angle. Therefore the leaving pin and the entering pin require the same speed of the follower, and nothing \
-             strikes. This holds for any number of pins and any number of slots, as long as there are enough of each \
-             to make a mechanism. For example, take five pins, five slots and a centre distance of the golden ratio \
-             times the crank radius. Each pin then takes over from the pin before it without a blow, although the \
-             follower never stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each hand-over, and \
-             there are three of them.",
+             strikes. This holds whatever the numbers of pins and slots, as long as there are enough of each to make a \
+             mechanism. For example, take five pins, five slots and a centre distance of the golden ratio times the \
+             crank radius. Each pin then takes over from the pin before it without a blow, although the follower never \
+             stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each hand-over, and there are three \
+             of them.",
     witness: "We used coordinates to check pins and slots. For mechanisms with other numbers of pins and slots we also \
               integrated the motion with friction, in steps. Each of them reaches a terminal velocity.",
     origin: Origin::Concept,

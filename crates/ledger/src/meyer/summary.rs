@@ -96,8 +96,8 @@ pub fn claims() -> Vec<Claim> {
                     consequence: Consequence::Conclusion,
                     changes: "If you plan with the time given in the abstract, you allow too little time. The longest \
                               rise in the tables takes twice that time. In the ideal mechanisms, the longest rise also \
-                              takes twice that time if we go by the velocity at each angle, and nearly three times as \
-                              long if we go by the average of peak and minimum.",
+                              takes twice that time if we go by the velocity at each angle, and nearly three times \
+                              that time if we go by the average of peak and minimum.",
                 },
             ),
     ]

@@ -151,9 +151,8 @@ pub const TERMS: [Term; 8] = [
         word: "almost",
         known_by: &["almost"],
         meaning: "a straight line misses each velocity by less than a twentieth. The source does not define the word",
-        rests_on: "no place in the thesis, because the measure is ours. The verdict is the same for any measure \
-                   between the greatest miss of a best straight line and the greatest miss of a best straight line \
-                   through the origin",
+        rests_on: "no place in the thesis, because the measure is ours. Any measure from 3 to 16 per cent gives the \
+                   same verdict",
         measure: "general_statements::straight",
         claims: &["meyer.almost-linear"],
     },

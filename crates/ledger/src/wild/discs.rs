@@ -230,7 +230,7 @@ fn freecad() -> Claim {
             cut_in_the_middle(
                 "The tips of the wheel's horns (the walls beside the slots) run into the disc by 0.17 mm, although the \
                  play is 0.01 mm. The program computes the radius b z/a, which would clear the horns, but it does not \
-                 use this radius. The version of the macro that opens a window does.",
+                 use this radius. But another version of the macro, which opens a window, uses it.",
             ),
         )
 }

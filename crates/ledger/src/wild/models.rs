@@ -152,9 +152,10 @@ fn freecad() -> Claim {
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
-                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. But this \
-                 makes the angle at the wheel's axis half the angle between two slots for one number of slots at most. \
-                 A comment in the program gives formulas in which you can choose only one radius.",
+                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. But for \
+                 the pin to meet a slot, the angle at the wheel's axis must also be half the angle between two slots, \
+                 and with any two radii this is so for one number of slots at most. A comment in the program gives \
+                 formulas in which you can choose only one radius.",
                 TWICE,
                 "The slot waits on a line that is farther from the pin's circle than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",
@@ -201,8 +202,7 @@ fn freecad_count() -> Claim {
         .corrected(
             "range(n), 360/n",
             slip(
-                "The loops that cut slots and arcs use the number and the angle for six slots, not for the number that \
-                 you ask for.",
+                "The loops that cut slots and arcs always use six slots and the angle for six, whatever number you ask for.",
                 "We went through the directions of all slots, one by one.",
                 "If you ask for more or fewer slots than six, the wheel still gets six. The version of the macro that \
                  opens a window cuts as many slots as you ask for.",
@@ -287,7 +287,8 @@ fn counter() -> Claim {
         COUNTER,
         "wild.counter.example",
         "5 slots: r/tan(180/5) - 5 - 0.35",
-        "radius of the wheel as it is drawn, less the pin's radius and a clearance, for crank radius r",
+        "radius of the wheel as it is drawn, for crank radius r (the program subtracts the pin's radius and a \
+         clearance)",
         |stated| {
             let (slots, crank) = (stated.count(), 25.0);
             let (_, rim) = stated.characters().split_once(": ").unwrap_or_default();
@@ -390,8 +391,9 @@ fn pitter_arcs() -> Claim {
         .corrected(
             "i * 60 for slots, i * 60 + 30 for arcs",
             slip(
-                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the slot \
-                 that the pin has left and the slot that it enters next are half a pitch to either side of the arc.",
+                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the \
+                 slot that the pin has left and the slot that it enters next are half a pitch away from the arc, one \
+                 on either side.",
                 "We used coordinates to find where the pin leaves.",
                 "The arcs cut away the mouths of the slots, and at rest no slot is where the pin arrives.",
             ),

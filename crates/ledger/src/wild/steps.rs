@@ -39,7 +39,8 @@ pub fn claims() -> Vec<Claim> {
                          fit, and six fit only with three slots. So there are 1 to 6 steps in a turn of the driver.",
                         "Each move takes a certain part of a turn of the driver, so one turn cannot hold as many moves \
                          as the page says.",
-                        "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
+                        "A reader of the page expects up to eighteen steps for each turn of the input shaft, but there \
+                         are six at most.",
                     )
                 },
             ),
@@ -142,7 +143,9 @@ fn least(stated: Stated, less: u32, works: impl Fn(u32) -> bool) -> Finding {
     let said = stated.count() + u32::from(above);
     let said = stated.pick(said, said.saturating_sub(less));
     let found = (1..=60).find(|slots| works(*slots) && (*slots..=60).all(&works));
-    Finding::new(found == Some(said), format!("wheels of {} to 60 slots work", found.unwrap_or(0)))
+    let first = found.unwrap_or(0);
+    let below = first.saturating_sub(1);
+    Finding::new(found == Some(said), format!("wheels of {first} to 60 slots work, but a wheel of {below} does not"))
 }
 
 /// Whether each slot more makes the move longer; or shorter.

@@ -8,8 +8,8 @@ const TWICE: &str = "The coordinates of the pin at entry confirm the corrected f
 
 /// The page takes the wheel's turn for the driver's turn.
 const TURNED: &str = "While a wheel with n slots turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because \
-                      the crank is at right angles to the slot at the start and at the end. The page uses the wheel's \
-                      angle in place of the driver's angle, but the two are equal for four slots only.";
+                      the crank is at right angles to the slot at the start and at the end of the move. The page uses \
+                      the wheel's angle in place of the driver's angle, but the two are equal for four slots only.";
 
 /// How long a wheel moves, of the calculator.
 const DWELL: Slip = Slip {

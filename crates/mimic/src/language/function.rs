@@ -235,9 +235,9 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Implicit),
         Assumed,
-        "implicit: the value that equals B, where B may depend on this value. Beginning with A, IMP puts the value \
-         into B and takes what B gives as the next value, at most 1000 times, until two values agree to 1E-12 of their \
-         size. IMP must be alone in its expression",
+        "implicit: the value that equals B, where B may depend on this value. IMP evaluates B with the value A, \
+         takes the result as the next value, and repeats this until two successive values agree to 1E-12 of their \
+         size, but at most 1000 times. IMP must be alone in its expression",
     ),
     function(("TAN", "A"), (1, 1), (Numbers, Plain(Operation::Tangent)), Assumed, "tangent of A radians"),
 ];

@@ -87,8 +87,8 @@ pub fn weighings() -> anyhow::Result<Table> {
     ];
     let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
                 the other combinations. Each of the last two lines keeps the conditions of the line above it. For the \
-                last line we took from each group the row of the weakest spring, then of the next, and so on, and show \
-                the smallest difference";
+                last line we formed several sets of rows, each with one row from every group: the rows with the weakest \
+                springs, those with the next stronger ones, and so on. The line shows the smallest difference of all sets";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 
@@ -146,7 +146,7 @@ pub fn unexplained() -> anyhow::Result<Table> {
         Ok(cells)
     });
     let head = ["Pins", "μ", "K", "Printed", "Program's <br>value", "off by, <br>units", "Right", "off by, <br>units"];
-    table("The two peaks that the program does not give, in rad/s", Cells::Numbers, &head, rows)
+    table("The two peaks that the program does not reproduce to within one unit, in rad/s", Cells::Numbers, &head, rows)
 }
 
 /// The numbers of our own that were computed in two ways.

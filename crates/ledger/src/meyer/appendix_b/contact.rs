@@ -58,7 +58,7 @@ fn solved() -> Vec<Claim> {
                 Finding::new(
                     single.len() > 30 && (solved == single.len()) == stated.pick(true, false),
                     format!(
-                        "one formula gives the acceleration by Newton's laws at {solved} of {} instants",
+                        "one formula gives the acceleration that Newton's laws require at {solved} of {} instants",
                         single.len()
                     ),
                 )
@@ -66,8 +66,7 @@ fn solved() -> Vec<Claim> {
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
                 "By “solved” we understand that a formula gives the acceleration in terms of the other letters. Next, \
-                 the text replaces the bars by a sign, which it takes from an earlier acceleration. Whether the \
-                 computer needed this replacement is a question for other claims, which we leave open.",
+                 the text replaces the bars by a sign, which it takes from an earlier acceleration. Whether the computer needed this replacement is the subject of other claims, whose verdict is open.",
             ),
         PROGRAM
             .statement(
@@ -280,8 +279,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.simultaneous",
                 "cannot solve simultaneous equations",
-                "F cannot be computed from the acceleration at the same instant, because that acceleration itself \
-                 depends on F",
+                "F, the expression between the bars, cannot be computed from the acceleration at the same instant, \
+                 because that acceleration itself depends on F",
             )
             .missing(IMPLICIT),
     ]

@@ -106,7 +106,7 @@ fn in_all_runs(words: &str, stated: Stated, runs: &[Option<Vec<Columns>>]) -> Fi
     Finding::for_all(
         rows().iter().zip(runs),
         |of| holds(of) == Some(true),
-        |found, all| format!("the columns hold what their headings say in {found} of {all} runs"),
+        |found, all| format!("the columns contain what their headings say in {found} of {all} runs"),
     )
 }
 

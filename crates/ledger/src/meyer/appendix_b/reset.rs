@@ -27,10 +27,11 @@ pub fn reset(
             };
             let all = Mechanism::ALL;
             let pins: Vec<u32> = all.iter().filter(agree).map(|at| at.pins()).collect();
+            let only = if pins.len() == all.len() { "" } else { "only " };
             Finding::new(
                 pins.len() == all.len(),
                 format!(
-                    "the pin nearest to the follower's axis is at the computed angle with these numbers of pins: {}",
+                    "the pin nearest to the follower's axis is at the computed angle {only}with {} pins",
                     joined(&pins)
                 ),
             )

@@ -275,7 +275,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.chance",
-        meaning: "rise times to be expected by chance, with the definition that gives most",
+        meaning: "rise times to be expected by chance, with the definition that gives the most",
         by: DEALS,
         first: || greatest(explained().iter().map(|tried| tried.as_run.by_chance)),
         second: || {
