@@ -89,12 +89,12 @@ fn alpha_range() -> Claim {
             Slip {
                 id: "",
                 reason: "The smallest number of stations that the handout allows is three. With three stations α is \
-                         exactly 60°, which the printed range leaves out, although what the handout says about the \
-                         choice of the root holds there too. The copy may have lost a stroke of the inequality sign. \
-                         But the right sign appears nowhere else in the handout, so we count this mistake as the \
-                         handout's.",
-                witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
-                          wheel.",
+                         exactly 60°, but the printed range leaves 60° out. It should include 60°, because what the \
+                         handout says about the choice of the root holds there too. The copy may have lost a stroke \
+                         of the inequality sign. But the right sign appears nowhere else in the handout, so we count \
+                         this mistake as the handout's.",
+                witness: "For a three-station wheel, the coordinates of the pin at entry give a slot angle of 60°, \
+                          which is α.",
                 origin: Origin::Misprint,
                 consequence: Consequence::Remark,
                 changes: "",

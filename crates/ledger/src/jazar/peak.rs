@@ -16,10 +16,10 @@ const WRONG_RATIO: Slip = Slip {
              printed ratio is larger than the largest value that the equation takes for six stations. We can only \
              guess at its origin: the equation gives the printed digits if the angle in the numerator is the printed \
              one, 22.90°, but the angle in the denominator is 22.50°, with a 5 in place of the 9. The answer to (e) is \
-             the printed ratio times the square of the driver's speed, and that speed is right.",
-    witness: "We wrote the pin's position as a power series and derived from it the pin's direction as seen from the \
-              wheel's axis. By bisection, we found where the third derivative of this direction's angle is zero, which \
-              is where the acceleration peaks.",
+             the printed ratio times the square of the driver's speed, and the handout has the right speed.",
+    witness: "We wrote the pin's position as a power series, which gives the pin's direction as seen from the wheel's \
+              axis. By bisection, we found where the third derivative of this direction's angle is zero, because the \
+              acceleration peaks there.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
     changes: "The printed peak of the wheel's angular acceleration, which is the answer to (e), is too large.",

@@ -25,11 +25,11 @@ const PEAKS_AT_ENTRY: Slip = Slip {
              entry in its steady motion. How far the peak is from the entry depends on the ratio of the inertias. In \
              the runs with six pins the driver is heavy. The peak follows so soon after the entry that it exceeds the \
              speed at entry by at most 1 rad/s, the unit of the tables. In the runs with four and three pins the \
-             driver is light. While the leaving pin still bears on the trailing flank, the friction already exceeds \
-             the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as \
-             in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest within \
-             three degrees past the entry. At the entry they already have 98 per cent of their greatest \
-             speed or more, so for these drivers the sentence is nearly right.",
+             driver is light. While the leaving pin still bears on the trailing flank, the torque of friction already \
+             exceeds the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal \
+             discs, as in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest \
+             within three degrees past the entry. At the entry they already have 98 per cent of their greatest speed \
+             or more, so for these drivers the sentence is nearly right.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,

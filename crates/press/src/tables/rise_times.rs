@@ -51,7 +51,12 @@ pub fn events() -> anyhow::Result<Table> {
         "by <br>chance",
         "The mechanism, <br>of 49",
     ];
-    table("How many printed rise times each of these other events would explain", Cells::NamedNumbers, &head, rows)
+    table(
+        "How many printed rise times are explained if the rise ends at one of these events",
+        Cells::NamedNumbers,
+        &head,
+        rows,
+    )
 }
 
 /// The words of the thesis on which claims turn.
@@ -85,10 +90,11 @@ pub fn groups() -> anyhow::Result<Table> {
         let name = format!("{} pins, μ = {}", group.mechanism.pins(), group.friction);
         Ok(vec![name, scaled.join(", "), possible.to_owned(), misread])
     });
-    let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "Or if one row is misread?"];
+    let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "If not: for all <br>but one row?"];
     table(
         "Printed rise times t, in s, times the square root of K, in in·lb. By the law of similarity, all numbers of a \
-         group should be equal",
+         group should be equal. The last column names any row that may have been misread, with the range in which its \
+         time should be",
         Cells::Words,
         &head,
         rows,
