@@ -16,8 +16,8 @@ pub const ARITHMETIC: Tolerance = Tolerance {
     name: "arithmetic",
     relative: 1e-14,
     reason: "a chain of a dozen correctly rounded operations and a few library functions is wrong by at most some ten \
-             units in the last place, so a value that is closer than this to the edge of the printed interval counts \
-             as on the edge",
+             units in the last place. So if a value is closer than this to the edge of the printed interval, we count \
+             it as on the edge",
 };
 
 /// For two independent routes to one number.
@@ -33,16 +33,16 @@ pub const DIFFERENCES: Tolerance = Tolerance {
     name: "differences",
     relative: 1e-9,
     reason: "a difference over a step of a thousandth loses three of the sixteen digits, and some more where the \
-             letters change quickly, but a misprint differs in the first few digits",
+             quantities change quickly, but a misprint differs in the first few digits",
 };
 
 /// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
 pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
     relative: 1e-12,
-    reason: "if two numbers of the size of one are each wrong by some units in the last place, their difference is \
-             not zero, but it is some thousand times smaller than this tolerance. A wrong formula, however, leaves a \
-             difference that is a part of the numbers themselves",
+    reason: "if two equal numbers of the order of 1 are each computed with an error of some units in the last \
+             place, their difference is not zero, but it is some thousand times smaller than this tolerance. A wrong \
+             formula, however, leaves a difference that is a considerable fraction of these numbers",
 };
 
 /// For a number that a step-by-step integration gives a second time.
@@ -58,10 +58,10 @@ pub const STEPS: Tolerance = Tolerance {
 pub const PROGRAM: Tolerance = Tolerance {
     name: "program",
     relative: 3e-4,
-    reason: "the program takes the sign of friction from the acceleration a moment earlier. If that sign changes \
-             within a step, two ways of stepping see the change at different times, but the times differ by only a \
-             part of that moment. The printed tables have three digits, and a wrong equation differs in the first or \
-             second digit",
+    reason: "the program takes the sign of the friction from a slightly earlier acceleration. If the sign changes \
+             within a step, two ways of stepping see the change at different times, but these times differ by only \
+             a part of the short delay. The printed tables have three digits, and a wrong equation differs in the \
+             first or second digit",
 };
 
 /// All tolerances.

@@ -34,19 +34,22 @@ pub const OF_A_CLAIM: &[Field] = &[
     ),
     ("witnessed", "The same number by the second route, which shares no formula with the first."),
     ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
-    ("verdict", "The verdict that the program derived. *How it is checked* explains each of them."),
-    ("expected", "The verdict on record. It is written down by hand, and a test compares the two."),
+    ("verdict", "The verdict that the program derived. *How it is checked* explains each verdict."),
+    ("expected", "The verdict on record. We write it down by hand, and a test compares it with the derived one."),
     (
         "holds",
         "Whether the derived verdict is the one on record and nothing contradicts it. It is true for every claim in a \
          released version.",
     ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
-    ("evidence", "The kinds of the two routes, in their order. The list is empty if a claim cannot be decided."),
-    ("findings", "How the forms of an equation, a figure or a statement were found to hold or to fail."),
+    (
+        "evidence",
+        "The kinds of evidence of the two routes, the first route first. The list is empty if a claim cannot be decided.",
+    ),
+    ("findings", "What we found when we tried the forms of an equation, a figure or a statement."),
     (
         "findings.form",
-        "Which form was tried: the printed one, the corrected one, or a near miss, by the first route or by the witness.",
+        "Which form was tried (the printed one, the corrected one or a near miss), and by which route (the first or the witness).",
     ),
     ("findings.holds", "Whether this form holds."),
     ("findings.how", "How we know, in words."),
@@ -70,7 +73,8 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("reading", "How we read a vague sentence."),
     (
         "neighbour",
-        "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. If the printed statement is wrong, it is the near miss itself, and this field is null.",
+        "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. \
+         Null if the printed statement is wrong, because then this statement is itself the near miss.",
     ),
     ("missing", "What is missing, if we could not decide the claim."),
     ("erratum", "What should be printed instead. Null if no mistake reaches the claim."),
@@ -84,7 +88,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ),
     (
         "erratum.inherited_by",
-        "The other claims that the mistake reaches. Only the claim in which it is made lists them.",
+        "The other claims that the mistake reaches. Only the claim in which the mistake is made lists them.",
     ),
 ];
 
@@ -99,17 +103,17 @@ pub const OF_A_SLIP: &[Field] = &[
     ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("corrected", "What should stand in their place."),
-    ("unit", "The unit of both. Empty if there is none."),
+    ("unit", "The unit of measurement of the number, as printed and as corrected. Empty if there is none."),
     ("reason", "Why the printed characters are wrong."),
     ("witness", "The second, independent reason."),
     ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),
     ("wrong_numbers", "How many printed numbers are wrong because of it."),
-    ("greatest_change", "The largest relative deviation of these numbers from the right ones."),
+    ("greatest_change", "The largest relative deviation of these wrong numbers from the right ones."),
 ];
 
 /// What the fields of an entry in a line say.
 pub const OF_AN_ENTRY: &[Field] = &[
-    ("source", "The source, as in claims.json, without pages elsewhere."),
+    ("source", "The source, as in claims.json. Pages elsewhere are left out."),
     ("line", "The number of the line in the text of the copy, counted from 1."),
     (
         "entry",
@@ -121,7 +125,7 @@ pub const OF_AN_ENTRY: &[Field] = &[
         "The printed numbers that the entry accounts for. Together, the entries of a line contain all numbers of the \
          line, in their order.",
     ),
-    ("reason", "Why there is nothing to check. Only exceptions have it."),
+    ("reason", "Why there is nothing to check. Only an exception has a reason."),
 ];
 
 /// The files of the records: their names and texts.

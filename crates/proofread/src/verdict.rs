@@ -77,7 +77,7 @@ impl Verdict {
         match self {
             Self::Consistent => "the two sides agree",
             Self::Rounded => "the two sides agree if the steps were rounded",
-            Self::Truncated => "the result is cut off, not rounded",
+            Self::Truncated => "the result is truncated, not rounded",
             Self::Approximate => "the two sides agree approximately",
             Self::Doubtful => "the two sides may agree",
             Self::Units => "the numbers agree, but the units do not",
@@ -311,6 +311,9 @@ impl Pair<'_> {
         let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
         let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
         if self.relation == Relation::Approximate && rounds_to_one {
+            return Ok(fine(Verdict::Approximate));
+        }
+        if self.relation == Relation::Approximate && customs::is_order_of_magnitude(self.sides, &points) {
             return Ok(fine(Verdict::Approximate));
         }
         if self.relation == Relation::Approximate && rough && lenient[0].meets(&lenient[1], 0.05) {

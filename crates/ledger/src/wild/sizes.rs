@@ -106,9 +106,9 @@ fn wrong() -> Vec<Claim> {
             driver,
         )
         .read_as(
-            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the page's \
-             own formula for the centre distance, the pin's distance is right for six slots only, and even then the \
-             wheel's radius does not fit.",
+            "The page says that the pin sits at the driver's radius. We check this with the right centre distance. \
+             With the page's own formula for the centre distance, the pin's distance is right for six slots only, and \
+             even then the wheel's radius does not fit.",
         )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",
@@ -132,14 +132,14 @@ fn wrong() -> Vec<Claim> {
         )
         .read_as(
             "We take the pin radius as the radius of the pin's circle. If we take it as the radius of the pin itself \
-             or of the wheel, the formula does not hold for any integer number of slots either.",
+             or of the wheel, the formula still does not hold for any number of slots.",
         )
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
             slip(
-                "The printed formula gives the length of the vector sum of two arms of this radius, 180°/n apart. But \
-                 in a Geneva mechanism the two arms, crank and wheel radius, are at right angles, and they are equal \
-                 only for four slots.",
+                "The printed formula gives the length of the vector sum of two arms that are each as long as this \
+                 radius and make an angle of 180°/n. But in a Geneva mechanism the two arms, crank and wheel radius, \
+                 are at right angles, and they are equal only for four slots.",
                 TWICE,
                 "The formula puts the axes too far apart for three, four and five slots, and too close together for \
                  more. With four slots the distance should be 1.41 crank radii, but the formula gives 1.85, so the pin \
