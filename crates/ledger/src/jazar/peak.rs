@@ -2,7 +2,7 @@
 
 use super::four::printed_5_32;
 use super::general::printed_5_31;
-use super::letters::{ANY, COEFFICIENT, PEAK, condition, quadratic};
+use super::letters::{ANY, COEFFICIENT, PEAK, ROOTS, condition, quadratic};
 use super::*;
 use crate::tex::{By, Letters, Moment, decide_multiple, holds, value};
 use geneva_kinematics::indexing::Indexing;
@@ -93,7 +93,7 @@ fn steps() -> Vec<Claim> {
                 r"\cos\theta = \frac{-\gamma \pm \sqrt{\gamma^2 + 8}}{2}",
                 "roots of the quadratic",
             )
-            .in_letters(PEAK),
+            .in_letters(ROOTS),
     ]
 }
 

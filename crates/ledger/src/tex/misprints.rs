@@ -20,7 +20,7 @@ pub struct Misprint {
 /// The kinds of misprints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
-    /// Plus for minus, minus for plus, or a minus before a side that has no sign.
+    /// Plus for minus, minus for plus, both for one of them, or a minus before a side that has no sign.
     Sign,
     /// One function for another.
     Function,
@@ -128,8 +128,10 @@ impl Made<'_> {
 
     fn of_signs(&mut self, at: usize) {
         match self.text(at) {
-            "+" => self.replace(Class::Sign, at, "-"),
-            "-" => self.replace(Class::Sign, at, "+"),
+            sign @ ("+" | "-") => {
+                self.replace(Class::Sign, at, if sign == "+" { "-" } else { "+" });
+                self.replace(Class::Sign, at, r"\pm");
+            }
             "<" => self.replace(Class::Relation, at, ">"),
             ">" => self.replace(Class::Relation, at, "<"),
             r"\leq" => self.replace(Class::Relation, at, r"\geq"),
@@ -301,7 +303,7 @@ mod tests {
 
     #[test]
     fn every_class_is_made_and_what_is_not_changed_stays_as_it_is() {
-        makes("a = b - c", Class::Sign, &["-a = b - c", "a = -b - c", "a = b + c"]);
+        makes("a = b - c", Class::Sign, &["-a = b - c", "a = -b - c", "a = b + c", r"a = b \pm c"]);
         makes(r"\sin x + \tan y", Class::Function, &[r"\cos x + \tan y", r"\sin x + \sin y"]);
         makes(r"\dot{x} + \ddot\theta a", Class::Dot, &[r"{x} + \ddot\theta a", r"\ddot{x} + \ddot\theta a"]);
         makes(r"\dot{x} + \ddot\theta a", Class::Dot, &[r"\dot{x} + \dot\theta a", r"\dot{x} + \ddot\theta \dot{a}"]);
