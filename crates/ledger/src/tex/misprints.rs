@@ -116,8 +116,13 @@ impl Made<'_> {
         let rest = &self.tex[end..];
         // A command ends where no letter follows.
         let command = with.starts_with('\\') && with.ends_with(|c: char| c.is_ascii_alphabetic());
-        let gap = if command && rest.starts_with(|c: char| c.is_ascii_alphabetic()) { " " } else { "" };
-        let tex = format!("{}{with}{gap}{rest}", &self.tex[..start]);
+        let letter = |tex: &str| tex.starts_with(|c: char| c.is_ascii_alphabetic());
+        let gap = if command && letter(rest) { " " } else { "" };
+        let before = &self.tex[..start];
+        let open = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        let follows = open.ends_with('\\') && open.len() < before.len();
+        let parted = if follows && letter(if with.is_empty() { rest } else { with }) { " " } else { "" };
+        let tex = format!("{before}{parted}{with}{gap}{rest}");
         self.found.push(Misprint { tex, class, change: format!("piece {from}: {change}") });
     }
 
@@ -316,5 +321,6 @@ mod tests {
         makes(r"\frac{a}{b} n/m", Class::Fraction, &[r"\frac{b}{a} n/m", r"\frac{a}{b} m / n "]);
         makes(r"|a| + \left| b \right|", Class::Bars, &[r"(a) + \left| b \right|", r"|a| + \left( b \right)"]);
         makes(r"a \leq b", Class::Relation, &[r"a \geq b"]);
+        makes(r"a = \cos\theta", Class::Letter, &[r"a = \cos a"]);
     }
 }
