@@ -30,7 +30,7 @@ if (drawn.length > 0) {
     drawn.forEach((figure, number) => {
         const letters = new Set(parts(figure).map(part => part.dataset.letter));
         const shown = ([stem, index]) => stem.replaceAll("'", '\u0307') + (index ? `<sub>${index}</sub>` : '');
-        const button = letter => `<label><input type="radio" name="letters-${number}" value="${letter}"> ${letter ? shown(letter.split('_')) : 'no letter'}</label>`;
+        const button = letter => `<label><input type="radio" name="letters-${number}" value="${letter}"> <span>${letter ? shown(letter.split('_')) : 'no letter'}</span></label>`;
         const row = document.createElement('fieldset');
         row.className = 'letters';
         row.innerHTML = `<legend>Show in the drawing</legend>${['', ...letters].map(button).join('')}`;

@@ -43,8 +43,8 @@ pub const NOTATION: &[Letter] = &[
         r"\varphi",
         "φ",
         "angle of the wheel or lever",
-        "from the line of centres to the slot: of a wheel against the driver's sense, so that it has the sign of the crank \
-         angle; of a lever in the crank's sense",
+        "from the line of centres to the slot: for a wheel, opposite to the driver's sense, so that it has the sign of \
+         the crank angle; for a lever, in the crank's sense",
     ),
     letter(r"\dot\theta", "θ'", "angular velocity of the driver", "two dots: its angular acceleration"),
     letter(r"\dot\varphi", "φ'", "angular velocity of the wheel or lever", "two dots: its angular acceleration"),

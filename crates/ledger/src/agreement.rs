@@ -32,7 +32,12 @@ pub(crate) fn short(number: f64) -> String {
 
 /// Two results that were compared, in words: of two that look alike one is said.
 pub(crate) fn pair(what: &str, a: &str, b: &str) -> String {
-    if a == b { format!("both {what}s are {a}") } else { format!("one {what} is {a} and the other {b}") }
+    let compared = format!("{what}s that must be equal");
+    if a == b {
+        format!("the two {compared} are both {a}")
+    } else {
+        format!("of the two {compared}, one is {a} and the other {b}")
+    }
 }
 
 /// Items with commas between them and *and* before the last; of none, "none".

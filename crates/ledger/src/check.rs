@@ -157,7 +157,7 @@ impl Finding {
 
     /// Whether characters hold that were read and evaluated; none if they cannot be read.
     pub fn of_reading(holds: Option<bool>) -> Self {
-        let how = "the printed characters, read and evaluated";
+        let how = "we read the printed characters and evaluated them";
         holds.map_or_else(|| Self::not_evaluated("the characters cannot be read"), |holds| Self::new(holds, how))
     }
 
@@ -165,6 +165,13 @@ impl Finding {
     pub(crate) fn and(self, other: Self) -> Self {
         let how = format!("{}; {}", self.how, other.how);
         Self { holds: self.holds && other.holds, how, evaluated: self.evaluated && other.evaluated }
+    }
+
+    /// What was found in several cases, one after the other; if it is the same in all of them, it is said once.
+    pub(crate) fn of_cases(holds: bool, findings: &[Self]) -> Self {
+        let how: Vec<&str> = findings.iter().map(|finding| finding.how.as_str()).collect();
+        let same = how.len() > 1 && how.iter().all(|other| *other == how[0]);
+        Self::new(holds, if same { format!("in each of {} cases, {}", how.len(), how[0]) } else { how.join("; ") })
     }
 
     /// It could not be evaluated, and why.
@@ -208,7 +215,7 @@ impl Evidence {
             Self::Jet => "a derivative taken from power series of the positions",
             Self::AutomaticDerivative => "positions and angles differentiated with another library's dual numbers",
             Self::Vectors => "lengths and angles measured between points given by their coordinates",
-            Self::LimitCase => "cases in which the answer is known, or all cases of a list, one by one",
+            Self::LimitCase => "cases whose answer is known, or every case of a list, one by one",
             Self::Dimension => "the dimensions of the quantities",
             Self::OtherPlaceInSource => "what the same source says in another place",
             Self::Quadrature => "the equation of motion solved over the driver's angle, by integrals",

@@ -334,8 +334,7 @@ impl Claim {
             (found @ None, _) | (found, None) => Finding::of_reading(found),
             (Some(right), Some(_)) => Finding::new(
                 right && holds(self.printed) != Some(true),
-                "we evaluated both forms wherever they must hold, and found the corrected characters right and the \
-                 printed ones wrong",
+                "we put values that must satisfy the equation into both forms, and they satisfy only the corrected one",
             ),
         };
         match also {

@@ -16,8 +16,8 @@ pub const ARITHMETIC: Tolerance = Tolerance {
     name: "arithmetic",
     relative: 1e-14,
     reason: "a chain of a dozen correctly rounded operations and a few library functions is wrong by at most some ten \
-             units in the last place, so a value that is closer than this to the edge of the printed interval counts \
-             as on the edge",
+             units in the last place. So if a value is closer than this to the edge of the printed interval, we count \
+             it as on the edge",
 };
 
 /// For two independent routes to one number.
@@ -33,16 +33,16 @@ pub const DIFFERENCES: Tolerance = Tolerance {
     name: "differences",
     relative: 1e-9,
     reason: "a difference over a step of a thousandth loses three of the sixteen digits, and some more where the \
-             letters change quickly, but a misprint differs in the first few digits",
+             quantities change quickly, but a misprint differs in the first few digits",
 };
 
 /// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
 pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
     relative: 1e-12,
-    reason: "if two numbers of the size of one are each wrong by some units in the last place, their difference is \
-             not zero, but it is some thousand times smaller than this tolerance. A wrong formula, however, leaves a \
-             difference that is a part of the numbers themselves",
+    reason: "if two equal numbers of about the size of one are each computed with an error of some units in the last \
+             place, their difference is not zero, but it is some thousand times smaller than this tolerance. A wrong \
+             formula, however, leaves a difference that is a considerable fraction of these numbers",
 };
 
 /// For a number that a step-by-step integration gives a second time.

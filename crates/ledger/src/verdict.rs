@@ -69,12 +69,11 @@ impl Verdict {
                 "the exact value rounds to the printed digits, or an equation or statement holds as printed"
             }
             Self::Truncated => {
-                "the exact value gives the printed digits only if we cut it off, because rounding gives another last \
-                 digit"
+                "the printed digits are the first digits of the exact value, but rounding would change the last of them"
             }
             Self::FromRounded => {
-                "the printed digits follow only from the source's own rounded intermediate results, because the exact \
-                 value has other digits"
+                "the source's own rounded intermediate results give the printed digits, but the exact value has other \
+                 digits"
             }
             Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
             Self::ReproducedInError => {

@@ -19,8 +19,8 @@ pub const LIVE: Live = Live {
     name: "escapement",
     figure: "live-escapement",
     hint: "Reduce the friction bit by bit: the start takes longer and longer, and without friction there is no steady \
-           speed. Add friction until the mechanism jams. Twice the torque makes it √2 times as fast, and changes \
-           nothing else.",
+           speed. Add friction until the mechanism jams. Double the torque: the mechanism runs √2 times as fast, and \
+           nothing else changes.",
     controls: &[
         Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),

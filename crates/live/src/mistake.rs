@@ -15,13 +15,11 @@ const AT_ONCE: usize = 2;
 pub const LIVE: Live = Live {
     name: "mistake",
     figure: "live-mistake",
-    hint: "Move the reset angle away from 90°: the dots for three pins leave the line to one side, and the dots for six \
-           pins to the other. Only at 90° do nearly all dots for four pins stay on the line. Then set the sign of \
+    hint: "Move the reset angle away from 90°: the marks for three pins leave the line to one side, and the marks for \
+           six pins to the other. Only at 90° do nearly all marks for four pins stay on the line. Then set the sign of \
            friction to “late, as in the program”.",
     controls: &[
-        Control::slider("reset", "angle after which the program starts again", "°", [60.0, 120.0], 0.5, 90.0)
-            .typed([30.0, 170.0])
-            .playing(6.0),
+        Control::slider("reset", "reset angle", "°", [60.0, 120.0], 0.5, 90.0).typed([30.0, 170.0]).playing(6.0),
         Control::choice("own", "for", &["all three mechanisms", "none: each its own angle"], 0),
         Control::choice("six", "inertias with six pins", &["as in the table", "as in Fig. 11"], 1),
         Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5).typed([0.01, 200.0]),

@@ -9,8 +9,8 @@ use geneva_kinematics::wheel::{Misplaced, Wheel};
 pub const LIVE: Live = Live {
     name: "wheel",
     figure: "live-wheel",
-    hint: "Move the axes apart by one per cent: the velocity no longer begins at zero, and the pin enters with a blow. At the \
-           right distance the blow is gone.",
+    hint: "Move the axes apart by one per cent: the wheel's velocity no longer begins at zero, and the pin enters with \
+           a blow. At the right distance the blow is gone.",
     controls: &[
         Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -30.0).playing(45.0),
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 4.0).typed([3.0, 100.0]),

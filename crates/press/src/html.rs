@@ -123,6 +123,7 @@ impl Table {
     /// Each cell bears its column's head, which stands beside it where the page is too narrow for columns.
     pub fn html(&self) -> String {
         let class = match self.cells {
+            Cells::Numbers if self.fits_in_pairs() => "compare pairs",
             Cells::Numbers => "compare",
             Cells::NamedNumbers => "compare named",
             Cells::Words => "listing",
@@ -149,7 +150,8 @@ impl Table {
                     } else {
                         &format!("<span>{cell}</span>")
                     };
-                    out.push_str(&format!("<td data-label=\"{label}\">{cell}</td>"));
+                    let empty = if is_empty(cell) { " class=\"none\"" } else { "" };
+                    out.push_str(&format!("<td data-label=\"{label}\"{empty}>{cell}</td>"));
                 }
             }
             out.push_str("</tr>\n");
@@ -159,6 +161,13 @@ impl Table {
             out.push_str(&format!("\n{}", self.legend));
         }
         out
+    }
+
+    /// Whether a row has so many cells, and all of them with their labels so short, that a card takes two side by side.
+    fn fits_in_pairs(&self) -> bool {
+        let length = |cell: &String| plain(cell).chars().count();
+        let widest = |at: usize| self.rows.iter().filter_map(|row| row.get(at)).map(length).max().unwrap_or(0);
+        self.head.len() > 6 && self.head.iter().enumerate().skip(1).all(|(at, head)| length(head) + widest(at) <= 22)
     }
 
     /// On a narrow page a number at the head of a row says what it is.
@@ -180,6 +189,11 @@ impl Table {
         }
         Ok(String::from_utf8(writer.into_inner()?)?)
     }
+}
+
+/// Whether a cell only says, by a dash, that there is nothing to say: a card leaves it out.
+fn is_empty(cell: &str) -> bool {
+    plain(cell) == "–"
 }
 
 /// Markup in which each formula that says its text gives way to it: a `span` with an attribute `data-text`.

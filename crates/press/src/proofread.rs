@@ -64,7 +64,7 @@ pub fn form() -> anyhow::Result<String> {
          <p class=\"from\" role=\"status\"></p>\n<p class=\"without\">You can only read the example here, because scripts \
          or WebAssembly are not available on this page. Use the command below.</p>\n<div class=\"controls\" hidden><label \
          for=\"proofread-format\">Format</label><select id=\"proofread-format\" name=\"format\">{}{formats}</select><label \
-         for=\"proofread-bindings\">Use values of names</label><select id=\"proofread-bindings\" \
+         for=\"proofread-bindings\">Use values given to names</label><select id=\"proofread-bindings\" \
          name=\"bindings\">{bindings}</select><span class=\"check\"><input type=\"checkbox\" id=\"proofread-units\" \
          name=\"units\"><label for=\"proofread-units\">List units that do not agree, too</label></span><p \
          class=\"buttons\">{}</p><input type=\"file\" name=\"file\" aria-label=\"File\" hidden></div>\n<p class=\"done\" \

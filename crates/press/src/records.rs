@@ -42,11 +42,14 @@ pub const OF_A_CLAIM: &[Field] = &[
          released version.",
     ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
-    ("evidence", "The kinds of the two routes, in their order. The list is empty if a claim cannot be decided."),
-    ("findings", "How the forms of an equation, a figure or a statement were found to hold or to fail."),
+    (
+        "evidence",
+        "The kinds of evidence of the two routes, the first route first. The list is empty if a claim cannot be decided.",
+    ),
+    ("findings", "What we found when we tried the forms of an equation, a figure or a statement."),
     (
         "findings.form",
-        "Which form was tried: the printed one, the corrected one, or a near miss, by the first route or by the witness.",
+        "Which form was tried (the printed one, the corrected one or a near miss), and by which route (the first or the witness).",
     ),
     ("findings.holds", "Whether this form holds."),
     ("findings.how", "How we know, in words."),
@@ -70,7 +73,8 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("reading", "How we read a vague sentence."),
     (
         "neighbour",
-        "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. If the printed statement is wrong, it is the near miss itself, and this field is null.",
+        "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. \
+         Null if the printed statement is wrong, because it is then the near miss itself.",
     ),
     ("missing", "What is missing, if we could not decide the claim."),
     ("erratum", "What should be printed instead. Null if no mistake reaches the claim."),
@@ -84,7 +88,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ),
     (
         "erratum.inherited_by",
-        "The other claims that the mistake reaches. Only the claim in which it is made lists them.",
+        "The other claims that the mistake reaches. Only the claim in which the mistake is made lists them.",
     ),
 ];
 
@@ -99,7 +103,7 @@ pub const OF_A_SLIP: &[Field] = &[
     ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("corrected", "What should stand in their place."),
-    ("unit", "The unit of both. Empty if there is none."),
+    ("unit", "The unit of measurement of the number, as printed and as corrected. Empty if there is none."),
     ("reason", "Why the printed characters are wrong."),
     ("witness", "The second, independent reason."),
     ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),
@@ -121,7 +125,7 @@ pub const OF_AN_ENTRY: &[Field] = &[
         "The printed numbers that the entry accounts for. Together, the entries of a line contain all numbers of the \
          line, in their order.",
     ),
-    ("reason", "Why there is nothing to check. Only exceptions have it."),
+    ("reason", "Why there is nothing to check. Only an exception has a reason."),
 ];
 
 /// The files of the records: their names and texts.

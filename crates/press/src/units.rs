@@ -2,9 +2,53 @@
 
 /// The units that the pages write behind a number, as they stand in text: those of several words first.
 const UNITS: &[&str] = &[
-    "N m", "kg m²", "kg/m³", "%", "°C", "mm", "cm", "m", "km", "inch", "ms", "s", "min", "h", "rad/s²", "rad/s",
-    "rad/sec", "rad", "mm/s", "m/s²", "m/s", "km/s", "rpm", "N", "kg", "g", "kB", "MB", "W", "J", "kJ", "V", "A", "Ω",
-    "Hz", "kHz", "Pa", "kPa", "MPa", "GPa", "eV", "keV", "MeV", "K",
+    "in lb s²",
+    "in lb sec²",
+    "in lb",
+    "N m",
+    "kg m²",
+    "kg/m³",
+    "%",
+    "°C",
+    "mm",
+    "cm",
+    "m",
+    "km",
+    "inch",
+    "ms",
+    "s",
+    "min",
+    "h",
+    "rad/s²",
+    "rad/s",
+    "rad/sec",
+    "rad",
+    "mm/s",
+    "m/s²",
+    "m/s",
+    "km/s",
+    "rpm",
+    "N",
+    "kg",
+    "g",
+    "kB",
+    "MB",
+    "W",
+    "J",
+    "kJ",
+    "V",
+    "A",
+    "Ω",
+    "Hz",
+    "kHz",
+    "Pa",
+    "kPa",
+    "MPa",
+    "GPa",
+    "eV",
+    "keV",
+    "MeV",
+    "K",
 ];
 
 /// What a tag begins, up to its end, that is left as it is: code, what breaks no lines or has rules of its own, and numbers that
@@ -32,10 +76,15 @@ pub fn tied(page: &str) -> String {
             continue;
         }
         let Some(c) = rest.chars().next() else { break };
-        if let Some((unit, length)) = unit(rest).filter(|_| out.ends_with(|c: char| c.is_ascii_digit())) {
+        if let Some((unit, length)) = unit(rest).filter(|_| out.ends_with(is_digit)) {
             out.push('\u{a0}');
             out.push_str(&unit.replace(' ', "\u{a0}"));
             rest = &rest[length..];
+            continue;
+        }
+        if rest.starts_with(" · 10") && out.ends_with(|c: char| c.is_ascii_digit()) {
+            out.push_str("\u{a0}·\u{a0}");
+            rest = &rest[" · ".len()..];
             continue;
         }
         if rest.starts_with(" = ")
@@ -50,6 +99,11 @@ pub fn tied(page: &str) -> String {
         rest = &rest[c.len_utf8()..];
     }
     out
+}
+
+/// A digit, or one of an exponent.
+fn is_digit(c: char) -> bool {
+    c.is_ascii_digit() || matches!(c, '⁰' | '¹' | '²' | '³' | '⁴'..='⁹')
 }
 
 /// Whether a text ends with a letter by itself.
@@ -102,6 +156,7 @@ mod tests {
         assert_eq!(tied("10 mm thick, 0.1 N m, 1\nrad/s."), "10\u{a0}mm thick, 0.1\u{a0}N\u{a0}m, 1\u{a0}rad/s.");
         assert_eq!(tied("<td title=\"5 mm\">5 mm</td>"), "<td title=\"5 mm\">5\u{a0}mm</td>");
         assert_eq!(tied("95 % of 2 kg m²"), "95\u{a0}% of 2\u{a0}kg\u{a0}m²");
+        assert_eq!(tied("3 · 10⁻⁶ in lb s²"), "3\u{a0}·\u{a0}10⁻⁶\u{a0}in\u{a0}lb\u{a0}s²");
         assert_eq!(tied("at φ = 20°, θ = −5"), "at φ\u{a0}=\u{a0}20°, θ\u{a0}=\u{a0}−5");
     }
 

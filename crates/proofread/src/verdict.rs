@@ -77,7 +77,7 @@ impl Verdict {
         match self {
             Self::Consistent => "the two sides agree",
             Self::Rounded => "the two sides agree if the steps were rounded",
-            Self::Truncated => "the result is cut off, not rounded",
+            Self::Truncated => "the result is truncated, not rounded",
             Self::Approximate => "the two sides agree approximately",
             Self::Doubtful => "the two sides may agree",
             Self::Units => "the numbers agree, but the units do not",

@@ -84,9 +84,9 @@ pub fn existence(designs: &[Design]) -> Figure {
              acceleration at every angle.{marked}"
         ),
         "The curves show the critical friction of the three mechanisms as a function of the ratio of their inertias. \
-         Marks of the same colour are the runs of the thesis. Below its curve, a mechanism has exactly one \
-         acceleration at every angle of the engagement. Above its curve, it has none or two at some angles. The \
-         lighter the driver, the less friction the mechanism can bear.",
+         The marks are the thesis's runs, in the colour of their mechanism's curve. Below its curve, a mechanism has \
+         exactly one acceleration at every angle of the engagement. Above its curve, it has none or two at some \
+         angles. The lighter the driver, the less friction the mechanism can bear.",
     );
     Chart::new([panel]).key(key).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
 }

@@ -98,9 +98,10 @@ pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<
         format!(
             "Forces at θ = {}. The driver's speed is {} times the square root of the ratio of K to the follower's \
              moment of inertia, where K is the spring's torque. Here {}. At the foot are three moments in units of K. \
-             F R is the moment that F would have at the crank radius. The other two moments act on driver and \
-             follower. The friction acts on the pin against its sliding, with the arm l sin φ about B. Arrows show \
-             directions, not sizes. Forces through O have no moment about O and are left out. {}",
+             F R is the moment that F would have at the crank radius. The other two are the torque of the friction on \
+             the driver and the moment of F on the follower. The friction acts on the pin against its sliding, with \
+             the arm l sin φ about B. Arrows show directions, not sizes. Forces through O have no moment about O and \
+             are left out. {}",
             degrees(crank),
             significant(speed / parameters.drive().sqrt(), 3),
             senses.flank_words(),
@@ -177,7 +178,7 @@ impl Senses {
     pub fn flank_words(&self) -> &'static str {
         match self.flank() {
             Flank::Leading => "the pin bears on the leading flank and drives the follower",
-            Flank::Trailing => "the pin bears on the trailing flank, driven by the follower",
+            Flank::Trailing => "the follower drives the pin, which bears on the trailing flank",
             Flank::Neither => "the pin bears on neither flank",
         }
     }

@@ -73,7 +73,7 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
             "The first six engagements from rest. In the middle is the driver's speed, with dashed lines at its \
              minimum and maximum in the steady motion. At the foot is the force between pin and slot, F R / K: \
              positive on the leading flank, negative on the trailing flank. The mark in the drawing shows where the \
-             pin bears. {}",
+             pin presses on the slot. {}",
             shown(parameters)
         ),
     );

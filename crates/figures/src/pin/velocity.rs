@@ -98,8 +98,9 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
              {along}. The angle between the pin's velocity and the slot is {gamma}."
         ),
         format!(
-            "The velocity triangle at θ = {theta}, to scale. The pin's velocity is the sum of two velocities: the wheel's \
-             point under the pin moves across the slot, and the pin slides along the slot."
+            "The velocity triangle at θ = {theta}, to scale. The pin's velocity is the sum of two velocities: the \
+             velocity of the wheel's point under the pin, across the slot, and the pin's sliding velocity, along the \
+             slot."
         ),
     );
     words.figure(canvas, Kind::Diagram, series)

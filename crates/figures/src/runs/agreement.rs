@@ -107,7 +107,7 @@ pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
             hypothesis.count()
         ),
         format!(
-            "Each mark is one printed number of Appendix E minus the computed number ({}), in units of the last \
+            "Each mark shows one printed number of Appendix E minus the computed number ({}), in units of the last \
              printed digit ({units}). The shaded band, one unit either way, contains {} marks.{beyond}",
             hypothesis.name,
             hypothesis.count()

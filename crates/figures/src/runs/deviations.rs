@@ -90,8 +90,8 @@ fn words(hypotheses: &[Compared]) -> Words {
             said.collect::<Vec<_>>().join("; ")
         ),
         "Every mark is a printed peak, minimum or period of the 49 runs. Marks to the left of the line differ from the \
-        computed number by at most one unit of the last printed digit (1 rad/s or 1 ms). Marks nearer than a hundredth of a unit are at the left edge. The hypotheses are \
-             numbered as in the table.",
+         computed number by at most one unit of the last printed digit (1 rad/s or 1 ms). Differences of less than a \
+         hundredth of a unit are drawn at the left edge. The hypotheses are numbered as in the table.",
     )
 }
 

@@ -89,7 +89,7 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
             fixed(ms(first), 1)
         ),
         format!(
-            "A run from rest. The driver slows down while it speeds the follower up, and it speeds up again as the \
+            "A run from rest. The driver slows down while it speeds the follower up, and speeds up again as the \
              follower comes to rest. The follower turns opposite to the driver, and the figure counts its speed as \
              positive. {others}"
         )

@@ -57,8 +57,8 @@ pub fn choice(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
         "Two panels against the number of stations. Above, the part of a turn for which the wheel moves rises towards one \
          half, and the part for which it dwells falls towards one half. Below, centre distance and wheel radius rise nearly in \
          proportion to the number of stations.",
-        "What the number of stations decides, with one pin: more stations make the dwell shorter and the wheel larger for the \
-         same crank. The number of stations is an integer, so the dashed lines only join the marks.",
+        "Times and sizes of wheels with one pin: more stations make the dwell shorter and, for the same crank, the \
+         wheel larger. The number of stations is an integer, so the dashed lines only join the marks.",
     );
     let series = Series::of_items(
         &wheels,

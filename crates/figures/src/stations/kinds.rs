@@ -70,7 +70,7 @@ pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
          towards half a turn. Peak acceleration, peak jerk and force of the pin fall with the number of stations; with few \
          stations they are by far the greatest for the external wheel, and near each other for the other two.",
         "Three kinds of wheel with one pin and a driver at constant speed, compared by dwell, peak acceleration, peak \
-         jerk (without the jumps at the ends) and the pin's greatest force. The force is multiplied by the wheel's \
+         jerk (apart from the ends, where the acceleration jumps) and the pin's greatest force. The force is multiplied by the wheel's \
          radius and divided by the moment of inertia and the square of the driver's speed. Rigid parts, no play, no \
          friction.",
     );

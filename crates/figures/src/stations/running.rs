@@ -29,8 +29,8 @@ const HERE: Marker = Marker::new(INK, Mark::Disc).sized(11.0).class("here");
 const JUMP: f64 = 9.0;
 
 /// What the arrows are.
-const IMPULSES: &str =
-    "Where a curve jumps, its rate of change is infinite for an instant: an impulse, drawn as an arrow.";
+const IMPULSES: &str = "Where a curve jumps, its rate of change, the curve below it, is infinite for an instant. Such \
+     an impulse is drawn as an arrow.";
 
 /// One of the curves: its name, its colour and its value.
 type Curve = (&'static str, Colour, fn(&Motion) -> f64);

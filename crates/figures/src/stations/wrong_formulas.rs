@@ -94,7 +94,7 @@ fn words(formulas: &[Compared], [first, last]: [f64; 2]) -> Words {
         format!("What wrong formulas give over what is right, {} to {} slots", trimmed(first, 0), trimmed(last, 0)),
         format!(
             "Two panels with the same axes; the vertical axis is logarithmic. Above, formulas whose rows of points cross the \
-             line of one at {right} slots. {}. Below, formulas whose rows meet this line at no whole number of slots. {}.",
+             line of one at {right} slots. {}. Below, formulas whose rows do not meet this line at any number of slots. {}.",
             said(true),
             said(false)
         ),

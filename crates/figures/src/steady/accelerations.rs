@@ -80,7 +80,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
              acceleration jumps from the right ring to the left one. Shown: {run}.",
             change.map_or_else(String::new, |change| format!(
                 "Up to the dashed line at θ = {}, the pin drives the follower. From there on the follower runs ahead \
-                 and throws the driver on, while the pin holds the follower back. ",
+                 and throws the driver forward, while the pin holds the follower back. ",
                 degrees(change)
             ))
         ),

@@ -45,7 +45,7 @@ pub fn losses(parameters: &Parameters, bearing_friction: f64, shown: &str) -> Re
         speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
         multipliers.push(line(effects.iter().map(|effect| (effect.value, effect.multiplier)).collect()));
     }
-    Ok(of_lines("radius in crank radii", shown, &speeds, &multipliers))
+    Ok(of_lines("radius of pin or journal in crank radii", shown, &speeds, &multipliers))
 }
 
 /// Mean speed over that of the ideal mechanism, and multiplier, over the size of a joint.
@@ -110,8 +110,8 @@ fn of_lines(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) -> F
             said.join("; ")
         ),
         format!(
-            "How the mean speed (divided by the mean speed of the ideal mechanism) and the multiplier depend on the \
-             {size}. Shown: {shown}."
+            "How the mean speed and the multiplier depend on the {size}. The mean speed is divided by the mean speed \
+             of the ideal mechanism. Shown: {shown}."
         ),
     );
     let rows = groups.into_iter().enumerate().flat_map(|(panel, lines)| {

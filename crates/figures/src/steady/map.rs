@@ -207,8 +207,8 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
         format!(
             "{pins} pins and {} slots. Above are lines of equal mean speed in the steady state, in units of the square \
              root of the ratio of the spring's torque to the follower's moment of inertia. Below are lines of equal \
-             rise, which is the number of engagements in which a deviation from the steady speed shrinks to a \
-             hundredth of its size. The marks are the runs of the thesis.",
+             rise: the number of engagements in which a deviation from the steady speed shrinks to a hundredth of its \
+             size. The marks are the runs of the thesis.",
             mechanism.slots()
         ),
     )

@@ -151,7 +151,7 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
             significant(steady.peak.speed / unit, 3)
         ),
         format!(
-            "Three successive engagements from rest, numbered, and three from twice the steady speed. Each begins at \
+            "Three successive engagements from rest (numbered), and three from twice the steady speed. Each begins at \
              the left with the speed at which the one before it ended at the right. The third of each series is close \
              to the steady cycle. At the diamonds the follower begins to run ahead of the pin, and the contact changes \
              flank. {}",

@@ -66,12 +66,12 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
             said.collect::<Vec<_>>().join("; ")
         ),
         format!(
-            "The greatest accelerations and the greatest force on the pin in the steady motion, without their signs. \
-             The accelerations are multiplied by the follower's inertia and divided by the torque, and the force is \
-             divided by the spring's force at the crank radius. So each curve holds for every spring. The kink in the \
-             four-pin curve is where the driver's greatest deceleration, caused by friction, overtakes its greatest \
-             acceleration, caused by the follower pushing it forward. The marks are at the friction values of the \
-             thesis's runs. {}",
+            "The greatest accelerations, the jump of the follower's acceleration and the greatest force on the pin in \
+             the steady motion, without their signs. The accelerations are multiplied by the follower's inertia and \
+             divided by the torque, and the force is divided by the spring's force at the crank radius. So each curve \
+             holds for every spring. For four pins, the driver's curve has a kink. To the right of it, the driver's \
+             greatest deceleration (by friction) exceeds the driver's greatest acceleration (by the follower). The \
+             marks are at the friction values of the thesis's runs. {}",
             super::inertias(all)
         ),
     );

@@ -76,14 +76,14 @@ impl fmt::Display for Proof {
             [] => f.write_str("the two sides are exactly equal, with no variable left in the difference"),
             [only] => write!(
                 f,
-                "the two sides are exactly equal at {} points, enough for a polynomial of degree {only}",
+                "the two sides are exactly equal at {} points, enough to prove an equation of degree {only}",
                 self.points
             ),
             [all @ .., last] => {
                 write!(
                     f,
-                    "the two sides are exactly equal at {} points, enough for a polynomial of degrees {} and {last} in \
-                     its variables",
+                    "the two sides are exactly equal at {} points, enough to prove an equation of degrees {} and \
+                     {last} in its variables",
                     self.points,
                     all.join(", ")
                 )

@@ -93,7 +93,12 @@ fn comparisons() -> Vec<Claim> {
             .by(Series, |stated| compare_neighbours(&[entry_crank], stated.pick(Ordering::Less, Ordering::Greater)))
             .but_not("the advance takes less of the driver's turn"),
         DURATION
-            .value("jazar.duration-limit", "180", "°", "limit of the crank angle of an advance for very many stations")
+            .value(
+                "jazar.duration-limit",
+                "180",
+                "°",
+                "crank angle that an advance takes, in the limit of very many stations",
+            )
             .by(LimitCase, || limit(|n| of(n, |wheel| 2.0 * wheel.engagement_half_angle()).to_degrees()))
             .by(
                 Series, // From where the wheel of the power series is at rest.
@@ -155,7 +160,7 @@ fn compare_neighbours(quantities: &[fn(&Wheel) -> f64], ordering: Ordering) -> F
     };
     let failing = wheels().windows(2).find(|pair| !compares(pair));
     let how = match (failing, ordering) {
-        (Some(pair), _) => format!("it does not do so from {} stations to the next number", pair[0].stations()),
+        (Some(pair), _) => format!("this fails from {} stations to the next number", pair[0].stations()),
         (None, Ordering::Less) => format!("it rises with each additional station, for {}", numbers_of_stations()),
         (None, _) => format!("it falls with each additional station, for {}", numbers_of_stations()),
     };

@@ -14,14 +14,14 @@ const MOVING_PART: Slip = Slip {
     reason: "The advance takes 180° − 2α of the driver's turn, as the handout itself says, where α is half the angle \
              between two slots. The dwell takes the rest of the turn. But the printed formula gives the part of the \
              cycle in which the wheel moves, and the printed numbers follow from this formula.",
-    witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle. For \
-              six stations, power series give the crank angle at which the wheel comes to rest, and the corrected \
-              fraction follows from this angle. It also follows from the crank angle at which the wheel in this book's \
-              code changes between indexing and dwell.",
+    witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle, as \
+              the corrected formula gives. For six stations, the corrected fraction follows from the crank angle at \
+              which the wheel comes to rest, which we found with power series. It also follows from the crank angle at \
+              which the wheel in this book's code changes from indexing to dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \
-              long.",
+    changes: "Part (c) asks how long the output stands still, but the printed answer is the time for which it moves, \
+              which is only half as long.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -42,7 +42,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, || six(entry_crank) / example_speed())
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART),
-        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, cut off after the last place")
+        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, truncated instead of rounded")
             .by(ClosedForm, || {
                 let unit = unit_of_the_decimal().approximate();
                 libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit

@@ -26,7 +26,7 @@ fn advances() -> Vec<Claim> {
             "jazar.ex.rpm",
             "360",
             "rpm",
-            "the given speed of the driver, which the printed angular velocity and number of advances reproduce",
+            "the given speed of the driver, confirmed by the printed angular velocity and number of advances",
         )
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances"))
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
@@ -48,14 +48,9 @@ fn advances() -> Vec<Claim> {
         B.value("jazar.ex-b.advance", "60", "°", "angle through which the wheel advances")
             .by(ClosedForm, || 2.0 * six(Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || six(advance).to_degrees()),
-        B.value(
-            "jazar.ex.stations",
-            "6",
-            "stations",
-            "the given number of stations, which the printed angles reproduce",
-        )
-        .by(OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance"))
-        .by(OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
+        B.value("jazar.ex.stations", "6", "stations", "the given number of stations, confirmed by the printed angles")
+            .by(OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance"))
+            .by(OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
         B.value("jazar.ex-b.alpha", "30", "°", "α, half the angle between slots")
             .by(ClosedForm, || six(Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || six(advance).to_degrees() / 2.0),

@@ -40,7 +40,7 @@ fn root_choice() -> Claim {
             let product: Finding = prove(&ProductOfTheRoots).into();
             let [_, end] = stated.numbers()[..] else { return Finding::new(false, "not two numbers") };
             let square: Finding = prove(&SquareAt { end: stated.pick(1, -1) * end as i64 }).into();
-            Finding::new(product.holds && square.holds, format!("{}; {}", product.how, square.how))
+            Finding::of_cases(product.holds && square.holds, &[product, square])
         })
         .but_not("only the negative root does")
 }
@@ -88,12 +88,13 @@ fn alpha_range() -> Claim {
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "With three stations, the smallest number that the handout allows, α is exactly 60°, and what \
-                         the handout says about the choice of the root is true for three stations too. The copy may \
-                         have lost a stroke of the inequality sign. But the right sign is nowhere else in the handout, \
-                         so we put this mistake down to the handout.",
-                witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
-                          wheel.",
+                reason: "The smallest number of stations that the handout allows is three. With three stations α is \
+                         exactly 60°, but the printed range leaves 60° out. It should include 60°, because what the \
+                         handout says about the choice of the root holds there too. The copy may have lost a stroke \
+                         of the inequality sign. But the right sign appears nowhere else in the handout, so we count \
+                         this mistake as the handout's.",
+                witness: "For a three-station wheel, the coordinates of the pin at entry give a slot angle of 60°, \
+                          which is α.",
                 origin: Origin::Misprint,
                 consequence: Consequence::Remark,
                 changes: "",

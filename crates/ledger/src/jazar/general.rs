@@ -8,8 +8,8 @@ use crate::vocabulary::equal_to;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::{Expression, Identity, prove};
 
-const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle of the pin's centre, because the \
-                          handout gives no radius of the pin itself.";
+const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle on which the pin's centre moves, \
+                          because the handout gives no radius of the pin itself.";
 const RATIOS: Place = at("Paragraph before Eq. (5.30)");
 
 pub fn claims() -> Vec<Claim> {
@@ -47,12 +47,13 @@ fn sizes() -> Vec<Claim> {
                 r"\text{outside radius}: 1/\tan \alpha",
                 Slip {
                     id: "",
-                    reason: "If α is half the angle between two slots, 1/tan α is the wheel's outside radius over the \
-                             pin radius, which is the only other length that the sentence names. The outside diameter \
-                             over the pin radius is twice that. If the diameter of the pin's circle were meant \
-                             instead, the ratio would be right, but the handout never mentions that diameter.",
-                    witness: "The handout itself says that the outer radius of the four-station wheel is r, and tan \
-                              45° is one.",
+                    reason: "The only other length that the sentence names is the pin radius. If α is half the angle \
+                             between two slots, 1/tan α is the ratio of the wheel's outside radius to the pin radius. \
+                             The ratio of the outside diameter to the pin radius is twice as great. If the sentence \
+                             meant the diameter of the pin's circle, the ratio would be right, but the handout never \
+                             mentions that diameter.",
+                    witness: "The handout itself says that the outer radius of the four-station wheel is r, the pin \
+                              radius. For this wheel α is 45°, and 1/tan 45° is one.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,
                     changes: "",

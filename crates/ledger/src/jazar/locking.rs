@@ -117,9 +117,10 @@ pub(super) fn most_stations() -> Claim {
             "The text does not say by what measure an arc is too short, and the measures disagree. Take a locking disc \
              whose radius is six to nine tenths of the crank radius. Measured in wheel radii, the arcs get shorter \
              with each station beyond four. But measured in crank radii, or by the angle that they span, they grow. \
-             With any number of stations they lock, whichever way the wheel is pushed. In wheel radii, the arcs of a \
-             spherical wheel get just as short as the arcs of a planar wheel, although the handout says that the \
-             spherical wheel stays locked. No measure that we tried makes both sentences true",
+             With any number of stations the arcs lock the wheel, whichever way it is pushed. Measured in wheel \
+             radii, the arcs of a spherical wheel get just as short as the arcs of a planar wheel, so this measure \
+             does not explain why the handout says that the spherical wheel stays locked. No measure that we tried \
+             makes both sentences of the handout true",
         )
 }
 

@@ -111,6 +111,9 @@ fn for_all_stations(holds: impl Fn(&Wheel) -> bool, how: &str) -> Finding {
     let how = match failing[..] {
         [] => format!("with {}, {how}", numbers_of_stations()),
         [first] => format!("with {first} stations it is not true that {how}"),
+        [first, .., last] if failing.len() == wheels().len() => {
+            format!("it is not true for any number of stations from {first} to {last} that {how}")
+        }
         [first, .., last] => {
             format!("for {} numbers of stations, from {first} to {last}, it is not true that {how}", failing.len())
         }

@@ -17,11 +17,11 @@ const WRONG_RATIO: Slip = Slip {
     reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because the \
              printed ratio is larger than the largest value that the equation takes for six stations. We can only \
              guess at its origin: the equation gives the printed digits if the angle in the numerator is the printed \
-             one, but the angle in the denominator has a 5 in place of the 9. The answer to (e) is the printed ratio \
-             times the square of the driver's speed, and that speed is right.",
-    witness: "We wrote the pin's position as a power series and derived from it the pin's direction as seen from the \
-              wheel's axis. By bisection, we found where the third derivative of this angle is zero, which is where \
-              the acceleration peaks.",
+             one, 22.90°, but the angle in the denominator is 22.50°, with a 5 in place of the 9. The answer to (e) is \
+             the printed ratio times the square of the driver's speed, and the handout has the right speed.",
+    witness: "We wrote the pin's position as a power series, which gives the pin's direction as seen from the wheel's \
+              axis. By bisection, we found where the third derivative of this direction's angle is zero, because the \
+              acceleration peaks there.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
     changes: "The printed peak of the wheel's angular acceleration, which is the answer to (e), is too large.",
@@ -166,7 +166,7 @@ fn numbers() -> Vec<Claim> {
                 (2.0 - c * c) / c
             }),
         at("Ex. (e), from Eq. (5.34)")
-            .value("jazar.ex-e.angle", "±22.90", "°", "crank angles at which the acceleration is greatest in size")
+            .value("jazar.ex-e.angle", "±22.90", "°", "crank angles at which the acceleration is greatest in magnitude")
             .by(ClosedForm, || six(|w| w.acceleration_peak().angle).to_degrees())
             .by(Series, || six_pair(peak_by_series).0.to_degrees()),
         at("Ex. (e), from Eq. (5.32)")

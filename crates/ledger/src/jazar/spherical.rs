@@ -38,7 +38,7 @@ fn angulated() -> Claim {
             let quarter = stated.pick(false, true);
             let [rest, step]: [Finding; 2] =
                 [prove(&RestAtTheEnds { quarter }).into(), prove(&StepOfAStation { quarter }).into()];
-            Finding::new(rest.holds && step.holds, format!("{}; {}", rest.how, step.how))
+            Finding::of_cases(rest.holds && step.holds, &[rest, step])
         })
         .but_not("it also takes half of the driver's turn at every angle between the shafts")
         .read_as(
@@ -55,9 +55,9 @@ fn locking() -> Claim {
             "a spherical wheel can have many stations and still be locked between two advances",
         )
         .missing(
-            "The text does not say what a planar wheel loses and a spherical wheel keeps. If it means the length of \
-             the locking arcs in wheel radii, a spherical wheel with axes at right angles loses as much. If it means \
-             that an arc locks at all, a planar wheel keeps that too",
+            "The text does not say what a planar wheel loses and a spherical wheel keeps. If the length of the locking \
+             arcs in wheel radii is meant, a spherical wheel with axes at right angles loses as much. If the mere \
+             ability to lock is meant, a planar wheel keeps it, too",
         )
 }
 

@@ -190,14 +190,15 @@ fn corrected_radius(claim: Claim) -> Claim {
         "0.577",
         Slip {
             id: "",
-            reason: "The ratio of the two printed sines is one over the square root of three. No rounding of the sines \
-                     gives the printed digits, and the printed centre distance does not give them either. Only the \
-                     middle digit differs, and we cannot tell whether it is a misprint or was misread in copying.",
+            reason: "The appendix divides the sine of 30° by the sine of 60°, which gives one over the square root of \
+                     three. No rounding of the sines gives the printed digits, and the printed centre distance does \
+                     not give them either. Only the middle digit is wrong, and we cannot tell whether it was \
+                     misprinted or misread in copying.",
             witness: "We computed the hand-over in coordinates, with exact square roots.",
             origin: Origin::Misprint,
             consequence: Consequence::Result,
-            changes: "A follower cut to that radius for six pins would be too small, so each pin would leave its slot \
-                      before the next pin enters.",
+            changes: "For six pins, a follower cut to the printed radius would be too small, so each pin would leave \
+                      its slot before the next pin enters.",
         },
     )
 }

@@ -33,8 +33,9 @@ fn needed() -> Claim {
         .missing(
             "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \
              F, from which the friction takes its sign, has no sign at the start, so a value is required. If the delay \
-             gives zero, the line that computes the acceleration starts by itself, with the same first value. The \
-             reason is that a pin enters along its slot, where the friction has no moment arm",
+             gives zero, no separate line is needed: the line that computes the acceleration gives the same first \
+             value by itself. The sign makes no difference at the start, because a pin enters along its slot, where \
+             the friction has no moment arm",
         )
 }
 

@@ -93,11 +93,12 @@ fn small_variations() -> Claim {
             "The thesis does not say what it would call a serious effect, and the three obvious measures disagree. By \
              the first measure, the effect is small: in all runs, a change of one per cent in the torque, the friction \
              or one of the inertias changes peak, minimum and period of the steady motion by less than one per cent. \
-             The second measure is the rise time. If the rise ends only when the velocity is steady at each angle, \
-             such a change alters the rise time by more than one per cent in some runs. If the rise ends when the \
-             average of peak and minimum is steady, this happens in no run, but a change of a few per cent can shorten \
-             the rise by a whole engagement, which is half of the rise time. By the third measure, the effect is \
-             serious: a clock controlled by the mechanism gains or loses minutes a day",
+             The second measure is the rise time. If we count the rise as over only when the velocity is steady at \
+             each angle, such a change alters the rise time by more than one per cent in some runs. If we count it as \
+             over when the average of peak and minimum is steady, such a change alters the rise time by less than one \
+             per cent in all runs. But with this count, a change of a few per cent can shorten the rise by a whole \
+             engagement, which can be about half of the rise time. By the third measure, the effect is serious: a \
+             clock controlled by the mechanism gains or loses minutes a day",
         )
 }
 

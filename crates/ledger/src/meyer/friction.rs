@@ -228,7 +228,7 @@ fn spring() -> Vec<Claim> {
         no_rate(
             "meyer.spring-rate",
             at("Line after Eq. (1-15)"),
-            "the name that K is given",
+            "what K is called",
             "torsional spring rate in inch-pounds per radian",
             "torque of the spring in inch-pounds per radian",
         ),

@@ -91,12 +91,12 @@ fn least_rise_time() -> Claim {
              torque reduces the rise time",
             Slip {
                 id: "",
-                reason: "If the torque grows and all times shrink in inverse proportion to its square root, Eq. (1-19) \
-                         stays the same. So all times are proportional to √(I_f/K), where I_f is the follower's \
-                         inertia and K the torque. As K grows, this square root becomes as small as we like, and there \
-                         is no minimum.",
-                witness: "We proved the law of similarity for the equation and showed that it fails if the times are \
-                          left unchanged.",
+                reason: "If the torque grows and all times shrink in inverse proportion to the square root of the \
+                         torque, Eq. (1-19) stays the same. So all times are proportional to √(I_f/K), where I_f is \
+                         the follower's inertia and K the torque. As K grows, this square root becomes as small as we \
+                         like, so there is no minimum.",
+                witness: "We proved that the equation obeys the law of similarity, and showed that the equation no \
+                          longer holds if the torque grows while all times stay the same.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,
                 changes: "A stronger spring always shortens the rise. With four times the torque, the rise is half as \
@@ -112,7 +112,7 @@ fn graphs() -> Vec<Claim> {
             .statement(
                 "meyer.fig-10.rise-axis",
                 "RISE TIME TO 99% OF TERMINAL VELOCITY",
-                "the rise time that is drawn ends at 99 per cent of the terminal velocity",
+                "in the curves, the rise ends at 99 per cent of the terminal velocity",
             )
             .missing(
                 "The copy we had does not contain the curves, and the thesis does not say which velocity the 99 per \

@@ -57,18 +57,18 @@ fn conditions() -> Vec<Claim> {
                 "as an escapement, the mechanism needs a pin engaged at every instant",
             )
             .missing(
-                "The sentence can be read as a need of every such escapement, or as a choice made for this design, and \
-                 the thesis does not say which. Without an engaged pin, the follower rests. The text calls such \
-                 intermittent motion undesirable, not impossible. If the sentence states a choice, there is nothing to \
-                 test. If it states a need, it is false. Even with some pins taken away, and with the follower held \
-                 between engagements, each of the three mechanisms comes to a steady speed at each friction value of \
-                 the runs",
+                "The sentence can be read as a requirement for every such escapement, or as a choice made for this \
+                 design, and the thesis does not say which. Without an engaged pin, the follower rests. The text calls \
+                 such intermittent motion undesirable, not impossible. If the sentence states a choice, there is \
+                 nothing to test. If it states a requirement, it is false. Even with some pins taken away, and with \
+                 the follower held between engagements, each of the three mechanisms comes to a steady speed at each \
+                 friction value of the runs",
             ),
         at("Fig. 3, caption")
             .figure("meyer.fig-3", "four pin, four slot", "the mechanism that is drawn has four pins and four slots")
             .missing(
-                "The copy we had does not contain the drawing. Four pins and four slots do belong together, but so do \
-                 other numbers, and we cannot tell which numbers are drawn",
+                "The copy we had does not contain the drawing. Four pins do fit four slots, but other pairs of numbers \
+                 fit, too, and we cannot tell which pair is drawn",
             ),
         INSTANT
             .statement("meyer.hand-over", "must be entering", "as one pin leaves its slot, the next pin enters a slot")

@@ -20,17 +20,18 @@ fn less_friction() -> Claim {
             "less friction makes the rise longer",
         )
         .missing(
-            "The thesis leaves open what counts as steady, and the readings disagree. To compare them, we raised the \
-             friction in small steps, from the lowest value in the runs to the highest. That makes 45 steps for the \
-             three mechanisms together. First, suppose that the rise ends when the velocity at each angle is steady to \
-             one per cent. Then the rise becomes longer in 7 of the steps, but by less than a tenth of a millisecond, \
-             and the tables' unit is one millisecond. With two per cent instead of one, it becomes longer in none of \
-             the steps. If we assume that a difference in speed dies away evenly, each of the friction values in the \
-             runs gives a shorter rise than the value below it. Now suppose that the rise ends with the first \
-             engagement whose average of peak and minimum is the steady average. Then the rise becomes longer in \
-             nearly every step, because each engagement takes longer. But where the rise needs one engagement fewer \
-             than in the step before, it becomes shorter. In Appendix E, the row with more friction has the longer \
-             rise time in 8 of 34 pairs of rows",
+            "The thesis leaves open what counts as steady, and different readings give different answers. To compare \
+             them, we raised the friction in small steps, from the lowest value in the runs to the highest. That makes \
+             45 steps for the three mechanisms together. First, suppose that the rise ends when the velocity at each \
+             angle is steady to one per cent. Then the rise becomes longer in 7 of the steps, but by less than a tenth \
+             of a millisecond, while the tables give only whole milliseconds. With two per cent instead of one, it \
+             becomes longer in none of the steps. If we assume that each engagement reduces the difference from the \
+             steady speed by the same factor, each of the friction values in the runs gives a shorter rise than the \
+             next lower value. Now suppose that the rise ends with the first engagement in which the average of peak \
+             and minimum is within one per cent of the steady average. Then the rise becomes longer in nearly every \
+             step, because each engagement takes longer. But where the rise needs one engagement fewer than before the \
+             step, it becomes shorter. In Appendix E, the row with more friction has the longer rise time in 8 of 34 \
+             pairs of rows",
         )
 }
 

@@ -169,7 +169,8 @@ fn at_instants(both: impl Fn(&PinKinematics) -> (f64, f64)) -> Finding {
         })
         .fold(0.0, f64::max);
     let holds = worst <= crate::tolerance::ROUTES.relative;
-    Finding::new(holds, format!("it {} at 20 instants of each escapement", if holds { "agrees" } else { "differs" }))
+    let how = if holds { "are equal at each" } else { "differ at some" };
+    Finding::new(holds, format!("the two quantities compared {how} of 20 instants, in all three escapements"))
 }
 
 /// The k-th of the instants between −10 and 9.
@@ -203,8 +204,7 @@ fn is_zero(number: &Roots) -> bool {
 /// Whether all of the identities hold, with the finding for each.
 fn all_proven<const V: usize>(identities: &[impl Identity<V>]) -> Finding {
     let findings: Vec<Finding> = identities.iter().map(|identity| prove(identity).into()).collect();
-    let how: Vec<_> = findings.iter().map(|finding| finding.how.as_str()).collect();
-    Finding::new(findings.iter().all(|finding| finding.holds), how.join("; "))
+    Finding::of_cases(findings.iter().all(|finding| finding.holds), &findings)
 }
 
 use Evidence::{ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};

@@ -19,17 +19,17 @@ const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
     reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the pin \
-             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the friction \
-             μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre distance \
-             a in crank radii. This acceleration is zero at one speed only, and in no run is that the steady speed at \
-             entry. How far the peak is from the entry depends on the ratio of the inertias. In the runs with six pins \
-             the driver is heavy. The peak follows so soon after the entry that it exceeds the speed at entry by at \
-             most 1 rad/s, the unit of the tables. In the runs with four and three pins the driver is light. While the \
-             leaving pin still bears on the trailing flank, the friction already exceeds the spring's torque, so the \
-             peak comes before the pin leaves. If driver and follower are equal discs, as in the thesis's own estimate \
-             of the inertias, the drivers of all three mechanisms are fastest within three degrees past the entry. At \
-             the entry they already have 98 per cent of that speed or more, so for these drivers the sentence is \
-             nearly right.",
+             presses and rubs. The driver's acceleration there is (K − μ I_f θ'²/(a² − 1))/I_D, with the torque K, the \
+             friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
+             distance a in crank radii. This acceleration is zero at one speed only, and no run has that speed at \
+             entry in its steady motion. How far the peak is from the entry depends on the ratio of the inertias. In \
+             the runs with six pins the driver is heavy. The peak follows so soon after the entry that it exceeds the \
+             speed at entry by at most 1 rad/s, the unit of the tables. In the runs with four and three pins the \
+             driver is light. While the leaving pin still bears on the trailing flank, the friction already exceeds \
+             the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as \
+             in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest within \
+             three degrees past the entry. At the entry they already have 98 per cent of their greatest \
+             speed or more, so for these drivers the sentence is nearly right.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,
@@ -48,8 +48,8 @@ const EXTREMES_ON_CENTRES: Slip = Slip {
              where the pin goes over to the trailing flank of its slot. In the runs with six and four pins the \
              driver's minimum is so flat that the driver's speed on the line of centres exceeds the minimum by less \
              than 1 rad/s, the unit of the tables. In some runs with three pins, the driver's speed on the line \
-             exceeds the minimum by more than that. In all runs, the follower's speed on the line is below its maximum \
-             by more than that.",
+             exceeds the minimum by more than this unit. In all runs, the follower's speed on the line is below its \
+             maximum by more than this unit.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,
@@ -193,7 +193,7 @@ fn at_the_centres() -> Vec<Claim> {
             })
             .read_as(
                 "We test the sentence against the steady motion of every run. An extreme counts as being on the line \
-                 of centres if the speed on the line is within 1 rad/s, the unit of the tables, of the extreme speed.",
+                 of centres if the speed on the line is within 1 rad/s (the unit of the tables) of the extreme speed.",
             )
             .corrected(
                 "the driver velocity is a minimum 0.48 to 5.8° before the line, and on the line it is up to 2.1 rad/s \
@@ -317,7 +317,7 @@ fn beside_the_hand_over(
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
             "We test the sentence against the steady motion of every run. A peak counts as being at entry or exit if \
-             the driver's speed there is within 1 rad/s, the unit of the tables, of the peak speed.",
+             the driver's speed there is within 1 rad/s (the unit of the tables) of the peak speed.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }
@@ -398,7 +398,7 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
         format!(
             "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs with six pins, \
              and by {least:.0} to {most:.0} rad/s in the runs with four and three pins, where the peak is {:.2} to \
-             {:.2}° before the exit",
+             {:.2}° before the hand-over",
             before[0], before[1]
         ),
     )

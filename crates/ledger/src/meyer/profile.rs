@@ -32,9 +32,8 @@ pub fn claims() -> Vec<Claim> {
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
             "The text does not name the run, and it need not be one of the runs in the tables. In the four-pin runs of \
              the tables the velocity takes 29 ms or more to become steady, whether we go by the velocity at each angle \
-             or by the average of peak and minimum, and no row has the 25 ms that the text gives. In two of these runs \
-             the time of the first minimum rounds to 25 ms, but the rise times of these two runs are longer by half or \
-             more",
+             or by the average of peak and minimum. No row has the 25 ms that the text gives. In two of these runs the \
+             time of the first minimum rounds to 25 ms, but their rise times are longer than that by half or more",
         ),
         first_minimum(),
     ]
@@ -61,17 +60,16 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "We hold the printed sentence only to this: with each mechanism, the curve goes up and down equally often \
-             in all runs, as far as speeds rounded to the tables' whole units can show. That is the least that “shape” \
-             can mean. In the correction, “shape” means how low the minimum is and how high the speed at entry is, \
-             both relative to the peak.",
+            "We ask only one thing of the printed sentence: with each mechanism, the curve must go up and down \
+             equally often in all runs. Changes of less than 1 rad/s, the unit of the tables, do not count. That is \
+             the least that “shape” can mean. In the correction, “shape” means how low the minimum is and how high the \
+             speed at entry is, both relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",
             Slip {
                 id: "",
-                reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \
-                         change how deep the minimum is relative to the peak and how fast a pin enters. They even \
+                reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, change the curve's shape: the minimum and the speed at entry, both relative to the peak. They even \
                          change how often the curve goes up and down in an engagement. With six pins the speed dips \
                          shortly before the hand-over and rises again until just after it. With little friction this \
                          second rise is too small to show in the whole numbers of the tables, but with more friction \
@@ -136,9 +134,10 @@ fn first_minimum() -> Claim {
          steady state",
         Slip {
             id: "",
-            reason: "The first minimum belongs to an engagement that begins at rest. In every run it is lower than the \
-                     minimum of the steady state, and the less friction there is, the lower it is. In a few runs the \
-                     difference is 1 rad/s or less, so the tables, whose speeds have no decimals, hardly show it.",
+            reason: "The first minimum belongs to an engagement that begins at rest. In every run this minimum is \
+                     lower than the minimum of the steady state, and the less friction there is, the lower it is. In a \
+                     few runs the difference is 1 rad/s or less, so the tables, whose speeds have no decimals, hardly \
+                     show it.",
             witness: "We computed the motions in small steps of the driver's angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
@@ -211,7 +210,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         .collect();
     Finding::new(
         counts.iter().all(same),
-        format!("in a cycle, the driver's speed changes between rising and falling {}", joined(&each)),
+        format!("in a cycle, the driver's speed turns from rising to falling or back {}", joined(&each)),
     )
 }
 

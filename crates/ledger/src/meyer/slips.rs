@@ -148,16 +148,16 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
 /// A number in a row that nothing explains, because neither the mechanism nor the program gives it.
 pub const UNEXPLAINED: Slip = Slip {
     id: "",
-    reason: "With four pins, the program resets the driver's angle correctly, so both program and mechanism should \
-             have the printed peak. But both give a higher peak. The largest speed that the program prints exceeds the \
-             printed peak by more than one and a half units of the last digit. The mechanism's own peak, which we give \
-             as the right one, exceeds the printed peak by more than two and a half units. The minimum and the period \
-             in the same row do agree. We do not know how the printed peak came about.",
+    reason: "With four pins, the program resets the driver's angle correctly, so both the program and the mechanism \
+             should give the printed peak. But both give a higher peak. The largest speed that the program prints \
+             exceeds the printed peak by more than one and a half units of the last digit. The mechanism's own peak, \
+             which we give as the right one, exceeds the printed peak by more than two and a half units. The minimum \
+             and the period in the same row do agree. We do not know how the printed peak came about.",
     witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both give a higher \
               peak.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The peak printed in this row is too low by more than one per cent.",
+    changes: "The printed peak is too low by more than one per cent.",
 };
 
 /// The greatest printed speed is taken for the greatest.
@@ -171,8 +171,9 @@ pub const SAMPLED_PEAKS: Slip = Slip {
               are equal.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "There is nothing in the mechanism to investigate, because the oscillations disappear if the print-out \
-              has more lines per second. Where the true peak lasts only a short time, the printed peak is too low.",
+    changes: "The thesis wants these oscillations investigated, but they are not in the mechanism: they disappear if \
+              the print-out has more lines per second. Where the true peak lasts only a short time, the printed peak \
+              is too low.",
 };
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
@@ -182,14 +183,13 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
              the follower is at rest, the pin must move along the slot. But if the follower is turning, the pin's \
              velocity across the slot must equal the wall's. The velocity ratio is an even function of the driver's \
              angle. Therefore the leaving pin and the entering pin require the same speed of the follower, and nothing \
-             strikes. This holds for any number of pins and any number of slots, as long as there are enough of each \
-             to make a mechanism. For example, take five pins, five slots and a centre distance of the golden ratio \
-             times the crank radius. Each pin then takes over from the pin before it without a blow, although the \
-             follower never stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each hand-over, and \
-             there are three of them.",
-    witness: "We used coordinates to check pins and slots. We also computed, by integration in steps and with \
-              friction, how mechanisms with other numbers of pins and slots move. Each of them reaches a terminal \
-              velocity.",
+             strikes. This holds whatever the numbers of pins and slots, as long as there are enough of each to make a \
+             mechanism. For example, take five pins, five slots and a centre distance of the golden ratio times the \
+             crank radius. Each pin then takes over from the pin before it without a blow, although the follower never \
+             stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each hand-over, and there are three \
+             of them.",
+    witness: "We used coordinates to check pins and slots. For mechanisms with other numbers of pins and slots we also \
+              integrated the motion with friction, in steps. Each of them reaches a terminal velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
     changes: "There are more than three mechanisms to choose from, because in many other mechanisms, too, each pin \

@@ -112,6 +112,6 @@ fn in_the_equation(stated: Stated) -> Finding {
     };
     let what = stated.pick("a torque", "a torque per unit of angle");
     Finding::for_all([0.5, 1.0, 2.0], gives_it, |found, all| {
-        format!("if K is {what}, Eq. (1-15) gives the torque at {found} of {all} angles")
+        format!("if K is {what}, Eq. (1-15) gives the right torque at {found} of {all} angles")
     })
 }

@@ -100,7 +100,7 @@ pub const TERMS: [Term; 8] = [
         word: "can be used, or works, as a timing device",
         known_by: &["timing device", "timing application", "timing mechanism"],
         meaning: "started from rest, the mechanism comes to a terminal velocity. We do not ask how accurate it is",
-        rests_on: "abstract, which concludes the use from the terminal velocity; chapter II, first paragraph",
+        rests_on: "abstract, which infers the use from the terminal velocity; chapter II, first paragraph",
         measure: "conclusions::settles",
         claims: &["meyer.conclusion.timing", "meyer.conclusion.three", "meyer.always-engaged"],
     },
@@ -133,9 +133,9 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "is a maximum, is a minimum, coincides, slows down, decreases",
         known_by: &[],
-        meaning: "within one unit of the tables' speeds, 1 rad/s, of the greatest or the least speed of the cycle. A \
-                  member slows down, or its speed decreases, if the speed is nowhere more than one such unit above the \
-                  least value that it had before",
+        meaning: "the speed differs from the greatest or the least speed of the cycle by no more than one unit of the \
+                  tables, 1 rad/s. A member slows down, or its speed decreases, if the speed never rises by more than \
+                  one such unit above its lowest value so far",
         rests_on: "Appendix E, whose speeds have no decimals",
         measure: "terms::is_there",
         claims: &[
@@ -150,8 +150,8 @@ pub const TERMS: [Term; 8] = [
         word: "almost",
         known_by: &["almost"],
         meaning: "a straight line misses each velocity by less than a twentieth. The source does not define the word",
-        rests_on: "no place in the thesis, because the measure is ours. Any measure between the greatest miss of the \
-                   straight lines and the least miss of the straight lines through the origin gives the same verdict",
+        rests_on: "no place in the thesis, because the measure is ours. Any measure from 3 to 16 per cent gives the \
+                   same verdict",
         measure: "general_statements::straight",
         claims: &["meyer.almost-linear"],
     },

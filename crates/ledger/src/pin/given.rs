@@ -17,7 +17,7 @@ pub fn claims() -> Vec<Claim> {
                 "pin.driver-speed",
                 "10",
                 "rad/s",
-                "the given angular velocity of the driver, which the printed speed and radius reproduce",
+                "the given angular velocity of the driver, confirmed by the printed speed and radius",
             )
             .by(OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.crank-radius"))
             .by(OtherPlaceInSource, || printed("pin.follower-speed") / ratio_at_the_instant()),
@@ -90,8 +90,7 @@ pub fn claims() -> Vec<Claim> {
                 "pin.crank-angle",
                 "150",
                 "°",
-                "the given crank angle φ from the direction OB, which the angle at B and the direction of v_P \
-                 reproduce",
+                "the given crank angle φ from the direction OB, confirmed by the angle at B and the direction of v_P",
             )
             .by(OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver"))
             .by(OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),

@@ -174,7 +174,8 @@ pub fn mark_f() -> Claim {
         .statement(
             "pin.mark-f",
             "f",
-            "the arrow before the angle of the slot point's velocity, which says what the angle is measured from",
+            "the arrow before the angle of the slot point's velocity, showing the direction from which the angle is \
+             measured",
         )
         .by(Jet, |stated| at_the_instant(|_, motion| only_arrow(&ONE, [heading(&motion.slot_point_velocity)], stated)))
         .by(ClosedForm, |stated| {

@@ -24,7 +24,7 @@ fn pin_speed() -> Vec<Claim> {
             "pin.crank-radius",
             "50",
             "mm",
-            "crank radius R, a value from the lost figure, which the printed speeds and lengths reproduce",
+            "crank radius R from the lost figure, confirmed by the printed speeds and lengths",
         )
         .by(OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.driver-speed"))
         .by(OtherPlaceInSource, || printed("pin.radius") / printed("pin.radius-ratio")),
@@ -133,8 +133,8 @@ const ROUNDED_ANGLE: Slip = Slip {
     witness: "Differentiating the pin's position needs no rounded angle and gives the corrected digits.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
-    changes: "The fourth digit of this speed changes. The wheel's angular velocity, which is computed from this \
-              speed, keeps its three printed digits.",
+    changes: "Only the fourth digit of this speed is wrong. The wheel's angular velocity, which is computed from this \
+              speed, is right to its three printed digits.",
 };
 
 /// How the letter v is read that has a disk's name for an index.

@@ -29,7 +29,7 @@ pub fn claims() -> Vec<Claim> {
             "quick-return.driver-speed",
             "50",
             "r.p.m.",
-            "the given speed of the crank, which the solution's rate in rad/s reproduces",
+            "the given speed of the crank, confirmed by the solution's rate in rad/s",
         )
         .by(OtherPlaceInSource, || printed("quick-return.driver-rate") * 30.0 / PI)
         .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank") * 30.0 / PI),
@@ -75,8 +75,9 @@ pub fn claims() -> Vec<Claim> {
         DRAWING
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
-                "The copy we had does not include the drawing. The lengths and the angle follow from the solution. So \
-                 does the place of the pin on the crank's circle: of the two possible points, it is the far one. But \
+                "The copy we had does not include the drawing. The lengths and the angle follow from the solution. The \
+                 place of the pin on the crank's circle follows, too: of the two possible points, it is the one \
+                 farther from the lever's pivot. But \
                  the solution does not show on which side of the line of centres the lever is. Without knowing the \
                  side, we cannot tell the senses of the sliding, of the Coriolis acceleration and of the lever's \
                  angular acceleration",

@@ -17,8 +17,8 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.ground",
                 "0.45",
                 "",
-                "distance of the two axes in metres (as the speeds show), a value from the lost drawing that the \
-                 printed angles and lengths reproduce",
+                "distance of the two axes in metres (as the speeds show), from the lost drawing, confirmed by the \
+                 printed angles and lengths",
             )
             .by(OtherPlaceInSource, || {
                 printed("quick-return.crank") * sine(printed("quick-return.angle-at-pin"))
@@ -176,7 +176,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.crank-angle",
                 "70.31",
                 "°",
-                "the crank's angle from the line of centres, produced beyond its axis",
+                "the crank's angle from the line of centres, extended beyond the crank's axis",
             )
             .by(Vectors, || position_of(|position| position.crank.degrees()))
             .by(ClosedForm, || {

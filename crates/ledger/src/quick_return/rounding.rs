@@ -8,13 +8,13 @@ pub const STEPS: Slip = Slip {
     reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The \
              angular velocity of the crank is printed with three digits, the length of the lever with two and the \
              speeds with three, but the results that are computed from these numbers are printed with three or four. \
-             No rounding of one step alone gives all of these results. Rounding the crank's angular velocity gives the \
-             printed speed of the pin, and rounding the lever's length is enough to spoil the lever's angular \
-             velocity.",
+             Rounding only one step, whichever it is, does not reproduce all of these results. Rounding the crank's \
+             angular velocity gives the printed speed of the pin, and rounding the lever's length is enough to spoil \
+             the lever's angular velocity.",
     witness: "Differentiating the loop closure with power series gives the corrected digits, too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
-    changes: "Eight results change in their last digits, among them the lever's angular velocity and acceleration.",
+    changes: "Eight results are wrong in their last digits, among them the lever's angular velocity and acceleration.",
 };
 
 #[cfg(test)]

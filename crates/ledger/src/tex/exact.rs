@@ -102,10 +102,8 @@ fn all_zero(mut parts: Vec<Expression>, conditions: Vec<Expression>, root: Optio
     let given = || without_repetition(conditions).map(|condition| zero(condition, root));
     let not_evaluated = findings.iter().find(|finding| !finding.evaluated);
     let refuted = not_evaluated.or_else(|| findings.iter().find(|finding| !finding.holds)).cloned();
-    refuted.or_else(|| given().find(|finding: &Finding| !finding.holds)).unwrap_or_else(|| {
-        let how: Vec<_> = findings.into_iter().map(|finding| finding.how).collect();
-        Finding::new(true, how.join("; "))
-    })
+    let refuted = refuted.or_else(|| given().find(|finding: &Finding| !finding.holds));
+    refuted.unwrap_or_else(|| Finding::of_cases(true, &findings))
 }
 
 /// Without bars both signs are one case.

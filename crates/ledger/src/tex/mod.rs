@@ -177,7 +177,7 @@ pub fn value(formula: &str, letters: &Letters) -> f64 {
 
 /// The value of a formula without an equals sign at an instant; not a number if it cannot be read or a letter has no value.
 pub fn value_at(formula: &str, moment: &Moment) -> f64 {
-    let display = Display::read(formula).ok();
+    let display = Display::read(formula).and_then(Display::without_number).ok();
     display.and_then(|display| moment.number(display.alone()?).ok()).unwrap_or(f64::NAN)
 }
 

@@ -219,8 +219,8 @@ fn freecad() -> Claim {
         .example(
             "wild.freecad.cut",
             "m = c, R = b",
-            "circle cut out of the locking disc, of radius z: distance m of its centre from the driver's axis and its \
-             radius R, for crank radius a, wheel radius b and centre distance c",
+            "circle that is cut out of the locking disc: its radius R and the distance m of its centre from the \
+             driver's axis, for disc radius z, crank radius a, wheel radius b and centre distance c",
         )
         .by(Vectors, move |stated| clear(stated, Drawn::by_crank))
         .by(ClosedForm, move |stated| clear(stated, Drawn::by_triangles))
@@ -230,7 +230,7 @@ fn freecad() -> Claim {
             cut_in_the_middle(
                 "The tips of the wheel's horns (the walls beside the slots) run into the disc by 0.17 mm, although the \
                  play is 0.01 mm. The program computes the radius b z/a, which would clear the horns, but it does not \
-                 use this radius. The version of the macro that opens a window does.",
+                 use this radius. But another version of the macro, which opens a window, uses it.",
             ),
         )
 }
@@ -241,8 +241,8 @@ fn freecad_arcs() -> Claim {
         .example(
             "wild.freecad.arcs",
             "x = y - b/2",
-            "position x, from the driver's axis, of the centre of an arc of the wheel at rest, for wheel radius b and \
-             arcs of radius y, with the wheel's axis at −c",
+            "position x of the centre of an arc of the wheel at rest, measured from the driver's axis, for wheel \
+             radius b and arc radius y, with the wheel's axis at −c",
         )
         .by(ClosedForm, move |stated| {
             rests(freecad_wheels().map(|wheel| {
@@ -369,9 +369,9 @@ fn sdfx() -> Claim {
 /// The slip of a program that cuts its locking disc along the rim as the rim stands in the middle of a move.
 const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
-        "With the driver in the middle of a move, the program cuts a circle of the wheel's radius about the wheel's \
-         axis out of the disc. But the disc turns together with its cut, so the horns run into the disc before and \
-         after the middle of the move.",
+        "The program puts the driver in the middle of a move and cuts a circle out of the disc. The circle is about \
+         the wheel's axis and has the wheel's radius. But the disc turns together with its cut, so the horns run into \
+         the disc before and after the middle of the move.",
         "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )

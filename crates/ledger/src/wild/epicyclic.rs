@@ -41,14 +41,14 @@ const FRACTION: Slip = slip(
     "We computed the pin's motion in coordinates for all ratios up to twice the number of slots, in steps of one \
      twelfth. The pin must move along the slot as it leaves one slot and as it comes to the next one.",
     "The formula is right for three, four and six slots. For five it gives 10/3, so the pin comes back to its place \
-     only in every third turn of the crank. Five slots need the ratio 10.",
+     only in every third turn of the crank. For the pin to come back in every turn, the ratio must be 10.",
 );
 
 const WHOLE_TURNS: &str = "The pinion must make a whole number of turns relative to the crank while the wheel moves, \
                            and also in a full turn of the crank. By the first condition, the ratio must be a multiple \
                            of the printed expression: 2n/(n − 2) for an external wheel and 2n/(n + 2) for an internal \
-                           one. By the second condition, the ratio must be an integer. So k is the least integer that \
-                           makes the ratio an integer.";
+                           one. By the second condition, the ratio must be an integer. So we multiply the expression \
+                           by k, the least integer that makes the ratio an integer.";
 
 /// What the ratio of teeth is for, with an external and with an internal wheel.
 const GEARS: [&str; 2] = [

@@ -37,7 +37,7 @@ pub fn claims() -> Vec<Claim> {
                     "The program draws a slot whose length is s. The slot's width is another length, and it is the \
                      same at the slot's centre as everywhere else.",
                     "For 3 to 60 slots, we used coordinates to find the rim and the deepest position of the pin's \
-                     centre. The slot extends from one to the other.",
+                     centre. The length s reaches from one to the other.",
                     "The drawing does not change.",
                 ),
             ),

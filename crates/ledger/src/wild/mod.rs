@@ -136,8 +136,8 @@ mod tests {
             ("firgelli-form.speed", "twice", times(six.centres / six.crank, 0), "2"),
             ("oxiphysics.speed", "less than one half", times(libm::ceil(20.0 / on_the_line) / 20.0, 2), "0.45"),
             ("oxiphysics.speed", "true ratio is one", times(six.crank / (six.centres - six.crank), 0), "1"),
-            ("mecha-external.gears", "ratio 10", times(epicyclic::least_ratio(5), 0), "10"),
-            ("mecha-internal.gears", "ratio 10", times(epicyclic::least_ratio(5), 0), "10"),
+            ("mecha-external.gears", "ratio must be 10", times(epicyclic::least_ratio(5), 0), "10"),
+            ("mecha-internal.gears", "ratio must be 10", times(epicyclic::least_ratio(5), 0), "10"),
         ];
         let changes = |id: &str| crate::slip(id).map_or("", |places| places.slip.changes);
         for (id, words, computed, expected) in said {

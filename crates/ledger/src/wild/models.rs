@@ -92,8 +92,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "the pin comes to the rim {place:.3} of a half pitch from the line of centres, where the slot is one half \
-                 pitch from it, so the wheel starts at {speed:.3} times the driver's speed"
+                "the pin comes to the rim {place:.3} half pitches from the line of centres (the slot is 1 half pitch \
+                 from this line), and the wheel starts at {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -152,11 +152,12 @@ fn freecad() -> Claim {
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
-                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. The angle \
-                 at the wheel's axis is then half the angle between two slots for at most one number of slots. A \
-                 comment in the program gives formulas in which you can choose only one radius.",
+                "For any two radii, the program makes the triangle of the two axes and the pin right-angled. But for \
+                 the pin to meet a slot, the angle at the wheel's axis must also be half the angle between two slots, \
+                 and with any two radii this is so for one number of slots at most. A comment in the program gives \
+                 formulas in which you can choose only one radius.",
                 TWICE,
-                "The pin's circle misses the line on which the slot waits by more than the pin's radius. So the pin \
+                "The slot waits on a line that is farther from the pin's circle than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",
             ),
         ),
@@ -201,8 +202,7 @@ fn freecad_count() -> Claim {
         .corrected(
             "range(n), 360/n",
             slip(
-                "The loops that cut slots and arcs use the number and the angle for six slots, not for the number that \
-                 you ask for.",
+                "The loops that cut slots and arcs always use six slots and the angle for six, whatever number you ask for.",
                 "We went through the directions of all slots, one by one.",
                 "If you ask for more or fewer slots than six, the wheel still gets six. The version of the macro that \
                  opens a window cuts as many slots as you ask for.",
@@ -215,8 +215,8 @@ fn model3d() -> Claim {
         MODEL3D,
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
-        "radius of the driven wheel, without its slack of 0.015 and the rounding of its tips, in a program whose pin \
-         circle, without the slack, has the right radius (the centre distance over √2)",
+        "radius of the driven wheel, in a program whose pin circle has the right radius (the centre distance over √2); \
+         both without the slack of 0.015, and the wheel without the rounding of its tips",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }
@@ -272,8 +272,8 @@ fn sdfx() -> Claim {
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
-                "With any wheel radius other than the right one, the pin still meets the mouth of the slot, but it \
-                 does not move along the slot there.",
+                "The program computes the crank radius from the wheel radius, so for any wheel radius the pin \
+                 meets the mouth of the slot. But it moves along the slot there only with the right wheel radius.",
                 TWICE,
                 "An ideal pin, without thickness or play, starts the wheel with a jump in speed. In the second example \
                  of the program, with ten slots, the pin first pushes the wheel back.",
@@ -287,7 +287,8 @@ fn counter() -> Claim {
         COUNTER,
         "wild.counter.example",
         "5 slots: r/tan(180/5) - 5 - 0.35",
-        "radius of the wheel as it is drawn, less the pin's radius and a clearance, for crank radius r",
+        "radius of the wheel as it is drawn, for crank radius r (the program subtracts the pin's radius and a \
+         clearance)",
         |stated| {
             let (slots, crank) = (stated.count(), 25.0);
             let (_, rim) = stated.characters().split_once(": ").unwrap_or_default();
@@ -361,7 +362,7 @@ fn pitter_cam() -> Claim {
             "cam radius 22.0, cut width 22 √3",
             slip(
                 "The cut must reach 60° to either side of the pin, because the pin enters 60° before the line of \
-                 centres. But the box that makes the cut is narrower.",
+                 centres. But the box that makes the cut is too narrow for that.",
                 "We used coordinates to check points all along the cam's rim.",
                 "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
                  centres and holds the wheel.",
@@ -390,8 +391,9 @@ fn pitter_arcs() -> Claim {
         .corrected(
             "i * 60 for slots, i * 60 + 30 for arcs",
             slip(
-                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the slot \
-                 that the pin has left and the slot that it enters next are half a pitch to either side of the arc.",
+                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the \
+                 slot that the pin has left and the slot that it enters next are half a pitch away from the arc, one \
+                 on either side.",
                 "We used coordinates to find where the pin leaves.",
                 "The arcs cut away the mouths of the slots, and at rest no slot is where the pin arrives.",
             ),

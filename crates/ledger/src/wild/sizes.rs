@@ -137,9 +137,9 @@ fn wrong() -> Vec<Claim> {
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
             slip(
-                "The printed formula gives the length of the vector sum of two arms of this radius, 180°/n apart. But \
-                 in a Geneva mechanism the two arms, crank and wheel radius, are at right angles, and they are equal \
-                 only for four slots.",
+                "The printed formula gives the length of the vector sum of two arms that are each as long as this \
+                 radius and make an angle of 180°/n. But in a Geneva mechanism the two arms, crank and wheel radius, \
+                 are at right angles, and they are equal only for four slots.",
                 TWICE,
                 "The formula puts the axes too far apart for three, four and five slots, and too close together for \
                  more. With four slots the distance should be 1.41 crank radii, but the formula gives 1.85, so the pin \

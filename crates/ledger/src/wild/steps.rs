@@ -34,12 +34,13 @@ pub fn claims() -> Vec<Claim> {
                     consequence: Consequence::Remark,
                     origin: Origin::Misprint,
                     ..slip(
-                        "One pin moves the wheel once in a turn of the driver, by one slot. So the 3 to 18 steps are \
-                         per turn of the wheel. A turn of the driver makes one step for each pin. At most six pins \
-                         fit, and only with three slots. So there are 1 to 6 steps in a turn of the driver.",
+                        "In each turn of the driver, one pin moves the wheel once, by one slot. So the 3 to 18 steps \
+                         are per turn of the wheel. A turn of the driver makes one step for each pin. At most six pins \
+                         fit, and six fit only with three slots. So there are 1 to 6 steps in a turn of the driver.",
                         "Each move takes a certain part of a turn of the driver, so one turn cannot hold as many moves \
                          as the page says.",
-                        "A reader of the page expects up to eighteen steps for each turn of the input shaft.",
+                        "A reader of the page expects up to eighteen steps for each turn of the input shaft, but there \
+                         are six at most.",
                     )
                 },
             ),
@@ -102,7 +103,7 @@ pub fn claims() -> Vec<Claim> {
                         "Wheels with three or four slots work, and all the formulas on the page hold for them.",
                         "Coordinates show that the pin enters a slot and leaves it again in a wheel with three slots, \
                          but never in a wheel with two.",
-                        "The commonest wheel, which has four slots, is excluded by the page.",
+                        "The page excludes the commonest wheel, which has four slots.",
                     )
                 },
             ),
@@ -142,7 +143,9 @@ fn least(stated: Stated, less: u32, works: impl Fn(u32) -> bool) -> Finding {
     let said = stated.count() + u32::from(above);
     let said = stated.pick(said, said.saturating_sub(less));
     let found = (1..=60).find(|slots| works(*slots) && (*slots..=60).all(&works));
-    Finding::new(found == Some(said), format!("wheels of {} to 60 slots work", found.unwrap_or(0)))
+    let first = found.unwrap_or(0);
+    let below = first.saturating_sub(1);
+    Finding::new(found == Some(said), format!("wheels of {first} to 60 slots work, but a wheel of {below} does not"))
 }
 
 /// Whether each slot more makes the move longer; or shorter.

@@ -106,7 +106,8 @@ pub fn claims() -> Vec<Claim> {
                 "wild.holooly.direction",
                 "0",
                 "°",
-                "angle of the pin's acceleration below the horizontal, where a mark shows that it points to the right",
+                "angle of the pin's acceleration below the horizontal, with a mark to show that the acceleration \
+                 points to the right",
             )
             .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))
             .by(Vectors, || {

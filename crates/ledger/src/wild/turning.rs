@@ -8,8 +8,8 @@ const TWICE: &str = "The coordinates of the pin at entry confirm the corrected f
 
 /// The page takes the wheel's turn for the driver's turn.
 const TURNED: &str = "While a wheel with n slots turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because \
-                      the crank is at right angles to the slot at the start and at the end. The page uses the wheel's \
-                      angle in place of the driver's angle, but the two are equal for four slots only.";
+                      the crank is at right angles to the slot at the start and at the end of the move. The page uses \
+                      the wheel's angle in place of the driver's angle, but the two are equal for four slots only.";
 
 /// How long a wheel moves, of the calculator.
 const DWELL: Slip = Slip {
@@ -26,7 +26,7 @@ const DWELL: Slip = Slip {
 /// The mistake about how long a wheel moves, on another page.
 const MORE_SLOTS: Slip = Slip {
     id: "wild.unseel.six",
-    ..slip(TURNED, TWICE, "If you want a longer rest and choose more slots to get it, you get a shorter rest.")
+    ..slip(TURNED, TWICE, "If you choose more slots to get a longer rest, you get a shorter rest.")
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -61,7 +61,7 @@ fn calculator() -> Vec<Claim> {
             CALCULATOR,
             "wild.firgelli-time.index",
             r"t_{index} = \frac{\theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}",
-            "time of one move, with the wheel's step 360°/n for the angle",
+            "time of one move, from an angle that the page takes as the wheel's step, 360°/n",
             ANY,
             index,
         )
@@ -110,7 +110,7 @@ fn star() -> Vec<Claim> {
             "wild.geneva-star.four",
             "3/4",
             "",
-            "part of the time that a wheel with four slots rests",
+            "part of the time during which a wheel with four slots rests",
             4,
             resting,
         ),
@@ -119,7 +119,7 @@ fn star() -> Vec<Claim> {
             "wild.geneva-star.three",
             "2/3",
             "",
-            "part of the time that a wheel with slots 120° apart rests",
+            "part of the time during which a wheel with slots 120° apart rests",
             3,
             |fit| 1.0 - fit.step / (2.0 * PI),
         )
@@ -147,8 +147,8 @@ fn oxiphysics() -> Vec<Claim> {
         .corrected(
             r"\alpha = \cos^{-1} \frac{r}{d}",
             slip(
-                "The angle whose sine is the crank radius r over the centre distance d is at the wheel's axis, at the \
-                 other end of the line of centres. In the right-angled triangle of the two axes and the pin, the \
+                "The crank radius r over the centre distance d is the sine of the angle at the wheel's axis, not of \
+                 the angle at the driver's axis. In the right-angled triangle of the two axes and the pin, the \
                  driver's angle is a right angle less the wheel's angle.",
                 TWICE,
                 "By the printed formula a wheel with n slots moves during 1/n of the cycle, which is right for four \

@@ -44,8 +44,7 @@ pub static CARDS: [Card; 17] = [
         "FIN",
         "(A, B)",
         Both,
-        "ends the run at the next kept step when A is not below B; of several such cards, the first that ends the run \
-         counts",
+        "ends the run at the first kept step at which A is not below B; with several such cards, whichever is first",
     ),
     card("HDR", "(words)", Both, "heads the columns of the OUT card that has the same number, one word for each"),
     card("OUT", "(names)", Both, "prints the values of the names at each printed point"),

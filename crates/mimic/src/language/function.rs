@@ -220,8 +220,8 @@ pub static FUNCTIONS: [Function; 26] = [
         (3, 3),
         (Numbers, Slope),
         Assumed,
-        "change of A divided by the change of B since the last kept point; C at T = 0, and unchanged while B does not \
-         change",
+        "derivative of A with respect to B: the change of A divided by the change of B since the last kept point; C at \
+         T = 0; it keeps its value while B does not change",
     ),
     function(
         ("ZOH", "A, B"),
@@ -235,9 +235,9 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Implicit),
         Assumed,
-        "implicit: the value for which B, which may depend on this value, gives the same value. It is found by \
-         repetition, beginning with A, at most 1000 times, until the two values agree to 1E-12 of their size. IMP must \
-         be alone in its expression",
+        "implicit: the value that equals B, where B may depend on this value. IMP evaluates B with the value A, \
+         takes the result as the next value, and repeats this until two successive values agree to 1E-12 of their \
+         size, but at most 1000 times. IMP must be alone in its expression",
     ),
     function(("TAN", "A"), (1, 1), (Numbers, Plain(Operation::Tangent)), Assumed, "tangent of A radians"),
 ];

@@ -90,12 +90,13 @@ pub fn of_fig_8() -> anyhow::Result<Figure> {
     let others: Vec<String> = others.iter().map(|row| named(row)).collect();
     let fits = match others.join(" and with ") {
         with if with.is_empty() => String::new(),
-        with => format!(" So does the time of the first minimum with {with}."),
+        with => format!(" The time of the first minimum with {with} rounds to it, too."),
     };
     let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(row).map(|inertia| fixed(1e6 * inertia, 0));
     let inertias = format!("inertias of driver and follower {driver} and {follower} · 10⁻⁶ in lb s²");
     let words = format!(
-        "Four pins, {}, {inertias}: the time of its first minimum rounds to the rise time printed for Fig. 8.{fits}",
+        "Four pins, {}, {inertias}. The time of this run's first minimum rounds to the rise time printed for Fig. \
+         8.{fits}",
         named(row)
     );
     Ok(runs::speeds(&Hypothesis::WITHOUT_LAG.engagement(row).context(NONE)?, &words)?)

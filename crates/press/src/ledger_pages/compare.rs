@@ -5,9 +5,9 @@ use crate::html::{Cells, Table, escape, table as html_table};
 use crate::lookup;
 use geneva_ledger::{Claim, Decimal, Judged, Kind, Mark, Marked};
 
-const LEGEND: &str = "<p class=\"legend\">Printed digits that agree with the computed number are plain. If only the \
-     last digit differs, it has <span class=\"digit last\">a dotted underline</span>. Otherwise all digits from the \
-     first wrong one onwards have <span class=\"digit wrong\">a wavy underline</span>.</p>";
+const LEGEND: &str = "<p class=\"legend\">Printed digits that agree with the computed number are not underlined. If \
+     only the last digit differs, it has <span class=\"digit last\">a dotted underline</span>. Otherwise all digits \
+     from the first wrong one onwards have <span class=\"digit wrong\">a wavy underline</span>.</p>";
 
 /// The table for all numbers of a source, or for the claims listed with spaces between; a caption after a semicolon.
 pub fn table(of: &str) -> anyhow::Result<Table> {

@@ -144,7 +144,7 @@ fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String))
     }
     // Where the source's own way leads to another number, the right one rests on more than its printed places.
     if let Some(right) = judged.right_value.filter(|right| judged.computed.is_some_and(|own| own != *right)) {
-        entry("Right, with more places", with_unit(&rounded(judged, right), claim.unit)?);
+        entry("Right number, to more digits", with_unit(&rounded(judged, right), claim.unit)?);
     }
     if let Some(reading) = claim.reading.filter(|_| judged.findings.is_empty()) {
         entry("How we read it", escape(reading));

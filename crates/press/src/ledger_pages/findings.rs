@@ -105,7 +105,7 @@ fn lowered(words: &str) -> String {
 fn routes(judged: &Judged) -> [String; 2] {
     let evidence = judged.claim.check.evidence();
     [evidence.first(), evidence.last()]
-        .map(|kind| kind.map_or_else(String::new, |kind| format!(" ({})", in_a_word(*kind))))
+        .map(|kind| kind.map_or_else(String::new, |kind| format!(" (by {})", in_a_word(*kind))))
 }
 
 /// A kind of evidence in a word or two.
@@ -116,7 +116,7 @@ pub fn in_a_word(kind: Evidence) -> &'static str {
         Evidence::Jet => "power series",
         Evidence::AutomaticDerivative => "dual numbers",
         Evidence::Vectors => "coordinates",
-        Evidence::LimitCase => "known or single cases",
+        Evidence::LimitCase => "individual cases",
         Evidence::Dimension => "dimensions",
         Evidence::OtherPlaceInSource => "another place in the source",
         Evidence::Quadrature => "integrals over the driver's angle",

@@ -132,7 +132,7 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     }
     let is_of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
     if claim.erratum.as_ref().is_some_and(is_of_copy) {
-        entry("Where", "Only in the copy that we had, which has lost or changed a character.".to_owned());
+        entry("Where", "The mistake is only in the copy we had, which has lost or changed a character.".to_owned());
     }
     if let Check::Missing { reason } = claim.check {
         entry("Why", prose(reason));

@@ -35,8 +35,8 @@ pub fn texts() -> anyhow::Result<Table> {
     }
     rows.extend(of_round("fifth").iter().map(|run| row(run.text.clone(), "fifth", &run.format, &[run])));
     table(
-        "Texts that we had not looked at before, those from the third round on in the order in which they were run, and all flags on a \
-         number",
+        "All flags on a number in texts that we had not looked at before. From the third round on, the texts are in \
+         the order in which we ran them",
         Cells::NamedNumbers,
         &["Text", "Format", "Chains checked", "Flags", "Real errors", "Rounding, convention", "Misread"],
         rows.into_iter().map(Ok).collect::<Vec<_>>(),

@@ -129,8 +129,8 @@ pub const READINGS: &[Reading] = &[
         sentences: Some(18),
     },
     Reading {
-        what: "Sixth, 24 November 2026: the statements and figures of all sources and the pages elsewhere, claim by claim, and \
-               what the fifth had left to decide",
+        what: "Sixth, 24 November 2026: the statements and figures of all sources and the pages elsewhere, claim by \
+               claim, and what the fifth had left undecided",
         claims: 955,
         overturned: &[
             ("jazar.fig-5.28-sense", Kind::Figure),

@@ -25,9 +25,9 @@ pub fn definitions() -> anyhow::Result<Table> {
     head.extend(parts.iter().map(String::as_str));
     head.extend(["by chance, <br>at most", &ideal]);
     let caption = "How many of the 49 printed rise times each definition explains, to within one unit of the last \
-                   place. The columns with a percentage are for the runs as they were, and the percentage says how far \
-                   the quantity may be from its steady value. The last two columns give the number that is expected by \
-                   chance, and the number for the real mechanisms";
+                   place. The columns headed by a percentage are for the program's runs, and the percentage says how \
+                   far the quantity may still be from its steady value. The last two columns give the largest number \
+                   that is expected by chance, and the number for the real mechanisms";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -50,7 +50,12 @@ pub fn events() -> anyhow::Result<Table> {
         "by <br>chance",
         "The mechanism, <br>of 49",
     ];
-    table("How many printed rise times each of these other events would explain", Cells::NamedNumbers, &head, rows)
+    table(
+        "How many printed rise times are explained if the rise ends at one of these events",
+        Cells::NamedNumbers,
+        &head,
+        rows,
+    )
 }
 
 /// The words of the thesis on which claims turn.
@@ -84,10 +89,11 @@ pub fn groups() -> anyhow::Result<Table> {
         let name = format!("{} pins, μ = {}", group.mechanism.pins(), group.friction);
         Ok(vec![name, scaled.join(", "), possible.to_owned(), misread])
     });
-    let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "Or if one row is misread?"];
+    let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "If not: for all <br>but one row?"];
     table(
         "Printed rise times t, in s, times the square root of K, in in·lb. By the law of similarity, all numbers of a \
-         group should be equal",
+         group should be equal. The last column names any row that may have been misread, with the range in which its \
+         time should be",
         Cells::Words,
         &head,
         rows,

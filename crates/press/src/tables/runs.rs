@@ -86,8 +86,10 @@ pub fn weighings() -> anyhow::Result<Table> {
         "Another reset or <br>inertias, exponential",
     ];
     let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
-                the other combinations. The last two lines each keep the conditions of the line above them. The last \
-                line shows the smallest difference among the choices of rows that we tried";
+                the other combinations. Each of the last two lines adds a condition to those of the line above it. For \
+                the last line we formed several sets of rows, each with one row from every group: the rows with the \
+                weakest springs, those with the next stronger ones, and so on. The line shows the smallest difference \
+                of all sets";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 
@@ -145,7 +147,7 @@ pub fn unexplained() -> anyhow::Result<Table> {
         Ok(cells)
     });
     let head = ["Pins", "μ", "K", "Printed", "Program's <br>value", "off by, <br>units", "Right", "off by, <br>units"];
-    table("The two peaks that the program does not give, in rad/s", Cells::Numbers, &head, rows)
+    table("The two peaks that the program does not reproduce to within one unit, in rad/s", Cells::Numbers, &head, rows)
 }
 
 /// The numbers of our own that were computed in two ways.

@@ -39,7 +39,12 @@ pub fn speeds() -> anyhow::Result<Table> {
         }
     }
     let head = ["Solver", "Error allowed", "Evaluations", "Time for 49, ms", "Largest relative error"];
-    table("Cost and error of the solvers for 49 escapements of all three mechanisms", Cells::NamedNumbers, &head, rows)
+    table(
+        "Cost and error of the solvers for 49 escapements, which cover all three mechanisms",
+        Cells::NamedNumbers,
+        &head,
+        rows,
+    )
 }
 
 /// Maps of the terminal speed: time against points.

@@ -74,10 +74,10 @@ pub fn sensitivity() -> anyhow::Result<Table> {
     ];
     let caption = "What changes the rate. Four columns give, to first order, the seconds that the timer gains in a day \
                    (or loses, with a minus) if the torque, the friction, or the inertia of driver or follower is one \
-                   per cent larger. The mean speed is proportional to a power of the friction, whose exponent is in \
-                   the next column. The last column says how much faster the timer runs with half the friction. The \
-                   mechanisms are ideal, with the inertias of the thesis's runs. The values are the same for a spring \
-                   of any strength";
+                   per cent larger. For small changes the mean speed is proportional to a power of the friction, whose \
+                   exponent is in the next column. The last column says how much faster the timer runs with half the \
+                   friction. The mechanisms are ideal, with the inertias of the thesis's runs. The values are the same \
+                   for a spring of any strength";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -106,9 +106,10 @@ pub fn accelerations() -> anyhow::Result<Table> {
         "pin force, <small>× spring’s</small>",
     ];
     let caption = "Accelerations of the greatest magnitude, in 1000 rad/s², each with the driver's angle from the line \
-                   of centres. Then follow the jump of the follower's acceleration when the next pin takes over, and \
-                   the greatest force on the pin, divided by the spring's force at the crank radius. The mechanisms \
-                   are ideal. For each friction value, the table shows the thesis's run with the strongest spring";
+                   of centres. The last two columns give the jump of the follower's acceleration when the next pin \
+                   takes over, and the greatest force on the pin, divided by the spring's force at the crank radius. \
+                   The mechanisms are ideal. For each friction value, the table shows the thesis's run with the \
+                   strongest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -129,8 +130,8 @@ pub fn mean_speed() -> anyhow::Result<Table> {
         ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
     let caption = "Two meanings of an average speed, in rad/s. One is the mean of peak and minimum, from the numbers \
                    that the thesis prints and from the right numbers. The other is the mean over a revolution. The \
-                   factor is the right mean of peak and minimum divided by the mean over a revolution. For each \
-                   mechanism and friction value, the table shows the run with the weakest spring";
+                   factor is the mean of the right extremes divided by the mean over a revolution. For each mechanism \
+                   and friction value, the table shows the run with the weakest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

@@ -23,10 +23,10 @@ pub fn wheels(range: &str) -> anyhow::Result<Table> {
         "at <small>crank angle</small>",
     ];
     let caption = format!(
-        "Wheels with {first} to {last} stations, one pin, and a driver at constant speed. The shares of moving and \
-         dwelling tell you how many stations to choose. Centre distance and wheel radius tell you how large the wheel \
-         is. Speed and accelerations tell you how hard it is driven. The last column gives the crank angle, before and \
-         past the line of centres, at which the acceleration is greatest"
+        "Wheels with {first} to {last} stations, one pin, and a driver at constant speed. The parts of a turn for \
+         which the wheel moves and dwells tell you how many stations to choose. Centre distance and wheel radius tell \
+         you how large the wheel is. Speed and accelerations tell you how hard it is driven. The last column gives the \
+         crank angles at which the wheel speeds up most, before the line of centres, and slows down most, past it"
     );
     table(&caption, Cells::Numbers, &head, stations.map(row))
 }

@@ -181,7 +181,7 @@ fn angle() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.hand-over",
                 "initial values of velocity and acceleration",
-                "the next pin takes over the driver's speed and acceleration",
+                "each engagement starts with the driver's speed and acceleration from the end of the one before",
             )
             .by(ClosedForm, |stated| {
                 let holds = Mechanism::ALL.iter().all(|mechanism| {
@@ -215,7 +215,7 @@ fn angle() -> Vec<Claim> {
                     "we used the same speed and acceleration of the driver for both pins, in coordinates",
                 )
             })
-            .but_not("it takes over the follower's acceleration too"),
+            .but_not("it also starts with the follower's acceleration from the end of the one before"),
         AFTER
             .statement(
                 "meyer.app-b.one-pin-at-a-time",

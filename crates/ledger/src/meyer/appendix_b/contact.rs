@@ -55,22 +55,21 @@ fn solved() -> Vec<Claim> {
                 Finding::new(
                     single.len() > 30 && (solved == single.len()) == stated.pick(true, false),
                     format!(
-                        "one formula gives the acceleration by Newton's laws at {solved} of {} instants",
+                        "one formula gives the acceleration that Newton's laws require at {solved} of {} instants",
                         single.len()
                     ),
                 )
             })
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
-                "We read “solved” as having a formula that gives the acceleration in terms of the other letters. The \
-                 text goes on to replace the bars by a sign, which it takes from an earlier acceleration. Whether the \
-                 computer needed this is a question for other claims, which we leave open.",
+                "By “solved” we understand that a formula gives the acceleration in terms of the other letters. Next, \
+                 the text replaces the bars by a sign, which it takes from an earlier acceleration. Whether the computer needed this replacement is the subject of other claims, whose verdict is open.",
             ),
         PROGRAM
             .statement(
                 "meyer.app-b.must-be-solved",
                 "it must first be solved",
-                "before MIMIC can integrate the equation, it must be solved for the acceleration",
+                "the equation must be solved for the acceleration before MIMIC can integrate it",
             )
             .missing(IMPLICIT),
     ]
@@ -228,7 +227,7 @@ fn described() -> Vec<Claim> {
                  cards, and it ends without data. The thesis does not say whether these are the seven cards that it \
                  means, and the data cards are missing",
             ),
-        constant("meyer.app-b.spring-constant", PROGRAM, "the name that K is given", "spring constant"),
+        constant("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant"),
         PROGRAM
             .statement(
                 "meyer.app-b.letters",
@@ -277,8 +276,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.simultaneous",
                 "cannot solve simultaneous equations",
-                "F cannot be computed from the acceleration at the same instant, because that acceleration itself \
-                 depends on F",
+                "F, the expression between the bars, cannot be computed from the acceleration at the same instant, \
+                 because that acceleration itself depends on F",
             )
             .missing(IMPLICIT),
     ]
@@ -290,7 +289,7 @@ fn old_acceleration() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.delay",
                 "t-DT/10",
-                "the old acceleration is the acceleration a tenth of the print interval earlier",
+                "the old acceleration is the acceleration as it was a tenth of the print interval earlier",
             )
             .missing(
                 "The card of the delay, TDL, asks for this acceleration. Whether the program gets it depends on what \

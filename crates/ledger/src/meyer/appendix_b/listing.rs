@@ -42,7 +42,7 @@ fn constants() -> Vec<Claim> {
         no_rate(
             "meyer.listing.comment-k",
             at("Appendix B, program, comment on K"),
-            "the name that K is given",
+            "what K is called",
             "SPRING RATE",
             "TORQUE OF THE SPRING",
         ),
@@ -91,7 +91,7 @@ fn constants() -> Vec<Claim> {
             .statement(
                 "meyer.listing.delay",
                 listed::DELAY,
-                "the card asks for the acceleration a tenth of the print interval earlier",
+                "the card asks for the acceleration as it was a tenth of the print interval earlier",
             )
             .by(OtherPlaceInSource, |stated| {
                 let told = parts_of_the_interval("meyer.app-b.delay");
@@ -111,8 +111,8 @@ fn constants() -> Vec<Claim> {
                  took there.",
             ),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
-            "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on it, \
-             because they are the same whether the delay keeps a hundred values or all of them",
+            "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on this \
+             number: they are the same whether the delay keeps a hundred values or all of them",
         ),
         PROGRAM
             .value(

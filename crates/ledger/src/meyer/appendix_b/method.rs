@@ -256,7 +256,7 @@ fn advantages() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 let advance = printed_step(|_, _| 1.0, 0.0, 0.0, 1.0).unwrap_or(f64::NAN);
                 let said = stated.pick(1.0, widths()[0]);
-                Finding::new(agrees(advance, said), format!("the step advances by {advance} times the interval"))
+                Finding::new(agrees(advance, said), format!("a step is {advance} times as wide as the interval"))
             })
             .by(LimitCase, |stated| {
                 let mut points = Vec::new();

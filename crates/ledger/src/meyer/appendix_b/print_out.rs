@@ -105,7 +105,7 @@ fn in_all_runs(words: &str, stated: Stated, runs: &[Option<Vec<Columns>>]) -> Fi
     Finding::for_all(
         rows().iter().zip(runs),
         |of| holds(of) == Some(true),
-        |found, all| format!("the columns hold what their headings say in {found} of {all} runs"),
+        |found, all| format!("the columns contain what their headings say in {found} of {all} runs"),
     )
 }
 
@@ -115,7 +115,7 @@ fn output() -> Claim {
         .statement(
             "meyer.app-b.output-cards",
             "remainder of the cards",
-            "the cards after FIN print and plot, and they take no part in the motion",
+            "the cards after FIN print and plot, and they take no part in computing the motion",
         )
         .by(ByProgram, |stated| {
             let kinds = [&OUTPUT[..], stated.pick(&[], &["FIN"])].concat();

@@ -167,8 +167,8 @@ pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64
     let holds = all.iter().all(|(letters, truth)| {
         pairs(letters, truth).iter().all(|(a, b)| vanishes((a - b) / a.abs().max(b.abs()).max(1.0)))
     });
-    let how = if holds { "agrees" } else { "differs" };
-    Finding::new(holds, format!("it {how} at 19 angles of each mechanism"))
+    let how = if holds { "agrees with the mechanism at each" } else { "differs from the mechanism at some" };
+    Finding::new(holds, format!("the program {how} of 19 angles, with all three mechanisms"))
 }
 
 #[cfg(test)]

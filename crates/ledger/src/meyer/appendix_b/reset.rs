@@ -27,9 +27,13 @@ pub fn reset(
             };
             let all = Mechanism::ALL;
             let pins: Vec<u32> = all.iter().filter(agree).map(|at| at.pins()).collect();
+            let only = if pins.len() == all.len() { "" } else { "only " };
             Finding::new(
                 pins.len() == all.len(),
-                format!("the pin nearest to the follower's axis is at the computed angle for {} pins", joined(&pins)),
+                format!(
+                    "the pin nearest to the follower's axis is at the computed angle {only}with {} pins",
+                    joined(&pins)
+                ),
             )
         })
         .corrected(corrected, RESET_ANGLE)

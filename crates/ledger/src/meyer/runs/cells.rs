@@ -51,7 +51,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             .by(Evidence::RungeKutta, move || as_run_by_steps(row)[result])
             // How finely a result could be read from a print-out: one unit of its last place.
             .read_to(move || column.unit())
-            .read_as("We assume that the author read the value from a print-out, correct to within one unit of its last place.")
+            .read_as("We assume that the author read the value from a print-out to within one unit of its last place.")
             .expecting(expected(row, column).unwrap_or(Verdict::Reproduced));
         let claim = claim.right(
             Evidence::Quadrature,

@@ -236,7 +236,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "runs.fifth",
-        meaning: "least margin of ln L of the listed lag over a fifth of the print interval or more",
+        meaning: "least margin of ln L, the listed lag over lags of a fifth of the print interval or more",
         by: DENSITIES,
         first: || over_a_fifth(|score| Some(score.likelihoods())),
         second: || over_a_fifth(by_densities),
@@ -274,7 +274,7 @@ pub static STATISTICS: [Statistic; 29] = [
     },
     Statistic {
         name: "rise.chance",
-        meaning: "rise times to be expected by chance, with the definition that gives most",
+        meaning: "rise times to be expected by chance, with the definition that gives the most",
         by: DEALS,
         first: || greatest(rise_times::explained().iter().map(|tried| tried.as_run.by_chance)),
         second: || {
