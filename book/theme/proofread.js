@@ -4,7 +4,7 @@
     const { ask } = genevaThread('data/proofread-module.js');
     const place = document.querySelector('[data-proofread]');
     const form = place.querySelector('form'), area = form.querySelector('textarea');
-    const { format, bindings, units, file } = form.elements;
+    const { format, bindings, units, doubts, file } = form.elements;
     const [summary, list, from, done] = ['.summary', '.findings', '.from', '.done'].map(name => place.querySelector(name));
     const most = Number(place.dataset.proofread), example = area.value;
     // How long nobody types before the text is checked, in milliseconds.
@@ -52,7 +52,7 @@
 
     const question = hints =>
         `format=${format.value} extension=${extension} bindings=${bindings.value} units=${units.checked ? 'yes' : 'no'} ` +
-        `hints=${hints}\n${area.value}`;
+        `doubts=${doubts.checked ? 'yes' : 'no'} hints=${hints}\n${area.value}`;
     // First without hints, which take longer than all the rest, and then with them.
     const check = async () => {
         clearTimeout(timer);

@@ -148,14 +148,14 @@ impl Parameters {
 
     /// The driver's acceleration at a crank angle (radians) and a speed (≥ 0, radians per unit of time).
     ///
-    /// While a pin is in its slot there always is one. Beyond, the formula is evaluated all the same, and may have
-    /// none.
+    /// While a pin is in its slot and the friction is below the critical friction, there is exactly one. Beyond these
+    /// limits the formula is evaluated all the same, and may give none.
     ///
     /// ```
     /// use geneva_dynamics::{Inertias, Parameters};
     /// use geneva_kinematics::Mechanism;
     ///
-    /// // As a pin enters, the follower is at rest and friction has no arm: the torque accelerates the driver alone.
+    /// // As a pin enters, from rest, it does not yet press on the slot: the torque accelerates the driver alone.
     /// let inertias = Inertias::new(0.5, 1.0)?; // kg m²
     /// let timer = Parameters::new(Mechanism::FOUR_PIN, inertias, 3.0, 0.2)?; // N m
     /// let entry = -timer.mechanism().engagement_half_angle(); // rad

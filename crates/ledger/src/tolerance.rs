@@ -40,7 +40,7 @@ pub const DIFFERENCES: Tolerance = Tolerance {
 pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
     relative: 1e-12,
-    reason: "if two equal numbers of about the size of one are each computed with an error of some units in the last \
+    reason: "if two equal numbers of the order of 1 are each computed with an error of some units in the last \
              place, their difference is not zero, but it is some thousand times smaller than this tolerance. A wrong \
              formula, however, leaves a difference that is a considerable fraction of these numbers",
 };
@@ -58,10 +58,10 @@ pub const STEPS: Tolerance = Tolerance {
 pub const PROGRAM: Tolerance = Tolerance {
     name: "program",
     relative: 3e-4,
-    reason: "the program takes the sign of friction from the acceleration a moment earlier. If that sign changes \
-             within a step, two ways of stepping see the change at different times, but the times differ by only a \
-             part of that moment. The printed tables have three digits, and a wrong equation differs in the first or \
-             second digit",
+    reason: "the program takes the sign of the friction from a slightly earlier acceleration. If the sign changes \
+             within a step, two ways of stepping see the change at different times, but these times differ by only \
+             a part of the short delay. The printed tables have three digits, and a wrong equation differs in the \
+             first or second digit",
 };
 
 /// All tolerances.

@@ -91,6 +91,8 @@ pub struct Contact {
     pub hint_right: Option<Answer>,
     /// Whether the program flags it after the repairs.
     pub after: Answer,
+    /// Whether the program of that round would have set it aside, with the rule for doubts and nothing else put in.
+    pub aside: Option<Answer>,
     /// What the reader says.
     pub judgement: Judgement,
     /// What a second reader says who did not know the first judgement; none in rounds with one reader.

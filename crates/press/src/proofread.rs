@@ -66,7 +66,9 @@ pub fn form() -> anyhow::Result<String> {
          for=\"proofread-format\">Format</label><select id=\"proofread-format\" name=\"format\">{}{formats}</select><label \
          for=\"proofread-bindings\">Use values given to names</label><select id=\"proofread-bindings\" \
          name=\"bindings\">{bindings}</select><span class=\"check\"><input type=\"checkbox\" id=\"proofread-units\" \
-         name=\"units\"><label for=\"proofread-units\">List units that do not agree, too</label></span><p \
+         name=\"units\"><label for=\"proofread-units\">List units that do not agree, too</label></span><span \
+         class=\"check\"><input type=\"checkbox\" id=\"proofread-doubts\" name=\"doubts\" checked><label \
+         for=\"proofread-doubts\">List doubts, too</label></span><p \
          class=\"buttons\">{}</p><input type=\"file\" name=\"file\" aria-label=\"File\" hidden></div>\n<p class=\"done\" \
          role=\"status\"></p>\n</form>\n<div class=\"result\"><div class=\"summary\" role=\"status\" \
          aria-live=\"polite\">{sentences}</div><ol class=\"findings\">{}</ol></div>\n</section>",
@@ -108,7 +110,7 @@ mod tests {
         let found: Vec<_> = answer.findings.iter().map(|of| (of.list, of.chain[1].as_str())).collect();
         let printed = |list, id, unit| (list, format!("{}{unit}", lookup::judged(id).expect("a claim").claim.printed));
         let known = [
-            printed("numbers", "jazar.ex-c.dwell-seconds", " s"),
+            printed("doubts", "jazar.ex-c.dwell-seconds", " s"),
             printed("numbers", "meyer.app-a.three-slots.centre", ""),
             printed("numbers", "meyer.app-a.three-slots.radius", ""),
             printed("bindings", "quick-return.lever-point-speed", " m/s"),

@@ -34,8 +34,8 @@ pub const OF_A_CLAIM: &[Field] = &[
     ),
     ("witnessed", "The same number by the second route, which shares no formula with the first."),
     ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
-    ("verdict", "The verdict that the program derived. *How it is checked* explains each of them."),
-    ("expected", "The verdict on record. It is written down by hand, and a test compares the two."),
+    ("verdict", "The verdict that the program derived. *How it is checked* explains each verdict."),
+    ("expected", "The verdict on record. We write it down by hand, and a test compares it with the derived one."),
     (
         "holds",
         "Whether the derived verdict is the one on record and nothing contradicts it. It is true for every claim in a \
@@ -74,7 +74,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     (
         "neighbour",
         "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. \
-         Null if the printed statement is wrong, because it is then the near miss itself.",
+         Null if the printed statement is wrong, because then this statement is itself the near miss.",
     ),
     ("missing", "What is missing, if we could not decide the claim."),
     ("erratum", "What should be printed instead. Null if no mistake reaches the claim."),
@@ -108,12 +108,12 @@ pub const OF_A_SLIP: &[Field] = &[
     ("witness", "The second, independent reason."),
     ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),
     ("wrong_numbers", "How many printed numbers are wrong because of it."),
-    ("greatest_change", "The largest relative deviation of these numbers from the right ones."),
+    ("greatest_change", "The largest relative deviation of these wrong numbers from the right ones."),
 ];
 
 /// What the fields of an entry in a line say.
 pub const OF_AN_ENTRY: &[Field] = &[
-    ("source", "The source, as in claims.json, without pages elsewhere."),
+    ("source", "The source, as in claims.json. Pages elsewhere are left out."),
     ("line", "The number of the line in the text of the copy, counted from 1."),
     (
         "entry",

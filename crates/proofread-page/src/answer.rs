@@ -26,7 +26,7 @@ pub struct Answer {
 /// A finding as it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
-    /// Its list: `numbers`, `units` or `bindings`.
+    /// Its list: `numbers`, `units`, `bindings` or `doubts`.
     pub list: &'static str,
     /// The verdict in words.
     pub verdict: &'static str,
@@ -63,11 +63,15 @@ impl Answer {
         let hints = if question.hints { MOST_HINTS } else { 0 };
         let options = Options { follow: question.follow, hints, ..Options::default() };
         let report = proofread(question.text, format, options).map_err(|why| words::capitalised(&why.to_string()))?;
-        let wanted = |finding: &&Finding| finding.list != List::Units || question.units;
+        let wanted = |finding: &&Finding| match finding.list {
+            List::Units => question.units,
+            List::Doubts => question.doubts,
+            List::Numbers | List::Bindings | List::Agreeing => true,
+        };
         let found: Vec<&Finding> = report.findings.iter().filter(wanted).collect();
         let mut places = Places::new(question.text);
         let findings = found.iter().take(MOST_SHOWN).map(|finding| places.shown(finding)).collect();
-        let mut summary = words::summary(format, &report.tally, &found, question.units);
+        let mut summary = words::summary(question, format, &report.tally, &found);
         if found.len() > MOST_SHOWN {
             summary.push(format!("The first {MOST_SHOWN} are shown. The command lists them all."));
         }

@@ -44,6 +44,8 @@ pub struct Question<'t> {
     pub follow: Follow,
     /// Whether numbers are listed that agree although their units do not.
     pub units: bool,
+    /// Whether differences are listed that are set aside as doubts.
+    pub doubts: bool,
     /// Whether hints are wanted, which take longer than the rest.
     pub hints: bool,
     /// The text.
@@ -53,12 +55,20 @@ pub struct Question<'t> {
 impl<'t> Question<'t> {
     /// A text, and otherwise the page's options as they are at first.
     pub fn about(text: &'t str) -> Self {
-        Self { format: None, extension: "", follow: Bindings::ALL[0].follow, units: false, hints: true, text }
+        Self {
+            format: None,
+            extension: "",
+            follow: Bindings::ALL[0].follow,
+            units: false,
+            doubts: true,
+            hints: true,
+            text,
+        }
     }
 
     /// Reads options up to the end of the first line, and behind it the text.
     ///
-    /// The options are words such as `format=latex extension=tex bindings=never units=yes hints=no`, with blanks between them, and
+    /// The options are words such as `format=latex extension=tex bindings=never units=yes doubts=no hints=no`, with blanks between them, and
     /// each may be missing. A format `recognised` is the same as none.
     ///
     /// # Errors
@@ -85,8 +95,15 @@ impl<'t> Question<'t> {
                     read.follow = found.ok_or_else(|| one_of(name, value, &known))?.follow;
                 }
                 "units" => read.units = yes(name, value)?,
+                "doubts" => read.doubts = yes(name, value)?,
                 "hints" => read.hints = yes(name, value)?,
-                _ => return Err(one_of("option", name, &["format", "extension", "bindings", "units", "hints"])),
+                _ => {
+                    return Err(one_of(
+                        "option",
+                        name,
+                        &["format", "extension", "bindings", "units", "doubts", "hints"],
+                    ));
+                }
             }
         }
         Ok(read)
@@ -126,7 +143,7 @@ mod tests {
             ("format=word", "format `word`: give one of markdown, latex, xml, html, notebook, plain"),
             ("bindings=<b>", "bindings `<b>`: give one of once, always, never"),
             ("units", "units ``: give one of yes, no"),
-            ("x\u{1b}=1", "option `x\\u{1b}`: give one of format, extension, bindings, units, hints"),
+            ("x\u{1b}=1", "option `x\\u{1b}`: give one of format, extension, bindings, units, doubts, hints"),
         ] {
             assert_eq!(Question::parse(options), Err(words.to_owned()));
         }

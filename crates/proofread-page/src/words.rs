@@ -1,7 +1,8 @@
 //! What is said of a text and of a finding.
 
 use crate::answer::Fact;
-use proofread::summary::{count, findings, others, units_alone};
+use crate::question::Question;
+use proofread::summary::{count, doubts, findings, others, units_alone};
 use proofread::{Finding, Format, List, Tally};
 
 /// What a format is called in a sentence and in the list of choices.
@@ -17,7 +18,7 @@ pub fn name_of_format(format: Format) -> &'static str {
 }
 
 /// What was checked and what was found, in sentences.
-pub(crate) fn summary(format: Format, tally: &Tally, found: &[&Finding], units_listed: bool) -> Vec<String> {
+pub(crate) fn summary(question: &Question<'_>, format: Format, tally: &Tally, found: &[&Finding]) -> Vec<String> {
     let in_list = |list: List| found.iter().filter(|finding| finding.list == list).count();
     let mut said = vec![findings(in_list).map_or("Nothing found.".to_owned(), |said| said + ".")];
     let checkable = tally.checkable.max(tally.checked);
@@ -40,7 +41,8 @@ pub(crate) fn summary(format: Format, tally: &Tally, found: &[&Finding], units_l
         }
     });
     said.extend(others(tally));
-    said.extend(units_alone(tally).filter(|_| !units_listed).map(|said| said + "."));
+    said.extend(units_alone(tally).filter(|_| !question.units).map(|said| said + "."));
+    said.extend(doubts(tally).filter(|_| !question.doubts).map(|said| said + "."));
     said
 }
 
@@ -49,6 +51,7 @@ pub(crate) fn facts(finding: &Finding) -> Vec<Fact> {
     let mut facts = vec![Fact { label: "printed", text: finding.printed.clone() }];
     let mut say = |label, text: Option<String>| facts.extend(text.map(|text| Fact { label, text }));
     say("recomputed", finding.recomputed.clone());
+    say("set aside", finding.doubt.map(|doubt| doubt.words().to_owned()));
     say("why", finding.why.clone());
     say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", in_quotes(&hint.words))));
     let listed = |words: &[&str]| (!words.is_empty()).then(|| words.join(", "));

@@ -3,7 +3,7 @@
 //! Each pair of sides that agrees is tried twice: once with one digit of its result changed, once with one digit of an
 //! operand. The digit is changed in the text itself, so the readers are tried, too. An error is invisible if the side with the
 //! changed digit still gives the printed digits of the result, with all numbers as printed: nobody who has only these digits can
-//! see it. Each pair has its own dice, so that the digits don't depend on what happens to other pairs. `SEED` chooses other digits,
+//! see it. An error that is only a doubt isn't noticed. Each pair has its own dice, so that the digits don't depend on what happens to other pairs. `SEED` chooses other digits,
 //! and `SHOW` lists what stays unseen.
 
 use proofread::{Follow, Format, List, Options, Span, Verdict, proofread};
@@ -74,7 +74,8 @@ fn main() {
                 let Ok(after) = proofread(&changed, format, options) else { continue };
                 let here =
                     |of: &&proofread::Finding| of.left_span == pair.left_span && of.right_span == pair.right_span;
-                let seen = after.findings.iter().any(|of| here(&of) && of.list != List::Agreeing);
+                let seen =
+                    after.findings.iter().any(|of| here(&of) && !matches!(of.list, List::Agreeing | List::Doubts));
                 let found = after.findings.iter().find(here);
                 let invisible =
                     !seen && found.is_some_and(|of| of.verdict == Verdict::Consistent && of.reading == pair.reading);

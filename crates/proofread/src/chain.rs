@@ -1,7 +1,7 @@
 //! Chains: sides with relations between them.
 
 use crate::join::joined;
-use crate::token::{Kind, Span, Token, span_of, trimmed};
+use crate::token::{Kind, Span, Token, has_number, span_of, trimmed};
 
 /// How a side relates to the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +25,18 @@ pub struct Side {
     pub span: Span,
 }
 
+/// How a chain is parted from what stands before it in its row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Parted {
+    /// Not at all, or by words.
+    #[default]
+    Not,
+    /// By a comma or a point.
+    ByMark,
+    /// By such a mark behind numbers that are in no chain: `1, 2, 3 = 6`.
+    FromNumbers,
+}
+
 /// Sides with relations between them; at least two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
@@ -34,6 +46,8 @@ pub struct Chain {
     pub asked: bool,
     /// Whether it begins a row of its formula.
     pub starts_row: bool,
+    /// What parts it from what stands before it in its row.
+    pub parted: Parted,
 }
 
 fn relation(token: &Token) -> Option<Relation> {
@@ -69,6 +83,8 @@ struct Splitter {
     side: Vec<Token>,
     relation: Option<Relation>,
     at_row: bool,
+    /// What parts the chain at hand from what stands before it in its row.
+    parted: Parted,
     /// Whether a comma stands before the piece at hand.
     listed: bool,
 }
@@ -85,9 +101,10 @@ impl Splitter {
         self.end_side();
         let sides = std::mem::take(&mut self.sides);
         if sides.len() > 1 {
-            self.chains.push(Chain { sides, asked, starts_row: self.at_row });
+            self.chains.push(Chain { sides, asked, starts_row: self.at_row, parted: self.parted });
         }
         self.relation = None;
+        self.parted = Parted::Not;
         self.at_row = row_follows;
     }
 
@@ -190,8 +207,13 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     splitter.side.push(token.clone());
                     continue;
                 }
+                let words = splitter.side.iter().any(|token| matches!(token.kind, Kind::Word(_) | Kind::Name(_)));
+                let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
                 splitter.end_chain(token.is('?'), false);
                 splitter.listed = token.is(',');
+                if token.is_one_of(",.") {
+                    splitter.parted = if numbers { Parted::FromNumbers } else { Parted::ByMark };
+                }
                 // A sum that goes on in the next row behind a comma: its terms are not all here.
                 let row_ends = tokens[at + 1..following[at + 1]].iter().any(ends_row);
                 if token.is(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {

@@ -3,6 +3,7 @@
 use crate::binding::{Follow, Known, assignment, single_name};
 use crate::chain::{Chain, Relation, Side, chains};
 use crate::customs;
+use crate::doubt::{Doubt, Factors, Place};
 use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
@@ -47,6 +48,8 @@ pub struct Tally {
     pub pairs: usize,
     /// Pairs with each verdict, in the order of [`Verdict::ALL`].
     pub verdicts: [usize; 10],
+    /// Differences that are set aside as doubts, of those that are kept.
+    pub doubts: usize,
 }
 
 impl Tally {
@@ -63,6 +66,7 @@ impl Tally {
         self.checkable += other.checkable;
         self.checked += other.checked;
         self.pairs += other.pairs;
+        self.doubts += other.doubts;
         for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
             *mine += its;
         }
@@ -97,6 +101,7 @@ pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report,
         known: Known::default(),
         before: None,
         results: Results::default(),
+        factors: Factors::default(),
         budget: hint::MOST_FOR_ALL,
     };
     if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
@@ -106,8 +111,18 @@ pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report,
         check.options.follow = Follow::Never;
     }
     reader::read(text, format, &mut |formula| check.formula(&formula))?;
+    for at in check.factors.habits() {
+        set_aside(&mut check.report.findings[at], Doubt::Habit);
+    }
     check.report.tally.bytes = text.len();
+    check.report.tally.doubts = check.report.findings.iter().filter(|of| of.list == List::Doubts).count();
     Ok(check.report)
+}
+
+fn set_aside(finding: &mut Finding, doubt: Doubt) {
+    finding.list = List::Doubts;
+    finding.doubt = Some(doubt);
+    finding.hint = None;
 }
 
 fn agrees(judgement: &Judgement) -> bool {
@@ -163,6 +178,8 @@ struct Check<'t> {
     before: Option<Assigned>,
     /// The results of the example or section so far.
     results: Results,
+    /// The factors between the sides that differ.
+    factors: Factors,
     /// What the search for hints may still cost.
     budget: usize,
 }
@@ -241,7 +258,7 @@ impl Check<'_> {
             self.results.note(formula.scope, left, right, values);
         }
         if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {
-            return self.note(chain, [left, right], judgement, relation);
+            return self.note(formula, chain, [left, right], judgement, relation);
         }
         // What the text says in words may explain the difference.
         let unit = if ends { surroundings::unit_behind(self.text, formula.span) } else { Vec::new() };
@@ -251,6 +268,8 @@ impl Check<'_> {
             // The other numbers of the chain lack their unit, too.
             if agrees(&other) || other.verdict == Verdict::Units {
                 judgement = Judgement { verdict: other.verdict.min(Verdict::Doubtful), ..other };
+            } else if other.verdict < judgement.verdict {
+                judgement = other;
             }
         }
         if at == 1 && names_label(&judgement) && surroundings::follows_preposition(self.text, left.span) {
@@ -276,7 +295,7 @@ impl Check<'_> {
                 judgement = Judgement { verdict: Verdict::Doubtful, ..other };
             }
         }
-        self.note(chain, [left, right], judgement, relation);
+        self.note(formula, chain, [left, right], judgement, relation);
     }
 
     /// Compares `v = 151.2` with `v = 500 sin 17.6°` in the row before.
@@ -292,16 +311,22 @@ impl Check<'_> {
             && surroundings::adjoin(self.text, before.span, last.span)
         {
             let judgement = judge(&before.side.tokens, &last.tokens, Relation::Equal, None);
-            self.note(chain, [&before.side, last], judgement, Relation::Equal);
+            self.note(formula, chain, [&before.side, last], judgement, Relation::Equal);
             return;
         }
         if !value.is_literal() {
             self.before = Some(Assigned { name, side: last.clone(), span: last.span });
         }
-        let _ = formula;
     }
 
-    fn note(&mut self, chain: &Chain, [left, right]: [&Side; 2], judgement: Judgement, relation: Relation) {
+    fn note(
+        &mut self,
+        formula: &Formula,
+        chain: &Chain,
+        [left, right]: [&Side; 2],
+        judgement: Judgement,
+        relation: Relation,
+    ) {
         let tally = &mut self.report.tally;
         tally.verdicts[judgement.verdict as usize] += 1;
         if judgement.verdict == Verdict::CannotEvaluate {
@@ -315,9 +340,20 @@ impl Check<'_> {
         if self.report.findings.len() >= MOST_FINDINGS {
             return;
         }
-        let wanted = list == List::Numbers && self.report.findings.len() < self.options.hints;
+        let place = Place { text: self.text, formula, chain, left, right };
+        let doubt = (list == List::Numbers).then(|| place.doubt(&judgement)).flatten();
+        let wanted = list == List::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
         let hint = wanted.then(|| hint::hint(left, right, relation, &judgement, &mut self.budget)).flatten();
         let hint = hint.filter(|hint| !hint.stands_in(self.text));
-        self.report.findings.push(Finding::new(chain, left, right, &judgement, list, hint));
+        let mut finding = Finding::new(chain, left, right, &judgement, list, hint);
+        match doubt {
+            Some(doubt) => set_aside(&mut finding, doubt),
+            None if list == List::Numbers => {
+                let at = self.report.findings.len();
+                self.factors.note(at, formula.span, &judgement, [&finding.left, &finding.right]);
+            }
+            None => {}
+        }
+        self.report.findings.push(finding);
     }
 }

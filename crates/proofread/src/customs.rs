@@ -1,7 +1,7 @@
 //! What an equals sign between two quantities may mean besides that they are equal: one stands for the other, or the factor
 //! between their units is rounded.
 
-use crate::token::{Kind, Token, any};
+use crate::token::{Kind, Token, any, trimmed};
 use crate::unit::{Dimension, unit, without_prefix};
 use crate::value::{Angle, Value};
 use std::f64::consts::PI;
@@ -95,9 +95,20 @@ fn leaves_unit_out(bare_side: &[Token], bare: &Value, side: &[Token], other: &Va
     }
     let with = |factor: f64| bare.scaled(factor).meets(other, 0.0);
     if other.has_unit {
-        let mut words = side.iter().filter_map(|token| token.word().filter(|word| unit(word).is_some()));
-        let (Some(word), None, true) = (words.next(), words.next(), other.is_literal()) else { return false };
-        let base = without_prefix(word).and_then(unit).filter(|base| base.dimension == other.dimension);
+        if !other.is_literal() {
+            return false;
+        }
+        let is_unit = |token: &Token| token.word().is_some_and(|word| unit(word).is_some());
+        let Some(at) = side.iter().position(is_unit) else { return false };
+        let word = side[at].word().unwrap_or_default();
+        let base = without_prefix(word).and_then(unit);
+        if side.iter().filter(|token| is_unit(token)).count() > 1 {
+            // A kilowatt-hour beside a product of watts and hours.
+            let raised = side.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
+            let ratio = base.zip(unit(word)).map(|(base, whole)| base.factor / whole.factor);
+            return !raised && ratio.is_some_and(|ratio| with(other.factor * ratio));
+        }
+        let base = base.filter(|base| base.dimension == other.dimension);
         let length = unit("cm").filter(|cm| cm.dimension == other.dimension && word != "cm");
         return base.is_some_and(|base| with(base.factor) || length.is_some_and(|cm| with(cm.factor)));
     }
@@ -119,6 +130,20 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     if decibels == [true, true] && (are_added(left) || are_added(right)) {
         return true;
     }
+    // A ratio and its size in decibels.
+    let in_decibels = |ratio: &Value, level: &Value| match (ratio.number(), level.number()) {
+        (Ok(of), Ok(level)) if of.point > 0.0 && !ratio.has_unit => {
+            let log = libm::log10(of.point);
+            [10.0, 20.0]
+                .iter()
+                .any(|factor| (factor * log - level.point).abs() <= level.half().max(0.02 * level.point.abs()))
+        }
+        _ => false,
+    };
+    if (decibels == [false, true] && in_decibels(one, other)) || (decibels == [true, false] && in_decibels(other, one))
+    {
+        return true;
+    }
     // A price.
     let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
     if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
@@ -137,6 +162,19 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     }
     let stands_for_one = (is_one(one) && other.has_unit) || (is_one(other) && one.has_unit);
     decibels[0] != decibels[1] || counted(left) != counted(right) || stands_for_one
+}
+
+/// Whether one side is a power of ten alone, and the other one of the same order of magnitude.
+pub(crate) fn is_order_of_magnitude(sides: [&[Token]; 2], points: &[Value; 2]) -> bool {
+    let is_power = |side: &[Token]| match trimmed(side) {
+        [ten, Token { kind: Kind::Power(_), .. }] => ten.number() == Some("10"),
+        _ => false,
+    };
+    let near = match [points[0].number(), points[1].number()] {
+        [Ok(one), Ok(other)] if one.point * other.point > 0.0 => libm::log10(one.point / other.point).abs() < 0.7,
+        _ => false,
+    };
+    near && sides.into_iter().any(is_power)
 }
 
 /// Whether one quantity may stand for another one on a drawing: they are of different kinds, or of sizes that no misprint of

@@ -1,6 +1,7 @@
 //! What was found at one place.
 
 use crate::chain::{Chain, Relation, Side};
+use crate::doubt::Doubt;
 use crate::hint::Hint;
 use crate::printed::{power_of_ten, written};
 use crate::reading::Reading;
@@ -20,6 +21,8 @@ pub enum List {
     Bindings,
     /// Pairs in which nothing is wrong, kept only on request.
     Agreeing,
+    /// Differences that are set aside: the program may have misread the text, or the result is truncated.
+    Doubts,
 }
 
 impl List {
@@ -45,6 +48,7 @@ impl List {
             Self::Units => "units",
             Self::Bindings => "bindings",
             Self::Agreeing => "agreeing",
+            Self::Doubts => "doubts",
         }
     }
 }
@@ -56,6 +60,8 @@ pub struct Finding {
     pub verdict: Verdict,
     /// Which list it belongs to.
     pub list: List,
+    /// Why it is set aside, if it is.
+    pub doubt: Option<Doubt>,
     /// The chain, as one line; of a long one, the part around the two sides.
     pub chain: String,
     /// The bytes of `chain` that are the place to look at.
@@ -111,6 +117,7 @@ impl Finding {
         Self {
             verdict: judgement.verdict,
             list,
+            doubt: None,
             chain: line,
             marked,
             span,

@@ -23,7 +23,7 @@ impl Evaluator<'_> {
                 power = Some(exponent);
             }
         }
-        let argument = self.argument(cursor)?;
+        let argument = self.argument(function, cursor)?;
         if !argument.dimension.is_none() {
             return Err(Obstacle::Unclear("a function of a quantity with a unit"));
         }
@@ -66,7 +66,7 @@ impl Evaluator<'_> {
         self.followed(value, cursor)
     }
 
-    fn argument(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn argument(&mut self, of: Function, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
         if cursor.peek().is_some_and(|token| token.is_one_of("([{")) {
             let inner = cursor.group()?;
             let value = self.whole(inner)?;
@@ -93,6 +93,12 @@ impl Evaluator<'_> {
                 Some(so_far) if token.is('/') && so_far.angle.is_none() && !so_far.has_unit => {
                     if cursor.look(cursor.at + 1).0.and_then(Token::number).is_none() {
                         break;
+                    }
+                    if matches!(of, Function::Ln | Function::Log | Function::Lg) {
+                        self.noticed.note(Reading::LOGARITHM_ABOVE);
+                        if self.chosen(Reading::LOGARITHM_ABOVE) {
+                            break;
+                        }
                     }
                     cursor.at += 1;
                     let divisor = self.single(cursor)?;

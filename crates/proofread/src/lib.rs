@@ -10,6 +10,7 @@ mod check;
 pub mod cli;
 mod columns;
 mod customs;
+mod doubt;
 mod evaluate;
 mod finding;
 mod function;
@@ -32,6 +33,7 @@ mod verdict;
 
 pub use binding::Follow;
 pub use check::{Options, Report, Tally, proofread};
+pub use doubt::Doubt;
 pub use finding::{Finding, List};
 pub use hint::Hint;
 pub use place::{Lines, Place};

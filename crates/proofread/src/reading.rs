@@ -2,7 +2,7 @@
 
 /// A set of choices. Without any, a formula is read in the commonest way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Reading(u16);
+pub struct Reading(u32);
 
 impl Reading {
     /// The commonest way.
@@ -39,6 +39,8 @@ impl Reading {
     pub const PERCENT: Self = Self(1 << 14);
     /// A hertz is a turn in a second, 2π in angular measure.
     pub const CYCLES: Self = Self(1 << 15);
+    /// A stroke ends the argument of a logarithm: `ln 2/5` is one fifth of ln 2.
+    pub const LOGARITHM_ABOVE: Self = Self(1 << 16);
 
     /// Whether all choices of another set are in this one.
     pub fn has(self, other: Self) -> bool {
@@ -75,7 +77,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 15] = [
+        const WORDS: [(Reading, &str); 16] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -90,6 +92,7 @@ impl Reading {
             (Reading::POUNDS, "pounds as a mass"),
             (Reading::NATURAL, "natural logarithms"),
             (Reading::CYCLES, "a hertz as a turn in a second"),
+            (Reading::LOGARITHM_ABOVE, "the logarithm above the stroke"),
             (Reading::PERCENT, "a percentage of what stands before it"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()

@@ -20,10 +20,11 @@ pub fn count(number: usize, thing: &str) -> String {
 /// How many findings there are and on which lists, such as `2 findings: 1 on a number, 1 on units alone`; `number_on` tells how
 /// many a list has. None if there are none.
 pub fn findings(number_on: impl Fn(List) -> usize) -> Option<String> {
-    const LISTS: [(List, &str); 3] = [
+    const LISTS: [(List, &str); 4] = [
         (List::Numbers, "on a number"),
         (List::Bindings, "with values from elsewhere in the text"),
         (List::Units, "on units alone"),
+        (List::Doubts, "in doubt"),
     ];
     let numbers = LISTS.map(|(list, words)| (number_on(list), words));
     let parts: Vec<String> = numbers
@@ -53,19 +54,37 @@ pub fn units_alone(tally: &Tally) -> Option<String> {
     }
 }
 
+/// The differences that are set aside, in words without a full stop; none if there are none.
+pub fn doubts(tally: &Tally) -> Option<String> {
+    match tally.doubts {
+        0 => None,
+        1 => Some(
+            "1 difference is set aside, since the text may have been misread or the result is truncated".to_owned(),
+        ),
+        some => Some(format!(
+            "{} are set aside, since the text may have been misread or the results are truncated",
+            count(some, "difference")
+        )),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn one_and_many_are_told_apart() {
-        let one_each = |list| usize::from(list != List::Bindings);
+        let one_each = |list| usize::from(matches!(list, List::Numbers | List::Units));
         assert_eq!(findings(one_each).as_deref(), Some("2 findings: 1 on a number, 1 on units alone"));
         assert_eq!(
             findings(|list| 1200 * usize::from(list == List::Numbers)).as_deref(),
             Some("1,200 findings: 1,200 on a number")
         );
         assert_eq!(findings(|_| 0), None);
+        let doubt = |list| usize::from(list == List::Doubts);
+        assert_eq!(findings(doubt).as_deref(), Some("1 finding: 1 in doubt"));
+        let tally = Tally { doubts: 2, ..Tally::default() };
+        assert!(doubts(&tally).is_some_and(|said| said.starts_with("2 differences are set aside")));
         let tally = Tally { chains: 3, checkable: 1, checked: 2, ..Tally::default() };
         assert_eq!(others(&tally).as_deref(), Some("1 other chain only defines something or contains letters."));
         assert_eq!(units_alone(&tally), None);

@@ -313,6 +313,9 @@ impl Pair<'_> {
         if self.relation == Relation::Approximate && rounds_to_one {
             return Ok(fine(Verdict::Approximate));
         }
+        if self.relation == Relation::Approximate && customs::is_order_of_magnitude(self.sides, &points) {
+            return Ok(fine(Verdict::Approximate));
+        }
         if self.relation == Relation::Approximate && rough && lenient[0].meets(&lenient[1], 0.05) {
             return Ok(fine(Verdict::Approximate));
         }

@@ -4,10 +4,14 @@
 use crate::report;
 use proofread::{Format, List};
 
-/// What is listed on the number in a text.
+/// What is listed on the number in a text, or set aside as a doubt.
 fn numbers(text: &str, format: Format) -> Vec<String> {
     let findings = report(text, format).findings;
-    findings.iter().filter(|of| of.list == List::Numbers).map(|of| format!("{} | {}", of.left, of.right)).collect()
+    findings
+        .iter()
+        .filter(|of| matches!(of.list, List::Numbers | List::Doubts))
+        .map(|of| format!("{} | {}", of.left, of.right))
+        .collect()
 }
 
 #[track_caller]

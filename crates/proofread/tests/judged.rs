@@ -52,7 +52,7 @@ fn findings(chain: &Chain, hints: usize) -> Vec<Finding> {
 fn found(chain: &Chain) -> &'static str {
     let findings = findings(chain, 0);
     let on = |list| findings.iter().any(|finding| finding.list == list);
-    [List::Numbers, List::Units].into_iter().find(|list| on(*list)).map_or("quiet", List::name)
+    [List::Numbers, List::Units, List::Doubts].into_iter().find(|list| on(*list)).map_or("quiet", List::name)
 }
 
 #[test]
@@ -87,6 +87,6 @@ fn hints_for_misprints_are_judged_and_stay() {
 fn each_judgement_has_a_reason_and_one_of_four_names() {
     for chain in all() {
         assert!(["", "real", "rounding", "convention", "ours"].contains(&chain.judgement.as_str()), "{}", chain.chain);
-        assert!(["numbers", "units", "quiet"].contains(&chain.now.as_str()), "{}", chain.chain);
+        assert!(["numbers", "units", "doubts", "quiet"].contains(&chain.now.as_str()), "{}", chain.chain);
     }
 }

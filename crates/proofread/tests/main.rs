@@ -6,6 +6,7 @@ mod chains;
 mod command;
 mod commas;
 mod customs;
+mod doubts;
 mod formats;
 mod fuzz;
 mod judged;

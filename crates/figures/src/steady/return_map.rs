@@ -111,8 +111,8 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
         format!(
             "The solid line shows the square of the speed at the end of an engagement as a function of the square of \
              the speed at its start. Where the curve crosses the dashed diagonal, the motion is steady. To follow a \
-             motion, go up or down to the curve and then across to the diagonal, where the next engagement begins. The \
-             first two engagements are numbered, both from rest and from a speed above the steady one. Near the \
+             motion, go up or down to the curve and then across to the diagonal, where the next engagement begins. For \
+             a start from rest and for one above the steady speed, the first two engagements are numbered. Near the \
              crossing a small difference shrinks to {multiplier} of its size in each engagement. Without friction \
              (dotted) each engagement adds the same amount, and there is no crossing. {}",
             shown(parameters)

@@ -66,8 +66,8 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
             said.collect::<Vec<_>>().join("; ")
         ),
         format!(
-            "The greatest accelerations, the jump of the follower's acceleration and the greatest force on the pin in \
-             the steady motion, without their signs. The accelerations are multiplied by the follower's inertia and \
+            "The greatest magnitudes of the accelerations, of the jump of the follower's acceleration and of the force \
+             on the pin in the steady motion. The accelerations are multiplied by the follower's inertia and \
              divided by the torque, and the force is divided by the spring's force at the crank radius. So each curve \
              holds for every spring. For four pins, the driver's curve has a kink. To the right of it, the driver's \
              greatest deceleration (by friction) exceeds the driver's greatest acceleration (by the follower). The \

@@ -76,7 +76,7 @@ fn formula() -> Claim {
             let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
             Finding::new(
                 locked == rational(3, 4),
-                format!("with four stations the wheel is locked for {locked} of the cycle"),
+                format!("for four stations the corrected form gives {locked}, and the caption of Fig. 5.28 says 3/4"),
             )
         },
     )

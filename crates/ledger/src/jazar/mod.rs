@@ -112,7 +112,7 @@ fn for_all_stations(holds: impl Fn(&Wheel) -> bool, how: &str) -> Finding {
         [] => format!("with {}, {how}", numbers_of_stations()),
         [first] => format!("with {first} stations it is not true that {how}"),
         [first, .., last] if failing.len() == wheels().len() => {
-            format!("it is not true for any number of stations from {first} to {last} that {how}")
+            format!("for no number of stations from {first} to {last} is it true that {how}")
         }
         [first, .., last] => {
             format!("for {} numbers of stations, from {first} to {last}, it is not true that {how}", failing.len())

@@ -180,7 +180,7 @@ fn corrected_centre(claim: Claim) -> Claim {
             witness: "We computed the hand-over in coordinates, with exact square roots.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Number,
-            changes: "The last digit of one centre distance is wrong, but nothing is computed from it.",
+            changes: "The last digit of one centre distance is wrong, but nothing is computed from this distance.",
         },
     )
 }

@@ -32,10 +32,10 @@ fn needed() -> Claim {
         )
         .missing(
             "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \
-             F, from which the friction takes its sign, has no sign at the start, so a value is required. If the delay \
-             gives zero, no separate line is needed: the line that computes the acceleration gives the same first \
-             value by itself. The sign makes no difference at the start, because a pin enters along its slot, where \
-             the friction has no moment arm",
+             F, from which the friction takes its sign, cannot be computed at the start, so a first acceleration must \
+             be given. If the delay gives zero, no separate line is needed: the line that computes the acceleration \
+             gives the same first value by itself. The sign makes no difference at the start: a pin enters along its \
+             slot, so from rest it does not yet press on the slot, and there is no friction",
         )
 }
 

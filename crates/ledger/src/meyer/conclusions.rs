@@ -87,10 +87,10 @@ fn small_variations() -> Claim {
         .statement(
             "meyer.small-variations",
             "will not seriously affect the motion",
-            "small changes of the parameters change the motion little",
+            "small changes of the parameters have no serious effect on the motion",
         )
         .missing(
-            "The thesis does not say what it would call a serious effect, and the three obvious measures disagree. By \
+            "The thesis does not say which effects it would call serious, and the three obvious measures disagree. By \
              the first measure, the effect is small: in all runs, a change of one per cent in the torque, the friction \
              or one of the inertias changes peak, minimum and period of the steady motion by less than one per cent. \
              The second measure is the rise time. If we count the rise as over only when the velocity is steady at \

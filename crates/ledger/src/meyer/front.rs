@@ -40,8 +40,8 @@ fn tables() -> Vec<Claim> {
 
 /// Why the two lists of pages are open.
 const WITHOUT_PAGES: &str = "The copy we had has no page numbers to compare the list with. The listed page numbers \
-                             rise, and each figure's page is in the part that the figure belongs to. But both would \
-                             still be true if many of the page numbers were one higher";
+                             rise, and each figure's page is in the part that the figure belongs to. But both \
+                             statements would still hold if many of the page numbers were one higher";
 
 /// The names of figures 12 to 14 in the list, each with its claim and its place.
 const DRAWN: [(&str, &str, &str, &str); 3] = [

@@ -58,8 +58,8 @@ fn conditions() -> Vec<Claim> {
             )
             .missing(
                 "The sentence can be read as a requirement for every such escapement, or as a choice made for this \
-                 design, and the thesis does not say which. Without an engaged pin, the follower rests. The text calls \
-                 such intermittent motion undesirable, not impossible. If the sentence states a choice, there is \
+                 design, and the thesis does not say which. When no pin is engaged, the follower rests, and the text \
+                 calls such intermittent motion undesirable, not impossible. If the sentence states a choice, there is \
                  nothing to test. If it states a requirement, it is false. Even with some pins taken away, and with \
                  the follower held between engagements, each of the three mechanisms comes to a steady speed at each \
                  friction value of the runs",

@@ -34,11 +34,12 @@ pub fn along_the_slot() -> Claim {
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
     let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. By a configuration we \
-                   mean a pair of numbers, of pins and of slots, with which each pin takes over from the previous one \
-                   without a gap, as chapter I of the thesis requires. For all configurations of up to eight pins and eight slots, we tested \
-                   whether the motion reaches a terminal velocity. In these tests we used the friction values of the \
-                   runs and the inertias of the six-pin runs. (With other inertias and more friction, a configuration \
-                   may have no terminal velocity. This can happen to the thesis's three, too.)";
+                   mean numbers of pins and slots for which each pin takes over from the previous one without a gap, \
+                   as chapter I of the thesis requires. For all configurations of up to eight pins and eight slots, we \
+                   tested whether the motion reaches a terminal velocity. In these tests we used the friction values \
+                   of the runs and the inertias of the six-pin runs. (With other inertias and more friction, a \
+                   configuration may have no terminal velocity. This can happen to the thesis's three configurations, \
+                   too.)";
     vec![
         at(locator)
             .statement(
@@ -242,7 +243,7 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     let resting = pairs().filter(|(pins, slots)| 2 * (pins + slots) == pins * slots).count();
     let but = other.map_or(String::new(), |(pins, slots)| {
         let [do_they, says] = if works(pins, slots) { ["work", "excludes"] } else { ["do not work", "includes"] };
-        format!("; {pins} pins with {slots} slots, for example, {do_they}, although the claim {says} them")
+        format!("; for example, {pins} pins with {slots} slots {do_they}, although the claim {says} them")
     });
     Finding::new(
         other.is_none(),

@@ -217,7 +217,7 @@ fn estimate() -> Vec<Claim> {
                     reason: "The numbers in the display before this one give a little less than 0.45, so 0.4 would be \
                              right to one digit. The thesis writes “approximately equal” here, and its next sentence \
                              says “about”. But here, as everywhere, we judge the digit that is printed.",
-                    witness: "We computed half of the disc's mass times the square of its radius.",
+                    witness: "We computed the inertia as half the disc's mass times the square of its radius.",
                     origin: Origin::Arithmetic,
                     consequence: Consequence::Number,
                     changes: "",

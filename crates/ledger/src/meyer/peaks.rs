@@ -25,11 +25,11 @@ const PEAKS_AT_ENTRY: Slip = Slip {
              entry in its steady motion. How far the peak is from the entry depends on the ratio of the inertias. In \
              the runs with six pins the driver is heavy. The peak follows so soon after the entry that it exceeds the \
              speed at entry by at most 1 rad/s, the unit of the tables. In the runs with four and three pins the \
-             driver is light. While the leaving pin still bears on the trailing flank, the friction already exceeds \
-             the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal discs, as \
-             in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest within \
-             three degrees past the entry. At the entry they already have 98 per cent of their greatest \
-             speed or more, so for these drivers the sentence is nearly right.",
+             driver is light. While the leaving pin still bears on the trailing flank, the torque of friction already \
+             exceeds the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal \
+             discs, as in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest \
+             within three degrees past the entry. At the entry they already have 98 per cent of their greatest speed \
+             or more, so for these drivers the sentence is nearly right.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,
@@ -41,15 +41,15 @@ const PEAKS_AT_ENTRY: Slip = Slip {
 /// The extremes between two peaks are put on the line of centres.
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
-    reason: "On the line of centres the pin does not slide, so the spring acts unbraked. By Eq. (1-19), A θ'' = E \
-             there, with positive A and E, so the driver's acceleration θ'' is positive. The driver is therefore \
-             slowest before this line. On the line the ratio of the follower's speed to the driver's is greatest, so \
-             the follower's acceleration φ'' is this ratio times θ'' and is positive as well. The follower is fastest \
-             where the pin goes over to the trailing flank of its slot. In the runs with six and four pins the \
-             driver's minimum is so flat that the driver's speed on the line of centres exceeds the minimum by less \
-             than 1 rad/s, the unit of the tables. In some runs with three pins, the driver's speed on the line \
-             exceeds the minimum by more than this unit. In all runs, the follower's speed on the line is below its \
-             maximum by more than this unit.",
+    reason: "On the line of centres the pin does not slide, so no friction opposes the spring. By Eq. (1-19), A θ'' = \
+             E there, with positive A and E, so the driver's acceleration θ'' is positive. The driver is therefore \
+             slowest before this line. On the line the ratio of the follower's speed to the driver's has its maximum \
+             and is not changing, so the follower's acceleration φ'' is this ratio times θ'', which is positive, too. \
+             The follower is fastest past the line, where the pin goes over to the trailing flank of its slot. In the \
+             runs with six and four pins the driver's minimum is so flat that the driver's speed on the line of \
+             centres exceeds the minimum by less than 1 rad/s, the unit of the tables. In some runs with three pins, \
+             the driver's speed on the line exceeds the minimum by more than this unit. In all runs, the follower's \
+             speed on the line is below its maximum by more than this unit.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,

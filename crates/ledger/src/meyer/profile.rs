@@ -60,10 +60,10 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "We ask only one thing of the printed sentence: with each mechanism, the curve must go up and down \
-             equally often in all runs. Changes of less than 1 rad/s, the unit of the tables, do not count. That is \
-             the least that “shape” can mean. In the correction, “shape” means how low the minimum is and how high the \
-             speed at entry is, both relative to the peak.",
+            "We ask of the printed sentence only the least that “shape” can mean: with each mechanism, the curve must \
+             go up and down equally often in all runs. Changes of less than 1 rad/s, the unit of the tables, do not \
+             count. In the correction, “shape” means how low the minimum is and how high the speed at entry is, both \
+             relative to the peak.",
         )
         .corrected(
             "will, with the exception of the driving torque, change the shape of the curve",
@@ -163,7 +163,7 @@ fn achieved(stated: Stated, lacks: &[f64], count: usize) -> Finding {
         lacks.len() == count && stated.pick(as_said(), steady == count),
         format!(
             "in {steady} of {count} motions the first minimum agrees with the steady minimum to one per cent; the \
-             first minimum is {:.1} to {:.1} per cent too low",
+             first minimum is {:.1} to {:.1} per cent lower than the steady one",
             100.0 * least,
             100.0 * most
         ),

@@ -9,8 +9,8 @@ pub const RESET_ANGLE: Slip = Slip {
              for four pins, but 60° for six and 120° for three. With 90°, the program follows a pin of the six-pin \
              mechanism to 60°, although the pin leaves its slot at 30°. In the three-pin mechanism the program drops \
              the pin at 30°, while the follower is still turning.",
-    witness: "We computed the coordinates of all pins, and the pin nearest to the follower's axis is at the corrected \
-              angle.",
+    witness: "We computed the coordinates of all pins. The pin nearest to the follower's axis is always at the angle \
+              that the corrected reset gives.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The tables for six and three pins describe no mechanism, and neither do the curves drawn from them.",
@@ -33,7 +33,7 @@ pub const SPRING_RATE: Slip = Slip {
     id: "meyer.spring-rate",
     reason: "By Eq. (1-15) the torque of the spring is K itself, whatever the angle, and the text uses K in this way. \
              But a spring rate is a torque for each radian of winding. Inch-pounds per radian can be read as a torque, \
-             because a torque is the work done per radian, so only the word “rate” is wrong.",
+             which is the work done per radian, so only the word “rate” is wrong.",
     witness: "In Eq. (1-18) and in the program, K appears on its own where a torque is needed.",
     origin: Origin::Misprint,
     consequence: Consequence::Wording,
@@ -137,8 +137,8 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
              θ'' throughout, so there is one solution: θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − D²). \
              This formula is right whatever the sign of the expression between the bars of the equation. So we need to \
              know neither that sign nor an earlier acceleration.",
-    witness: "We took the factors from the mechanism's coordinates and Newton's laws. With them, the formula gives the \
-              acceleration that these laws require.",
+    witness: "We computed A to E from the mechanism's coordinates and Newton's laws. With these factors, the formula \
+              gives the acceleration that the laws require.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
     changes: "With this formula the program could do without the sign S, and so without the earlier acceleration and \
@@ -188,12 +188,13 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
              crank radius. Each pin then takes over from the pin before it without a blow, although the follower never \
              stops. Eq. (1-3) selects the mechanisms whose follower is at rest at each hand-over, and there are three \
              of them.",
-    witness: "We used coordinates to check pins and slots. For mechanisms with other numbers of pins and slots we also \
-              integrated the motion with friction, in steps. Each of them reaches a terminal velocity.",
+    witness: "We computed the velocities of pins and slots from coordinates. For mechanisms with other numbers of pins \
+              and slots we also integrated the motion with friction, in steps. Each of these mechanisms reaches a \
+              terminal velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
-    changes: "There are more than three mechanisms to choose from, because in many other mechanisms, too, each pin \
-              takes over from the pin before it without a blow.",
+    changes: "There are more than three mechanisms to choose from, because in many others each pin also takes over \
+              from the pin before it without a blow.",
 };
 
 /// The follower's angle φ has become the driver's angle θ.

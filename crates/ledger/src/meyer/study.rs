@@ -95,7 +95,7 @@ pub fn of_parameters() -> Vec<Claim> {
                               four-pin table to within one unit of the last place.",
                     origin: Origin::Concept,
                     consequence: Consequence::Remark,
-                    changes: "The parts in the runs of the tables are not like the parts that the thesis describes. \
+                    changes: "Parts with the inertias of the tables are not like the parts that the thesis describes. \
                               For the greatest inertia, a disc of the described thickness would have to be more than \
                               three times as wide as described.",
                 },

@@ -71,9 +71,9 @@ pub fn claims() -> Vec<Claim> {
                     starts().len() == rows().len()
                         && stated.pick(beyond.iter().all(|count| *count > 0) && as_said(), beyond == [0, 0]),
                     format!(
-                        "in {} runs it takes more than {FIFTY} ms until the velocity at each angle is steady to one \
-                         per cent, and {:.1} ms in the slowest run. In {} runs it takes more than {FIFTY} ms until the \
-                         average of peak and minimum is steady to one per cent, and {:.1} ms in the slowest run",
+                        "the velocity at each angle is steady to one per cent only after more than {FIFTY} ms in {} \
+                         runs, and after {:.1} ms in the slowest run. The average of peak and minimum is steady to one \
+                         per cent only after more than {FIFTY} ms in {} runs, and after {:.1} ms in the slowest run",
                         beyond[0], most[0], beyond[1], most[1]
                     ),
                 )

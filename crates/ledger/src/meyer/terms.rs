@@ -72,7 +72,7 @@ pub const TERMS: [Term; 8] = [
         word: "rise time",
         known_by: &["rise time"],
         meaning: "the time from rest until the terminal velocity is reached, to one per cent. The thesis leaves open \
-                  which velocity this is, so both readings count. In one, the velocity at each angle must be steady \
+                  which velocity this is, so we allow two readings. In one, the velocity at each angle must be steady \
                   from then on. In the other, the average of peak and minimum of an engagement must be steady, and \
                   the time is counted to the end of that engagement",
         rests_on: "introduction, which defines it; axes of Figs. 10 and 11, for the one per cent; chapter II, \

@@ -78,9 +78,9 @@ const OTHER_ANGLE: Slip = Slip {
     id: "quick-return.lever-point-speed-equation",
     reason: "The pin's velocity v(P2) is at right angles to the crank, and its part v(P4) across the lever is at right \
              angles to the lever. So the angle between these two velocities is the angle between crank and lever. That \
-             angle is β, at the pin. The printed angle is the angle between the crank and the line of centres. It \
-             appears in two equations, and the solution itself computes it, so we do not blame the copy for this \
-             mistake.",
+             angle is β, at the pin. The printed angle is the angle between the crank and the line of centres. \
+             Because the solution itself computes the printed angle and has it in two equations, we do not think that \
+             this mistake comes from our copy.",
     witness: "The printed speeds alone show the mistake. Divided by the speed of the pin, they are the cosine and the \
               sine of an angle, and to the printed digits this angle is β.",
     origin: Origin::Misprint,
@@ -99,7 +99,8 @@ fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {
     Finding::new(
         holds,
         format!(
-            "the printed speeds need an angle between {:.2}° and {:.2}°; β is {beta}°, and the printed angle is {other}°",
+            "the printed speeds need an angle between {:.2}° and {:.2}° (β is {beta}°, and the printed angle is \
+             {other}°)",
             allowed.start, allowed.end
         ),
     )

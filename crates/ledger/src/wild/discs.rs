@@ -273,7 +273,7 @@ fn freecad_arcs() -> Claim {
                  driver's axis. In the program, the disc's radius is the radius of the arcs less the tolerance.",
                 "We used coordinates to check points all along an arc.",
                 "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
-                 loose when it should rest. The version of the macro that opens a window puts this centre on the \
+                 loose when it should rest. The version of the macro that opens a window puts the arc's centre on the \
                  driver's axis.",
             ),
         )

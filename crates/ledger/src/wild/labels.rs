@@ -84,7 +84,10 @@ fn pin_diameter() -> Claim {
             let [p, _] = SHIPPED;
             let [one, other] = [0.0, PI].map(|angle| Vector2::new(libm::cos(angle), libm::sin(angle)) * p);
             let (width, said) = ((one - other).norm(), stated.pick(2.0, 1.0) * p);
-            Finding::new(agrees(width, said), format!("the pin is {width:.1} across and is said to be {said:.1}"))
+            Finding::new(
+                agrees(width, said),
+                format!("the pin is drawn {width:.1} across, and this form says {said:.1}"),
+            )
         })
         .by(Evidence::OtherPlaceInSource, |stated| {
             // The drawn slot reaches p + t to either side: the tolerance should be what is left beside the pin.
@@ -159,7 +162,10 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             let w = p + t;
             let [one, other] = [-w, w].map(|aside| Vector2::new(0.0, aside));
             let (width, said) = ((one - other).norm(), stated.pick(2.0, 1.0) * w);
-            Finding::new(agrees(width, said), format!("the slot is {width:.2} wide and is said to be {said:.2}"))
+            Finding::new(
+                agrees(width, said),
+                format!("the slot is drawn {width:.2} wide, and this form says {said:.2}"),
+            )
         })
         .by(Evidence::OtherPlaceInSource, move |stated| {
             // What a slot as wide as is said leaves beside the pin, which is drawn with p for its radius.
@@ -167,10 +173,7 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             let left = stated.pick(1.0, 0.5) * (p + t) - p;
             Finding::new(
                 vanishes(left - t),
-                format!(
-                    "a slot of the stated width leaves {left:.2} on either side of the pin, and the tolerance is \
-                     {t:.2}"
-                ),
+                format!("half the stated slot width less the pin's radius is {left:.2}, and the tolerance is {t:.2}"),
             )
         })
         .read_as(reading)
@@ -213,7 +216,7 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
             };
             let what = stated.pick("length", "width");
             Finding::for_all(ANY, holds, |holding, all| {
-                format!("s is the slot's {what} for {holding} of {all} numbers of slots")
+                format!("s is the slot's {what} for {holding} of the {all} numbers of slots that we tried")
             })
         })
 }
@@ -232,7 +235,7 @@ fn stop_arc() -> Claim {
             Finding::new(
                 agrees(said, 1.5 * p),
                 format!(
-                    "the difference a − y is {:.1} for a pin of diameter {p:.1} and is said to be {said:.1}",
+                    "the difference a − y is {:.1} for a pin of diameter {p:.1}, and this form says {said:.1}",
                     1.5 * p
                 ),
             )
@@ -246,7 +249,7 @@ fn stop_arc() -> Claim {
             let said = crank - stated.number() * stated.pick(across, across / 2.0);
             Finding::new(
                 agrees(arc, said),
-                format!("the arcs have a radius of {arc:.1}, and the other place gives {said:.1}"),
+                format!("the arcs have a radius of {arc:.1}, and with the pin as drawn, this form gives {said:.1}"),
             )
         })
         .corrected(
@@ -267,7 +270,10 @@ fn aligned() -> Claim {
         let right = |slots: u32| vanishes((angle(slots) - said) / 90.0);
         Finding::new(
             ANY.filter(|slots| !right(*slots)).count() == 0,
-            format!("as the pin enters with the wheel at rest, slot and crank are {:.1} degrees apart", angle(4)),
+            format!(
+                "as the pin enters with the wheel at rest, the angle between slot and crank is {:.1} degrees",
+                angle(4)
+            ),
         )
     };
     ANVILATE
@@ -358,7 +364,7 @@ fn from_entry() -> Claim {
             };
             let holds = ANY.filter(|slots| !vanishes(off(*slots))).count() == 0;
             let lost = off(4).to_degrees().abs();
-            Finding::new(holds, format!("the move of a four-slot wheel falls short by {lost:.1} degrees"))
+            Finding::new(holds, format!("in a move, a four-slot wheel turns {lost:.1} degrees less than one step"))
         })
         .by(Vectors, move |stated| {
             let aside = |slots: u32| {
@@ -371,8 +377,8 @@ fn from_entry() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "at the start of a move, the scalar product of crank and slot is {:.2} times the product of crank \
-                     radius and centre distance (zero means that crank and slot are at right angles)",
+                    "crank and slot are at right angles at the start of a move if their scalar product is zero, and it \
+                     is {:.2} times the product of crank radius and centre distance",
                     aside(4)
                 ),
             )

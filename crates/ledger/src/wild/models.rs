@@ -92,8 +92,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "the pin comes to the rim {place:.3} half pitches from the line of centres (the slot is 1 half pitch \
-                 from this line), and the wheel starts at {speed:.3} times the driver's speed"
+                "seen from the wheel's axis, the pin comes to the rim at {place:.3} times the slot's angle from the \
+                 line of centres, and the wheel starts at {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -154,10 +154,10 @@ fn freecad() -> Claim {
             slip(
                 "For any two radii, the program makes the triangle of the two axes and the pin right-angled. But for \
                  the pin to meet a slot, the angle at the wheel's axis must also be half the angle between two slots, \
-                 and with any two radii this is so for one number of slots at most. A comment in the program gives \
+                 and with two given radii this is so for at most one number of slots. A comment in the program gives \
                  formulas in which you can choose only one radius.",
                 TWICE,
-                "The slot waits on a line that is farther from the pin's circle than the pin's radius. So the pin \
+                "The centre line of the waiting slot misses the pin's circle by more than the pin's radius. So the pin \
                  strikes a wall beside the slot, and the example cannot turn.",
             ),
         ),
@@ -227,8 +227,8 @@ fn model3d() -> Claim {
                 "The rim is cut short. So by the time the pin comes to the rim, the pin has passed the place where it \
                  would slide in along the slot.",
                 TWICE,
-                "An ideal pin, without thickness or play, starts the wheel with a jump in speed, although the page \
-                 says that a 3D-printed mechanism works.",
+                "An ideal pin, without thickness or play, starts the wheel with a jump in speed. The page says, \
+                 however, that a 3D-printed mechanism works.",
             ),
         ),
     )
@@ -338,7 +338,7 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "the cam keeps an arc of {arc:.1}°, which reaches {past:.0}° past the line of centres as the pin enters"
+                "the cam keeps an arc of {arc:.1}°, which ends {past:.0}° past the line of centres as the pin enters"
             ),
         )
     };
@@ -364,8 +364,8 @@ fn pitter_cam() -> Claim {
                 "The cut must reach 60° to either side of the pin, because the pin enters 60° before the line of \
                  centres. But the box that makes the cut is too narrow for that.",
                 "We used coordinates to check points all along the cam's rim.",
-                "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
-                 centres and holds the wheel.",
+                "The cam keeps an arc of 274° instead of 240°. So as the pin enters, the cam still reaches 17° past \
+                 the line of centres and holds the wheel.",
             ),
         )
 }
@@ -395,7 +395,8 @@ fn pitter_arcs() -> Claim {
                  slot that the pin has left and the slot that it enters next are half a pitch away from the arc, one \
                  on either side.",
                 "We used coordinates to find where the pin leaves.",
-                "The arcs cut away the mouths of the slots, and at rest no slot is where the pin arrives.",
+                "The arcs cut away the mouths of the slots, and while the wheel rests, no slot is where the pin \
+                 arrives.",
             ),
         )
 }
@@ -420,8 +421,8 @@ fn found_a_slot(stated: Stated, leaves: f64) -> Finding {
     Finding::new(
         vanishes(nearest),
         format!(
-            "the pin leaves at {:.0} degrees from the line of centres, and the nearest slot is {:.0} degrees away from \
-             there",
+            "the pin leaves at {:.0} degrees from the line of centres, and the nearest slot is {:.0} degrees from the \
+             pin",
             leaves.to_degrees(),
             nearest.to_degrees()
         ),

@@ -106,9 +106,9 @@ fn wrong() -> Vec<Claim> {
             driver,
         )
         .read_as(
-            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the page's \
-             own formula for the centre distance, the pin's distance is right for six slots only, and even then the \
-             wheel's radius does not fit.",
+            "The page says that the pin sits at the driver's radius. We check this with the right centre distance. \
+             With the page's own formula for the centre distance, the pin's distance is right for six slots only, and \
+             even then the wheel's radius does not fit.",
         )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",
@@ -132,7 +132,7 @@ fn wrong() -> Vec<Claim> {
         )
         .read_as(
             "We take the pin radius as the radius of the pin's circle. If we take it as the radius of the pin itself \
-             or of the wheel, the formula does not hold for any integer number of slots either.",
+             or of the wheel, the formula still does not hold for any number of slots.",
         )
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",

@@ -263,9 +263,9 @@ fn fractions() -> Vec<Claim> {
                 consequence: Consequence::Derivation,
                 origin: Origin::Misprint,
                 ..slip(
-                    "The page divides the time of a move by the angle through which the driver turns during a rest. It \
-                     must mean the time of the rest, because the right side is the ratio of the two angles, and the \
-                     two times have the same ratio.",
+                    "The page divides the time of a move by the angle through which the driver turns during a rest. \
+                     The page must mean the time of the rest, because the right side is the ratio of the two angles, \
+                     and the two times have the same ratio.",
                     TWICE,
                     "Nothing changes, because the formulas for the two times, which follow on the page, are right.",
                 )

@@ -46,7 +46,13 @@ pub static CARDS: [Card; 17] = [
         Both,
         "ends the run at the first kept step at which A is not below B; with several such cards, whichever is first",
     ),
-    card("HDR", "(words)", Both, "heads the columns of the OUT card that has the same number, one word for each"),
+    card(
+        "HDR",
+        "(words)",
+        Both,
+        "heads the columns of an OUT card, one word for each column; the first HDR card belongs to the first OUT card, \
+         and so on",
+    ),
     card("OUT", "(names)", Both, "prints the values of the names at each printed point"),
     card(
         "PLO",

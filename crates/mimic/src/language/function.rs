@@ -131,8 +131,8 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 3),
         (Numbers, Delay),
         Thesis,
-        "delay: A at T − B, and 0 before A has a value. B must be known before the run. We don't know what C is, \
-         perhaps how many values are kept",
+        "delay: A at T − B, or 0 if A had no value yet at that time. B must be known before the run. We don't know \
+         what C is; it may be how many values are kept",
     ),
     function(
         ("FSW", "A, B, C, D"),

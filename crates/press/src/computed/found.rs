@@ -93,6 +93,13 @@ pub const NUMBERS: &[(&str, Number)] = &[
             .count()
             .to_string())
     }),
+    ("found.aside.first", || kept("first")),
+    ("found.aside.second", || kept("second")),
+    ("found.aside.third", || kept("third")),
+    ("found.aside.fourth", || kept("fourth")),
+    ("found.aside.fifth", || kept("fifth")),
+    ("found.aside.all-real", || Ok(asked()?.len().to_string())),
+    ("found.aside.lost", || Ok(asked()?.iter().filter(|flag| flag.aside == Some(Answer::Yes)).count().to_string())),
     ("found.sums.signs", || Ok(thousands(sums()?.iter().map(|of| of.signs).sum()))),
     ("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>().to_string())),
 ];
@@ -229,6 +236,18 @@ fn until_stop() -> anyhow::Result<(usize, Vec<Contact>)> {
 fn after_repairs(name: &str) -> anyhow::Result<String> {
     let flags = after(name)?;
     Ok(format!("{} of {}", right(&flags), flags.len()))
+}
+
+/// The confirmed flags of a round among those that the rule for doubts would have left, with their share.
+fn kept(name: &str) -> anyhow::Result<String> {
+    let flags: Vec<Contact> = round(name)?.into_iter().filter(|flag| flag.aside == Some(Answer::No)).collect();
+    let percent = 100.0 * right(&flags) as f64 / flags.len().max(1) as f64;
+    Ok(format!("{} of {} ({percent:.0}&nbsp;%)", right(&flags), flags.len()))
+}
+
+/// The real errors among the flags for which it is known whether the rule for doubts would have set them aside.
+fn asked() -> anyhow::Result<Vec<Contact>> {
+    Ok(contacts()?.into_iter().filter(|flag| flag.aside.is_some() && flag.judgement == Judgement::Real).collect())
 }
 
 fn share(flags: &[Contact]) -> anyhow::Result<String> {

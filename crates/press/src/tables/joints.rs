@@ -31,8 +31,8 @@ pub fn speeds() -> anyhow::Result<Table> {
 
 /// The multiplier with such joints.
 pub fn multipliers() -> anyhow::Result<Table> {
-    let caption = "The multiplier with these joints: the fraction of a small difference in the squared speed that is \
-                   left after one engagement. Joints, inertias and friction are as in the table of the mean speed";
+    let caption = "The multiplier with different joints: the fraction of a small difference in the squared speed that \
+                   is left after one engagement. Joints, inertias and friction are as in the table of the mean speed";
     compared(caption, "joints_multiplier", |multiplier| format!("{multiplier:.3}"))
 }
 

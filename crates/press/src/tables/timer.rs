@@ -39,7 +39,7 @@ pub fn settling() -> anyhow::Result<Table> {
         "time to 1 %, <small>ms</small>",
     ];
     let caption = format!(
-        "Settling with a lighter follower: {}, with the same driver, friction and torque. The multiplier is the \
+        "Settling with a lighter follower: {}, with only the follower's inertia changed. The multiplier is the \
          fraction of a small difference in the squared speed that is left after one engagement. The columns “to 1 %” \
          give the number of engagements and the time in which this difference falls to one per cent",
         with_torque(row).replace("&nbsp;", " ") + " in lb"
@@ -128,10 +128,11 @@ pub fn mean_speed() -> anyhow::Result<Table> {
     });
     let head =
         ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
-    let caption = "Two meanings of an average speed, in rad/s. One is the mean of peak and minimum, from the numbers \
-                   that the thesis prints and from the right numbers. The other is the mean over a revolution. The \
-                   factor is the mean of the right extremes divided by the mean over a revolution. For each mechanism \
-                   and friction value, the table shows the run with the weakest spring";
+    let caption = "Two meanings of an average speed, in rad/s. One is the mean of peak and minimum, first from \
+                   the numbers that the thesis prints, then from the right ones, which we computed for the mechanism. \
+                   The other is the mean over a revolution. The factor is the mean of the right extremes divided by \
+                   the mean over a revolution. For each mechanism and friction value, the table shows the run with \
+                   the weakest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

@@ -56,6 +56,7 @@ pub struct Arguments {
     pub(crate) input: Option<Input>,
     pub(crate) format: Written,
     pub(crate) units: bool,
+    pub(crate) doubts: bool,
     pub(crate) follow: Follow,
     pub(crate) agreeing: bool,
     pub(crate) since: Option<String>,
@@ -96,6 +97,9 @@ impl Args for Arguments {
                 .default_value("text")
                 .help("How findings are written; sarif is for code review"),
             switch("units").help("Also list numbers that agree although their units do not"),
+            switch("doubts").help(
+                "Also list differences that are set aside, since the text may have been misread or the result is truncated",
+            ),
             option("bindings", "WHEN")
                 .value_parser(names(&FOLLOWED))
                 .num_args(0..=1)
@@ -131,6 +135,7 @@ impl FromArgMatches for Arguments {
             input,
             format: chosen(text("format"), &WRITTEN).unwrap_or(Written::Text),
             units: matches.get_flag("units"),
+            doubts: matches.get_flag("doubts"),
             follow: chosen(text("bindings"), &FOLLOWED).unwrap_or_default(),
             agreeing: matches.get_flag("agreeing"),
             since: text("since").map(str::to_owned),

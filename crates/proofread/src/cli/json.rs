@@ -2,6 +2,7 @@
 
 use super::{Checked, Sum, Writer};
 use crate::check::Tally;
+use crate::doubt::Doubt;
 use crate::finding::Finding;
 use crate::place::{Lines as TextLines, Place};
 use crate::token::Span;
@@ -31,6 +32,7 @@ fn finding(finding: &Finding, lines: &TextLines<'_>) -> Value {
         "printed": finding.printed,
         "recomputed": finding.recomputed,
         "why": finding.why,
+        "doubt": finding.doubt.map(Doubt::words),
         "hint": finding.hint.as_ref().map(|hint| hint.words.as_str()),
         "reading": finding.reading,
         "names": finding.names,
@@ -49,6 +51,7 @@ fn tally(tally: &Tally) -> Value {
         "checkable": tally.checkable,
         "checked": tally.checked,
         "pairs": tally.pairs,
+        "doubts": tally.doubts,
         "verdicts": verdicts,
     })
 }
@@ -65,10 +68,10 @@ fn document(checked: &Checked<'_>) -> Value {
 }
 
 fn sum(of: &Sum) -> Value {
-    let [numbers, units, bindings, _] = of.found;
+    let [numbers, units, bindings, _, doubts] = of.found;
     json!({
         "documents": of.documents,
-        "found": { "numbers": numbers, "units": units, "bindings": bindings },
+        "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts },
         "accepted": of.accepted,
         "tally": tally(&of.tally),
     })

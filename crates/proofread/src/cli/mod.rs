@@ -46,7 +46,7 @@ struct Run<'a> {
     writer: Box<dyn Writer>,
     sum: Tally,
     documents: usize,
-    found: [usize; 4],
+    found: [usize; 5],
     failed: bool,
 }
 
@@ -62,10 +62,11 @@ trait Writer {
 struct Sum {
     tally: Tally,
     documents: usize,
-    /// Findings on numbers, units and bindings, and pairs that agree.
-    found: [usize; 4],
+    /// Findings on numbers, units and bindings, pairs that agree, and doubts.
+    found: [usize; 5],
     accepted: usize,
     units_listed: bool,
+    doubts_listed: bool,
 }
 
 impl<'a> Run<'a> {
@@ -88,7 +89,7 @@ impl<'a> Run<'a> {
             writer,
             sum: Tally::default(),
             documents: 0,
-            found: [0; 4],
+            found: [0; 5],
             failed: false,
         })
     }
@@ -126,6 +127,7 @@ impl<'a> Run<'a> {
             found: self.found,
             accepted: self.baseline.accepted(),
             units_listed: arguments.units,
+            doubts_listed: arguments.doubts,
         };
         if let Some(path) = &arguments.accept {
             self.baseline.write(path)?;
@@ -138,7 +140,8 @@ impl<'a> Run<'a> {
             let end = self.writer.end(&sum);
             self.streams.print(&end)?;
         }
-        let found = !accepting && self.found[..3].iter().sum::<usize>() > 0;
+        let agreeing = self.found[List::Agreeing as usize];
+        let found = !accepting && self.found.iter().sum::<usize>() > agreeing;
         Ok(match (self.failed, found) {
             (true, _) => Outcome::Failed,
             (false, true) => Outcome::Found,
@@ -186,7 +189,11 @@ impl<'a> Run<'a> {
         let options =
             Options { follow: self.arguments.follow, agreeing: self.arguments.agreeing, ..Options::default() };
         let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
-        report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
+        report.findings.retain(|finding| match finding.list {
+            List::Units => self.arguments.units,
+            List::Doubts => self.arguments.doubts,
+            List::Numbers | List::Bindings | List::Agreeing => true,
+        });
         Ok(report)
     }
 }

@@ -36,7 +36,11 @@ fn result(name: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
     }
     json!({
         "ruleId": finding.verdict.name(),
-        "level": if finding.list == List::Numbers { "error" } else { "warning" },
+        "level": match finding.list {
+            List::Numbers => "error",
+            List::Doubts => "note",
+            List::Units | List::Bindings | List::Agreeing => "warning",
+        },
         "message": { "text": message },
         "locations": [{
             "physicalLocation": {

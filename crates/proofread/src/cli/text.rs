@@ -40,6 +40,8 @@ impl Writer for Text {
         }
         let hidden = summary::units_alone(tally).filter(|_| !sum.units_listed);
         text.extend(hidden.map(|said| format!("{said}; --units lists them.\n")));
+        let hidden = summary::doubts(tally).filter(|_| !sum.doubts_listed);
+        text.extend(hidden.map(|said| format!("{said}; --doubts lists them.\n")));
         if sum.accepted > 0 {
             text += &format!("{} left out as accepted.\n", count(sum.accepted, "case"));
         }
@@ -72,6 +74,9 @@ fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
     };
     if !is_markup {
         note("read as", &finding.chain);
+    }
+    if let Some(doubt) = finding.doubt {
+        note("set aside", doubt.words());
     }
     if let Some(why) = &finding.why {
         note("why", why);

@@ -39,7 +39,7 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut Found<'_>) {
             let part = &text[piece.clone()];
             let ends_line = piece.end == whole.end;
             if part.contains('=') && part.len() <= LONGEST && part.contains(|c: char| c.is_ascii_digit()) {
-                line_of(part, piece.start, &mut |mut formula| {
+                line_of(part, piece.start, piece.start == whole.start, &mut |mut formula| {
                     formula.continues = piece.start > whole.start && touches(formula.tokens.iter());
                     formula.goes_on = !ends_line && touches(formula.tokens.iter().rev());
                     each(formula);
@@ -60,10 +60,13 @@ fn is_code(line: &str) -> bool {
     ["==", "!=", "<=", ">=", ":=", "=>", "+=", "-=", "|=", "=\"", "='", "();"].iter().any(|sign| line.contains(sign))
 }
 
-fn line_of(line: &str, base: usize, each: &mut Found<'_>) {
+/// Reads a line, or the piece of one that `starts` it or does not.
+fn line_of(line: &str, base: usize, starts: bool, each: &mut Found<'_>) {
     if is_code(line) {
         return;
     }
+    let marked = if starts { bullet(line) } else { 0 };
+    let (line, base) = (&line[marked..], base + marked);
     let numbered = numbered(line);
     let (line, base) = (&line[numbered..], base + numbered);
     let mut tokens = Vec::new();
@@ -73,6 +76,15 @@ fn line_of(line: &str, base: usize, each: &mut Found<'_>) {
     let mut formula = Formula::new(tokens, span);
     formula.written = Written::Plain;
     each(formula);
+}
+
+/// The bytes of the marks of a list or a quotation before a line, as in `- 4 + 4 = 8`.
+fn bullet(line: &str) -> usize {
+    let mut rest = line.trim_start();
+    while let Some(behind) = ["- ", "* ", "+ ", "> ", "• ", "– "].iter().find_map(|mark| rest.strip_prefix(mark)) {
+        rest = behind.trim_start();
+    }
+    line.len() - rest.len()
 }
 
 /// The bytes of a number or letter with a bracket before a line, as in `2) 4 + 4 = 8`.

@@ -344,10 +344,20 @@ impl Tex<'_> {
             | "textsf" | "hbox" | "textnormal" | "mathtt" | "textup" | "mathup" | "symup" | "symrm" | "textsc"
             | "textmd" => self.upright(&name, depth, out),
             "mathbf" | "boldsymbol" | "mathit" | "mathcal" | "bm" | "mathbb" | "mathscr" | "mathfrak" | "pmb"
-            | "boxed" | "underline" | "underbrace" | "overbrace" | "cancel" | "bcancel" | "xcancel" | "ensuremath"
-            | "fbox" | "mathnormal" | "framebox" => {
+            | "boxed" | "underline" | "cancel" | "bcancel" | "xcancel" | "ensuremath" | "fbox" | "mathnormal"
+            | "framebox" => {
                 let inner = self.argument(depth);
                 push(out, Kind::Group(inner));
+            }
+            "underbrace" | "overbrace" | "underbracket" | "overbracket" => {
+                let inner = self.argument(depth);
+                push(out, Kind::Group(inner));
+                self.skip_space();
+                // What is said at the brace.
+                if matches!(self.ahead(0), Some('_' | '^')) {
+                    self.stack.pop();
+                    self.argument(depth);
+                }
             }
             "left" | "right" => {
                 self.skip_space();

@@ -62,8 +62,9 @@ fn solved() -> Vec<Claim> {
             })
             .corrected("can be solved in one formula wherever A > |D|", SOLVED_WITH_BARS)
             .read_as(
-                "By “solved” we understand that a formula gives the acceleration in terms of the other letters. Next, \
-                 the text replaces the bars by a sign, which it takes from an earlier acceleration. Whether the computer needed this replacement is the subject of other claims, whose verdict is open.",
+                "We take “solved” to mean that a formula gives the acceleration in terms of the other letters. The \
+                 text then replaces the absolute-value bars by a sign, which it takes from an earlier acceleration. \
+                 Whether the computer needed this replacement is the subject of other claims, whose verdict is open.",
             ),
         PROGRAM
             .statement(

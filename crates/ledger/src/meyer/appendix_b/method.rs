@@ -256,7 +256,10 @@ fn advantages() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 let advance = printed_step(|_, _| 1.0, 0.0, 0.0, 1.0).unwrap_or(f64::NAN);
                 let said = stated.pick(1.0, widths()[0]);
-                Finding::new(agrees(advance, said), format!("a step is {advance} times as wide as the interval"))
+                Finding::new(
+                    agrees(advance, said),
+                    format!("the width of a step divided by the width of an interval is {advance}"),
+                )
             })
             .by(LimitCase, |stated| {
                 let mut points = Vec::new();
@@ -265,16 +268,16 @@ fn advantages() -> Vec<Claim> {
                 let run = integrate(&mut steady, Vector1::new(0.0), &fixed, |point| points.push(point.state[0]));
                 let said = STEP * stated.pick(1.0, widths()[0]);
                 let holds = run.is_ok() && points.windows(2).all(|pair| agrees(pair[1] - pair[0], said));
-                Finding::new(holds && points.len() > 2, "a run of the classical method advances by whole steps")
+                Finding::new(holds && points.len() > 2, "each step of the classical method covers a whole interval")
             })
             .corrected(
                 "over the interval",
                 Slip {
                     id: "",
-                    reason: "The paragraphs before this one cut the whole range into intervals of width h, and each \
-                             interval into four subintervals. Once y_1 is known, the integration has covered the \
-                             interval from x_0 to x_1.",
-                    witness: "A run of the classical method advances by whole steps.",
+                    reason: "In the paragraphs before this one, the appendix divides the whole range into intervals of \
+                             width h, and each interval into four subintervals. Once y_1 is known, the \
+                             integration has covered the interval from x_0 to x_1.",
+                    witness: "With each step, a run of the classical method advances by a whole interval.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,
                     changes: "",

@@ -31,7 +31,8 @@ pub fn reset(
             Finding::new(
                 pins.len() == all.len(),
                 format!(
-                    "the pin nearest to the follower's axis is at the computed angle {only}with {} pins",
+                    "the angle in the slot, reset as this form says, is the angle of the pin nearest to the follower's \
+                     axis {only}with {} pins",
                     joined(&pins)
                 ),
             )

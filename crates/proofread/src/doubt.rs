@@ -1,0 +1,240 @@
+//! Whether a difference may be the program's own misreading: it counts as an error only if the formula was read up to its edges.
+//!
+//! A program that takes a part of something for a number finds sides that end where no author would end them, numbers inside an
+//! argument, and single digits that equal something else. None of these signs knows what was misread.
+
+use crate::chain::{Chain, Parted, Side};
+use crate::reader::{Formula, Written};
+use crate::token::{Kind, Span, Token};
+use crate::value::{Literal, Value};
+use crate::verdict::{Judgement, Verdict};
+
+/// How far two bare numbers are apart, relative to the larger one, if no digit explains it.
+const FAR: f64 = 0.7;
+
+/// How far a quantity may be from its size in rounder digits, relative to it.
+const ROUGH: f64 = 0.05;
+
+/// Tokens of the longest formula that is looked at as a whole.
+const LONGEST: usize = 1000;
+
+/// Why a difference is set aside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Doubt {
+    /// A side begins or ends in the middle of something.
+    Cut,
+    /// The sides stand in an argument of something, beside what is not known, or in a line that is no formula.
+    Unknown,
+    /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
+    /// a bare number or its own size.
+    Fragment,
+    /// The result is truncated where it should have been rounded.
+    Truncated,
+    /// The sides of several formulas of the document differ by this factor.
+    Habit,
+}
+
+impl Doubt {
+    /// The reason, to follow "set aside, since".
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Cut => "a side may begin or end elsewhere",
+            Self::Unknown => "something beside the numbers is not known",
+            Self::Fragment => "a number may be part of something else",
+            Self::Truncated => "a truncated result is seldom meant to be rounded",
+            Self::Habit => "other formulas of the document differ by the same factor",
+        }
+    }
+}
+
+/// Two sides that differ, and where they stand.
+pub(crate) struct Place<'t> {
+    pub text: &'t str,
+    pub formula: &'t Formula,
+    pub chain: &'t Chain,
+    pub left: &'t Side,
+    pub right: &'t Side,
+}
+
+impl Place<'_> {
+    /// The first reason to set the difference aside.
+    pub fn doubt(&self, judgement: &Judgement) -> Option<Doubt> {
+        if self.is_cut(judgement) {
+            return Some(Doubt::Cut);
+        }
+        if self.is_fragment(judgement) {
+            return Some(Doubt::Fragment);
+        }
+        // Each pair looks at the whole formula, which takes too long if both are many.
+        let short = self.formula.tokens.len() <= LONGEST;
+        let unknown = short && (self.is_in_argument() || self.is_beside_unknown());
+        if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
+            return Some(Doubt::Unknown);
+        }
+        (judgement.verdict == Verdict::Truncated).then_some(Doubt::Truncated)
+    }
+
+    fn begins_chain(&self) -> bool {
+        self.chain.sides.first().is_some_and(|side| side.span == self.left.span)
+    }
+
+    fn ends_chain(&self) -> bool {
+        self.chain.sides.last().is_some_and(|side| side.span == self.right.span)
+    }
+
+    /// Whether what stands just before the left side or behind the right one may belong to them.
+    fn is_cut(&self, judgement: &Judgement) -> bool {
+        let bytes = self.text.as_bytes();
+        let at = |at: Option<usize>| at.and_then(|at| bytes.get(at)).copied().unwrap_or(b' ');
+        let mark = |c: u8| b",;.:!?".contains(&c);
+        let literal = judgement.values.as_ref().is_some_and(|(left, _)| left.is_literal());
+        if self.begins_chain() {
+            let start = self.left.span.start as usize;
+            let (before, far) = (at(start.checked_sub(1)), at(start.checked_sub(2)));
+            let joined_on = mark(before) && (far.is_ascii_digit() || b")]}".contains(&far));
+            let opening = self.formula.span.start as usize;
+            let outside = at(opening.checked_sub(1));
+            // Between tags there is often no space in running text.
+            let in_tex = matches!(at(Some(opening)), b'$' | b'\\');
+            let glued = in_tex && (outside.is_ascii_alphanumeric() || b")]}$".contains(&outside));
+            // A display may go on from the one before it.
+            let display = ["$$", "\\[", "\\begin"]
+                .iter()
+                .any(|mark| self.text.get(opening..).is_some_and(|rest| rest.starts_with(mark)));
+            // So may a line of text that doesn't begin with the sign.
+            let before_it = self.text.get(opening..start).unwrap_or_default();
+            let inside = self.formula.written == Written::Plain && !before_it.trim().is_empty();
+            let signed = (display || inside) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
+            let parted = match self.chain.parted {
+                Parted::Not => false,
+                Parted::ByMark => literal,
+                Parted::FromNumbers => true,
+            };
+            if joined_on || glued || signed || parted {
+                return true;
+            }
+        }
+        let end = self.right.span.end as usize;
+        let (behind, far) = (at(Some(end)), at(Some(end + 1)));
+        self.ends_chain() && mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far))
+    }
+
+    fn is_fragment(&self, judgement: &Judgement) -> bool {
+        let Some((left, right)) = &judgement.values else { return false };
+        let bare = |of: &Value| of.literal == Literal::Number && !of.has_unit && of.angle.is_none();
+        let mut tokens = self.left.tokens.iter().filter(|token| !token.is_space() && !token.is('-'));
+        let digits = tokens.next().and_then(Token::number).filter(|_| tokens.next().is_none());
+        let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
+        let apart = left.difference(right) > FAR;
+        // What the text names in words has its unit there, or the working leaves it out.
+        let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
+        // A quantity and its size, whose direction is said in words.
+        let both = left.literal == Literal::Number && right.literal == Literal::Number;
+        let opposite = both && left.dimension == right.dimension && left.clone().negated().meets(right, ROUGH);
+        lacks_unit || opposite || (bare(left) && (is_small || (bare(right) && apart)))
+    }
+
+    /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.
+    fn is_in_argument(&self) -> bool {
+        // A side of the formula before is compared with one of this formula.
+        let is_elsewhere = self.left.span.start < self.formula.span.start;
+        !is_elsewhere && !is_among(&self.formula.tokens, self.left.span.start)
+    }
+
+    /// Whether an environment or dots that are not evaluated stand in the same row.
+    fn is_beside_unknown(&self) -> bool {
+        let mut rows = self.formula.tokens.split(|token| token.kind == Kind::Line);
+        let within = |span: Span| span.start <= self.left.span.start && self.left.span.start < span.end;
+        let Some(row) = rows.find(|row| row.iter().any(|token| within(token.span))) else { return false };
+        row.iter().any(|token| match &token.kind {
+            Kind::Unknown(name) => {
+                let source = self.text.get(token.span.range()).unwrap_or_default();
+                !name.starts_with('\\') && source.starts_with('\\')
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether marks of TeX are left in a line that was taken for a formula.
+    fn is_no_formula(&self) -> bool {
+        let sides = self.left.span.join(self.right.span);
+        let marks = |text: &str| text.contains(['\\', '{', '}', '$']);
+        self.formula.written == Written::Plain && self.text.get(sides.range()).is_some_and(marks)
+    }
+}
+
+/// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are: 9.81(2).
+fn has_uncertainty(side: &Side) -> bool {
+    side.tokens.windows(4).any(|of| {
+        let [decimals, open, digits, close] = of else { return false };
+        let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
+        let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
+        open.is('(') && close.is(')') && fine && digits.len() <= 2 && !digits.contains('.')
+    })
+}
+
+/// Whether the token at a place is one of these, or in braces that are no argument of what is not known.
+fn is_among(tokens: &[Token], place: u32) -> bool {
+    let mut behind_unknown = false;
+    tokens.iter().any(|token| {
+        let found = match &token.kind {
+            Kind::Group(inner) => !behind_unknown && is_among(inner, place),
+            _ => token.span.start <= place && place < token.span.end,
+        };
+        behind_unknown = match &token.kind {
+            Kind::Group(_) => behind_unknown,
+            Kind::Unknown(name) => name.starts_with('\\'),
+            _ => false,
+        };
+        found
+    })
+}
+
+/// Differences of a document by the factor between their sides.
+#[derive(Debug, Default)]
+pub(crate) struct Factors(Vec<Factor>);
+
+#[derive(Debug)]
+struct Factor {
+    finding: usize,
+    formula: Span,
+    factor: f64,
+    sides: [String; 2],
+}
+
+/// How many formulas with the same factor show a habit, since misprints hardly repeat.
+const HABIT: usize = 3;
+
+impl Factors {
+    /// Notes the factor between the sides of a finding, unless they are so near that it says nothing.
+    pub fn note(&mut self, finding: usize, formula: Span, judgement: &Judgement, sides: [&str; 2]) {
+        let Some((left, right)) = &judgement.values else { return };
+        let (Ok(left), Ok(right)) = (left.number(), right.number()) else { return };
+        let factor = left.point / right.point;
+        if factor.is_finite() && factor != 0.0 && !(0.95..1.05).contains(&factor) {
+            self.0.push(Factor { finding, formula, factor, sides: sides.map(str::to_owned) });
+        }
+    }
+
+    /// The findings whose factor at least [`HABIT`] different formulas share.
+    pub fn habits(&self) -> Vec<usize> {
+        let mut sorted: Vec<&Factor> = self.0.iter().collect();
+        sorted.sort_by(|one, other| one.factor.total_cmp(&other.factor));
+        let mut out = Vec::new();
+        let same = |one: &Factor, other: &Factor| (one.factor / other.factor - 1.0).abs() < 0.005;
+        for group in sorted.chunk_by(|one, other| same(one, other)) {
+            let mut kinds: Vec<(Span, &[String; 2])> = Vec::new();
+            for of in group.iter() {
+                if kinds.len() < HABIT
+                    && !kinds.iter().any(|(formula, sides)| *formula == of.formula || *sides == &of.sides)
+                {
+                    kinds.push((of.formula, &of.sides));
+                }
+            }
+            if kinds.len() >= HABIT {
+                out.extend(group.iter().map(|of| of.finding));
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,137 @@
+//! Which differences are set aside, each in a chain of ours beside one that has the same fault and is read whole.
+
+use crate::report;
+use proofread::{Doubt, Format, List, Options, proofread};
+
+/// Why the differences in a text are set aside; none for one that counts.
+fn doubts(text: &str, format: Format) -> Vec<Option<Doubt>> {
+    let findings = report(text, format).findings;
+    findings.iter().filter(|of| matches!(of.list, List::Numbers | List::Doubts)).map(|of| of.doubt).collect()
+}
+
+#[track_caller]
+fn aside(doubt: Doubt, texts: &[&str]) {
+    for text in texts {
+        assert_eq!(doubts(text, Format::Markdown), [Some(doubt)], "{text}");
+    }
+}
+
+#[track_caller]
+fn counts(texts: &[&str]) {
+    for text in texts {
+        assert_eq!(doubts(text, Format::Markdown), [None], "{text}");
+    }
+}
+
+#[test]
+fn a_side_that_may_go_on_is_a_doubt() {
+    aside(
+        Doubt::Cut,
+        &[
+            r"$1, 2, 3.5 = 6$",
+            r"$2 - \sqrt 2, 2, 2 + \sqrt 2 = 0.5858, 2.0000$",
+            r"$$-(3.0\,\text{J})(2.0) = 7.0\,\text{J}$$",
+            r"x$3 + 4 = 9$",
+            r"$2.5 \cdot 4 = 11.(5)$",
+        ],
+    );
+    counts(&[
+        r"$2 \times 3 = 6,\ 4 \times 5 = 21$",
+        r"$-10/2 = 5$",
+        r"$x = 3$, so $2.5 + 1.5 = 5$",
+        "- 2.5 + 1.5 = 5\n",
+        "> * 2.5 + 1.5 = 5\n",
+        r"Step 3: 12 / 4 = 5",
+    ]);
+}
+
+#[test]
+fn a_number_that_may_be_a_part_is_a_doubt() {
+    aside(
+        Doubt::Fragment,
+        &[
+            r"$1 = 0.08$",
+            r"$0 = 5/9$",
+            r"$10 = (4 \times 1)/40$",
+            r"$0.67 = 6.7$",
+            r"$74.5\,\text{J} = 19$ euros",
+            r"$-79.2\,\text{N} = 80\,\text{N}$",
+        ],
+    );
+    counts(&[r"$4! = 12$", r"$0.67 = 0.76$", r"$5/6 = 1/6$", r"$\cos 90^\circ = 1$", r"$10.5 = 4.5 + 5$"]);
+}
+
+#[test]
+fn numbers_beside_what_is_not_known_are_a_doubt() {
+    aside(
+        Doubt::Unknown,
+        &[
+            r"$\begin{unheard} 3 \end{unheard}, \quad 2.5 + 1.5 = 5$",
+            r"$2.5 + 1.5 = 5 \quad \dots$",
+            "{5.5 + 1.5} = 8\n",
+            r"$9.81(2) = 9.8$",
+        ],
+    );
+    counts(&[
+        r"$4.5(2) = 8$",
+        r"${2.5 + 1.5} = 5$",
+        r"$\unheard x, \quad 2.5 + 1.5 = 5$",
+        r"$\boxed{x} = 2.5 + 1.5 = 5$",
+    ]);
+}
+
+#[test]
+fn what_is_cut_off_is_a_doubt() {
+    aside(Doubt::Truncated, &[r"$1/18 = 0.0555$", r"$20/12 = 1.66\,\Omega$"]);
+    counts(&[r"$1/18 = 0.0565$", r"$20/12 = 1.76\,\Omega$"]);
+}
+
+#[test]
+fn three_formulas_with_the_same_factor_are_a_habit() {
+    let of = |chains: &[&str]| {
+        doubts(&chains.iter().map(|of| format!("It is ${of}$.\n\n")).collect::<String>(), Format::Markdown)
+    };
+    let habit = Some(Doubt::Habit);
+    assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 35"]), [habit; 3]);
+    assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 36"]), [None; 3]);
+    // The same misprint again says nothing about others.
+    assert_eq!(of(&["2.5 + 1.5 = 28"; 3]), [None; 3]);
+}
+
+#[test]
+fn a_doubt_is_counted_and_has_no_hint() {
+    let report =
+        proofread("$1, 2, 3.5 = 6.5$ and $1/18 = 0.0555$", Format::Markdown, Options::default()).expect("a text");
+    assert_eq!((report.tally.doubts, report.findings.len()), (2, 2));
+    assert!(report.findings.iter().all(|of| of.hint.is_none() && of.list == List::Doubts));
+}
+
+#[test]
+fn what_is_said_at_a_brace_is_no_exponent() {
+    counts(&[r"$\overbrace{1 + 2}^{3} + 4 = 8$"]);
+    assert_eq!(doubts(r"$\overbrace{1 + 2}^{3} + 4 = 7$", Format::Markdown), []);
+}
+
+#[test]
+fn a_stroke_may_end_the_argument_of_a_logarithm() {
+    assert_eq!(doubts(r"$\ln 2/5 = 0.139$ and $\ln 2/5 = -0.916$", Format::Markdown), []);
+    counts(&[r"$\ln 2/5 = 0.193$", r"$\sin 30^\circ/2 = 0.35$"]);
+}
+
+#[test]
+fn a_product_may_leave_out_watts_and_hours() {
+    assert_eq!(doubts(r"$60 \times 1460 = 87.6\,\text{kW}\,\text{h}$", Format::Markdown), []);
+    counts(&[r"$60 \times 1460 = 86.7\,\text{kW}\,\text{h}$"]);
+}
+
+#[test]
+fn a_power_of_ten_alone_is_an_order_of_magnitude() {
+    assert_eq!(doubts(r"$e^{-23.0} \approx 10^{-10}$", Format::Markdown), []);
+    counts(&[r"$e^{-23.0} \approx 10^{-12}$", r"$2.0 \times 17.0 = 10^2$"]);
+}
+
+#[test]
+fn a_ratio_may_be_given_in_decibels() {
+    assert_eq!(doubts(r"$1/\sqrt 2 = -3\,\text{dB}$", Format::Markdown), []);
+    counts(&[r"$1/\sqrt 2 = -6\,\text{dB}$"]);
+}
