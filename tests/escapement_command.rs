@@ -67,6 +67,7 @@ fn inches_and_pounds_are_told_in_si_units_if_asked_for() {
 fn an_escapement_is_written_in_each_format() {
     pin("escapement", &command(FOUR, &[]));
     pin("escapement-json", &command(FOUR, &["--format", "json"]));
+    pin("escapement-fields", &command(FOUR, &["--format", "fields"]));
     pin("escapement-csv", &command(FOUR, &["--format", "csv", "--interval", "1e-3"]));
     pin("escapement-reset", &command(["6", "0.2", "1", "1", "5"], &["--reset-deg", "90"]));
     pin("escapement-hardly-braked", &command(["3", "1e-7", "1", "1", "5"], &[]));

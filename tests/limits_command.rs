@@ -353,18 +353,12 @@ fn fuzz_the_program_ends_with_a_known_code_and_says_why() {
     let tries: usize = std::env::var("GENEVA_FUZZ").map_or(40, |text| text.parse().expect("a number")).min(2000);
     let seed: u64 = std::env::var("GENEVA_FUZZ_SEED").map_or(7, |text| text.parse().expect("a number"));
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut state = seed.max(1);
-    let mut below = |most: usize| {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as usize % most
-    };
+    let mut dice = fastrand::Rng::with_seed(seed);
     let mut codes = [0; 3];
     for _ in 0..tries {
-        let mut line = COMMANDS[below(COMMANDS.len())].to_vec();
-        for _ in 0..below(6) {
-            line.push(WORDS[below(WORDS.len())]);
+        let mut line = COMMANDS[dice.usize(..COMMANDS.len())].to_vec();
+        for _ in 0..dice.usize(..6) {
+            line.push(WORDS[dice.usize(..WORDS.len())]);
         }
         let output = inside(folder.path(), &line).stdin(Stdio::null()).output().expect("the program runs");
         let code = output.status.code().and_then(|code| usize::try_from(code).ok()).filter(|code| *code < 3);

@@ -1,7 +1,8 @@
 //! Does `geneva mimic` check, sort and run decks, and does it say what is wrong with them?
 
 use crate::{geneva, json, pin, refused, stdout};
-use geneva_ledger::meyer::runs::{Hypothesis, rows};
+use geneva_case1973::Hypothesis;
+use geneva_ledger::meyer::runs::table::rows;
 use serde_json::Value;
 use std::fs;
 use std::io::Write;

@@ -4,8 +4,9 @@
 //! With the angle, π and the inertias of the thesis it must give what the thesis prints, and what the program that was
 //! translated by hand gives.
 
-use geneva_ledger::meyer::runs::deck::{self, as_listed};
-use geneva_ledger::meyer::runs::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, rows, within_one};
+use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, deck, within_one};
+use geneva_ledger::meyer::runs::study::by_deck;
+use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::printed_value;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, RememberedPoints, deck_named};
 use geneva_mimic::{Interpolation, Kept, Parameters};
@@ -34,8 +35,13 @@ fn changed(change: impl Fn(&str) -> String) -> Deck {
     deck
 }
 
+/// The names of the deck with other values in the program of the thesis, with its numbers.
+fn as_listed() -> [(&'static str, f64); 2] {
+    deck::as_listed(&listing())
+}
+
 fn quarter_turn() -> f64 {
-    as_listed()[0].1
+    listing().reset
 }
 
 /// A row by a program that resets the angle after a quarter of a turn.
@@ -51,7 +57,7 @@ fn runs(program: &Program) -> Vec<Run> {
 
 /// All rows as they are run.
 fn as_run() -> &'static [Run] {
-    deck::runs(Reset::QuarterTurn).expect("the deck runs")
+    by_deck(Reset::QuarterTurn).expect("the deck runs")
 }
 
 /// How far two runs are apart: the largest relative difference of a peak, a minimum or a period.
@@ -62,7 +68,7 @@ fn apart(one: &Run, other: &Run) -> f64 {
 #[test]
 fn the_deck_gives_what_the_thesis_prints() {
     let runs = as_run();
-    let found = [Column::Minimum, Column::Period, Column::Peak].map(|column| within_one(column, runs));
+    let found = [Column::Minimum, Column::Period, Column::Peak].map(|column| within_one(column, rows(), runs));
     assert!(found[..2] == [49, 49] && found[2] >= 47, "minima, periods and peaks within one unit: {found:?}");
 }
 
@@ -122,8 +128,8 @@ fn the_statements_of_the_start_matter_at_the_start_alone() {
     }
     // What is printed can be explained as well without them.
     assert_eq!(
-        EXPLAINED.map(|column| within_one(column, &without)),
-        EXPLAINED.map(|column| within_one(column, as_run()))
+        EXPLAINED.map(|column| within_one(column, rows(), &without)),
+        EXPLAINED.map(|column| within_one(column, rows(), as_run()))
     );
 }
 
@@ -149,12 +155,12 @@ fn where_the_delay_begins_with_zero_the_line_of_the_motion_needs_no_statements_o
 
 #[test]
 fn another_print_interval_explains_fewer_of_the_printed_peaks() {
-    let usual = within_one(Column::Peak, as_run());
+    let usual = within_one(Column::Peak, rows(), as_run());
     let interval = printed_value("meyer.listing.print-interval").expect("a number");
     for factor in [0.5, 2.0] {
         let runs = runs(&program(&[&as_listed()[..], &[("DT", factor * interval)]].concat()));
         let [minima, periods, peaks] =
-            [Column::Minimum, Column::Period, Column::Peak].map(|column| within_one(column, &runs));
+            [Column::Minimum, Column::Period, Column::Peak].map(|column| within_one(column, rows(), &runs));
         assert!(minima == 49 && periods == 49 && peaks < usual, "{factor}: {minima}, {periods}, {peaks}");
     }
 }

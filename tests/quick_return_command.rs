@@ -62,6 +62,7 @@ fn components(object: &Map<String, Value>, key: &str) -> [f64; 2] {
 fn a_mechanism_is_written_in_each_format() {
     pin("quick-return", &command(SLOW, &[]));
     pin("quick-return-json", &command(SLOW, &["--format", "json"]));
+    pin("quick-return-fields", &command(SLOW, &["--format", "fields"]));
     pin("quick-return-near", &command(["0.3", "0.1", "--lever-angle", "-10", "-60"], &["--branch", "near"]));
     pin("quick-return-at-the-end", &command(["0.2", "0.1", "--lever-angle", "30", "60"], &[]));
     pin("quick-return-on-the-line", &command(["0.3", "0.1", "--crank-angle", "180", "60"], &[]));

@@ -24,7 +24,19 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("proofread-page", &["proofread"]),
     (
         "geneva",
-        &["kinematics", "dynamics", "mimic", "ledger", "figures", "ask", "proofread", "workshop", "live", "press"],
+        &[
+            "kinematics",
+            "dynamics",
+            "mimic",
+            "case1973",
+            "ledger",
+            "figures",
+            "ask",
+            "proofread",
+            "workshop",
+            "live",
+            "press",
+        ],
     ),
 ];
 

@@ -97,6 +97,7 @@ fn a_wheel_is_written_in_each_format() {
     pin("wheel-of-six", &SIX_AT_360);
     pin("wheel-of-six-with-lengths", &[&SIX_AT_360[..], &["--crank-radius", "50"]].concat());
     pin("wheel-of-six-json", &in_format(&SIX_AT_360, "json"));
+    pin("wheel-of-six-fields", &in_format(&SIX_AT_360, "fields"));
     pin("wheel-of-six-svg", &in_format(&["wheel", "--stations", "6"], "svg"));
     pin("wheel-without-dwell", &["wheel", "--stations", "4", "--pins", "4"]);
 }

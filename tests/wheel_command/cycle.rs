@@ -2,8 +2,8 @@
 
 use super::kinds;
 use crate::{geneva, object, on_sheet, pin, stdout};
-use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Phase, Wheel};
+use geneva_kinematics::indexing::{Indexing, Phase};
+use geneva_kinematics::wheel::Wheel;
 use std::collections::BTreeSet;
 
 /// The header, and the rows by it.

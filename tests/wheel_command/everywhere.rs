@@ -2,7 +2,7 @@
 
 use crate::{number, object, stdout};
 use geneva_ask::wheel::{Design, Question};
-use geneva_ask::{Answer, Shows, Value};
+use geneva_ask::{Answer, Rounding, Shows, Value};
 use geneva_live::Arguments;
 
 const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --at -20";
@@ -16,6 +16,26 @@ fn answer() -> Answer {
 /// What the program is told, with more behind the question.
 fn typed(more: &'static str) -> Vec<&'static str> {
     ["wheel"].into_iter().chain(ASKED.split_whitespace()).chain(more.split_whitespace()).collect()
+}
+
+#[test]
+fn every_field_has_a_row_in_the_table() {
+    let asked = [ASKED.trim_end_matches(" --at -20"), MATERIALS, " --format fields"].concat();
+    let table = stdout(&["wheel"].into_iter().chain(asked.split_whitespace()).collect::<Vec<_>>(), 0);
+    let rows = csv::Reader::from_reader(table.as_bytes()).into_records().map(|row| row.expect("CSV"));
+    let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(str::to_owned).collect()).collect();
+    assert_eq!(table.lines().next(), Some("key,name,value,unit,meaning"));
+    let answer = answer();
+    assert_eq!(rows.len(), answer.fields().count());
+    for (row, field) in rows.iter().zip(answer.fields()) {
+        let value = row[2].parse().ok();
+        assert_eq!((&*row[0], &*row[3]), (field.key, field.unit), "{row:?}");
+        assert!(field.number() == value || field.number().is_none(), "{row:?}");
+        let Some(line) = &field.line else { continue };
+        // The name that a sheet leaves out under a line of the same name is there.
+        assert!(!row[1].is_empty() && (line.name.is_empty() || line.name == row[1]), "{row:?}");
+        assert!(line.meaning.is_empty() || line.meaning == row[4], "{row:?}");
+    }
 }
 
 #[test]
@@ -50,27 +70,6 @@ fn every_number_of_an_instant_is_in_the_series_and_in_the_object() {
     assert!(found["at"][0].as_object().expect("an instant").keys().all(|key| keys.contains(&&**key)));
 }
 
-/// Names of the figure that a reader moves, which asks this question at first, and the keys of the answer.
-const MOVED: [(&str, &str); 17] = [
-    ("centres", "centre_distance_mm"),
-    ("wheel", "wheel_radius_mm"),
-    ("disc", "locking_radius_mm"),
-    ("clearance", "least_clearance_mm"),
-    ("nearer", "centres_nearer_mm"),
-    ("farther", "centres_farther_mm"),
-    ("index", "indexing_time_s"),
-    ("dwell", "dwell_time_s"),
-    ("torque", "peak_wheel_torque_nm"),
-    ("force", "peak_pin_force_n"),
-    ("pressure", "peak_contact_pressure_mpa"),
-    ("crank", "peak_crank_torque_nm"),
-    ("power", "peak_power_w"),
-    ("rms", "rms_crank_torque_nm"),
-    ("mean", "mean_crank_torque_nm"),
-    ("blow", "knock_mm_s"),
-    ("hardest", "greatest_knock_mm_s"),
-];
-
 #[test]
 fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
     let live = geneva_live::by_name("design").expect("a figure");
@@ -78,14 +77,22 @@ fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
     let (moved, file, answer) = (moved.expect("an answer"), file.expect("a file"), answer());
     // A quantity of a list in one file is there under its own name.
     assert!(!moved.further.is_empty(), "no quantity is listed for pages");
-    let further = moved.further.iter().map(|of| (of.name, of.name));
-    for (name, key) in MOVED.into_iter().chain(further) {
-        let value = moved.numbers.iter().find(|number| number.name == name).expect(name).value;
-        let field = answer.field(key).expect(key);
-        assert_eq!(Some(value), field.number(), "{name}, {key}");
-        assert!(file.contains(&format!(",{value:?},")), "{name}: {file}");
-        if let Some(of) = moved.further.iter().find(|of| of.name == key) {
-            assert_eq!(Some(of.label), field.line.as_ref().map(|line| line.name), "{key}");
-        }
+    for of in &moved.further {
+        let line = answer.field(of.name).and_then(|field| field.line.as_ref()).expect(of.name);
+        assert_eq!((of.key, of.label), (Some(of.name), line.name));
     }
+    let mut all = 0;
+    for of in live.quantities.iter().chain(live.others).chain(&moved.further) {
+        let Some(key) = of.key else { continue };
+        let number = moved.numbers.iter().find(|number| number.name == of.name).expect(of.name);
+        // With its axes in place a wheel knocks as the answer says.
+        let field = answer.field(if key == "entry_knock_mm_s" { "knock_mm_s" } else { key }).expect(key);
+        let part = if matches!(field.rounding, Rounding::Percent(_)) { 100.0 } else { 1.0 };
+        assert_eq!(Some(number.value), field.number().map(|value| part * value), "{key}");
+        assert!(file.contains(&format!(",{:?},", number.value)), "{key}: {file}");
+        all += 1;
+    }
+    assert!(all > 30, "only {all} of its numbers are fields");
+    let clearance = moved.numbers.iter().find(|number| number.name == "clearance").map(|number| number.value);
+    assert_eq!(clearance, answer.field("least_clearance_mm").expect("a field").number());
 }

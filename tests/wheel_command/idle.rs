@@ -31,6 +31,7 @@ fn no_option_is_passed_over_in_silence() {
         (&["--format", "svg", "--rpm", "60"], "--rpm 60", "--format text"),
         (&["--format", "svg", "--at", "60"], "--at 60", "--format text"),
         (&["--format", "svg", "--at-wheel", "6"], "--at-wheel 6", "--format text"),
+        (&["--format", "fields", "--at", "60"], "--at 60", "--format csv"),
         (&["--at-wheel", "31"], "--at-wheel 31", "from −30° to 30°"),
         (&[&["--format", "svg"][..], &loads].concat(), "--rpm 60", "--format text"),
         (&[&materials[..], &["--rpm", "60"]].concat(), "--pin-material steel", "--inertia KGM2"),
@@ -74,6 +75,7 @@ fn beside_wanted_times_only_the_kind_and_the_format_count() {
         ("--density", "1000"),
         ("--at", "10"),
         ("--format", "svg"),
+        ("--format", "fields"),
     ] {
         let said = refused(&[&times[..], &[option, value]].concat());
         assert!(said.contains(&format!("{option} {value}")) && said.contains("propose"), "{option}: {said}");

@@ -21,15 +21,13 @@ macro_rules! refused {
 }
 
 mod compared;
-mod data;
 pub mod escapement;
 mod field;
 pub mod quick_return;
 pub mod wheel;
 pub mod written;
 
-pub use data::{Row, Value};
-pub use field::{Answer, Field, Item, Line, Rounding, Shows};
+pub use field::{Answer, Field, Item, Line, Rounding, Row, Shows, Value};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;

@@ -3,8 +3,9 @@
 //! The deck has the mechanics of the thesis in other variables and in words of this project, and the mechanism's own
 //! reset angle. Two of its names can be set to what the thesis's program has: see [`as_listed`].
 
-use crate::program::{Line, Printout};
+use crate::program::Printout;
 use crate::{Hypothesis, Listing, Reset, Row, Run};
+use geneva_dynamics::steady::Printed;
 use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
 
 /// The names of the deck with other values in the program of the thesis: the reset angle and π.
@@ -35,9 +36,12 @@ pub fn data(program: &Program, row: &Row) -> DataSet {
 /// follower's speed. The angle is reset after `reset` radians.
 pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Option<Run> {
     let printed = program.run(&data(program, row), choices).ok()?;
+    let half = row.mechanism.engagement_half_angle();
     let line = |row: &Vec<f64>| {
         let [time, turned, speed, acceleration, follower_speed] = row[..] else { return None };
-        Some(Line { time, turned, angle: f64::NAN, speed, acceleration, follower_speed })
+        let angle = libm::fmod(turned, reset) - half;
+        let engagement = (turned / reset) as usize;
+        Some(Printed { time, turned, angle, speed, acceleration, follower_speed, engagement })
     };
     let lines = printed.rows.iter().map(line).collect::<Option<_>>()?;
     Run::read_off(&Printout { lines, work: printed.work }, reset)

@@ -24,7 +24,7 @@
 //! # Ok::<(), geneva_case1973::Unreadable>(())
 //! ```
 //!
-//! - [`Row`]: a printed run, and what is given for it besides; `choice`: which rows stand for others.
+//! - [`Row`]: a printed run, and what is given for it besides; [`series`], [`weakest`] and others: which rows stand for others.
 //! - [`Hypothesis`]: what the runs might have been. This is the one place where a row is run.
 //! - [`program`]: the program of 1973 on an integrator like its own; [`deck`]: the runs by a deck in its language.
 //! - [`Run`]: what a run gives, and how it is read off the printed lines.
@@ -37,7 +37,6 @@
 //! - [`witness`]: second routes, which share no code with the others.
 
 pub mod chance;
-pub mod choice;
 pub mod deck;
 pub mod fitted;
 mod hypothesis;
@@ -45,14 +44,17 @@ pub mod integrator;
 pub mod likelihood;
 pub mod program;
 pub mod rise_times;
-mod row;
 mod run;
 mod scores;
+mod tables;
 pub mod weighing;
 pub mod witness;
 
 pub use hypothesis::{Constants, Hypothesis, Lag, Reading, Reset, SixPin, fitting_interval};
-pub use row::{Column, EXPLAINED, Given, Listing, Row, Unreadable, obeys, series, slug};
 pub use run::Run;
 pub use scores::{Cell, Fit, Score, compared, delays, within_one};
+pub use tables::{
+    Column, EXPLAINED, Given, Listing, Row, Trend, Unreadable, least_braked, obeys, pairs_by_friction, pairs_by_torque,
+    rows_of, series, slug, strongest, weakest, with_friction,
+};
 pub use weighing::Weighing;

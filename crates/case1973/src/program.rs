@@ -7,6 +7,7 @@
 //! [`steady`](geneva_dynamics::steady).
 //! Work::Meyer1973, Appendix B.
 
+use geneva_dynamics::steady::Printed;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Pose, Sign};
 use geneva_kinematics::{Mechanism, Turn};
 use geneva_mimic::{DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, System, Work, integrate};
@@ -113,14 +114,16 @@ impl Program {
         let mut motion = Motion { program: *self, sign_source, acceleration: 0.0 };
         let mut lines = Vec::new();
         let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
-            let (angle, pose) = self.pose(point.state[0]);
-            lines.push(Line {
+            let turned = point.state[0];
+            let (angle, pose) = self.pose(turned);
+            lines.push(Printed {
                 time: point.time,
-                turned: point.state[0],
+                turned,
                 angle,
                 speed: point.state[1],
                 acceleration: point.derivative[1],
                 follower_speed: pose.velocity_ratio() * point.state[1],
+                engagement: (turned / self.reset) as usize,
             });
         });
         let stopped = |error: IntegrationError<2, Fault>| Error::Stopped(error.to_string());
@@ -134,28 +137,11 @@ impl Program {
     }
 }
 
-/// One printed line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
-    /// Time from the start, in units of time.
-    pub time: f64,
-    /// Angle in radians through which the driver has turned, unfolded.
-    pub turned: f64,
-    /// The reset crank angle, in radians from the line of centres.
-    pub angle: f64,
-    /// Driver's speed, in radians per unit of time.
-    pub speed: f64,
-    /// Driver's acceleration, in radians per square of the unit of time.
-    pub acceleration: f64,
-    /// Follower's speed, by the velocity ratio at the reset angle, in radians per unit of time.
-    pub follower_speed: f64,
-}
-
 /// All lines of a run, and the work that it took.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Printout {
-    /// The lines, the start included.
-    pub lines: Vec<Line>,
+    /// The lines, the start included. Their crank angles and the velocity ratio of the follower's speed are of the reset angle.
+    pub lines: Vec<Printed>,
     /// Steps and evaluations.
     pub work: Work,
 }

@@ -194,46 +194,6 @@ pub fn is_steady_from_the_first_minimum(row: &Row) -> Option<bool> {
     Some(off.all(|off| off.abs() < Column::Minimum.unit()))
 }
 
-/// Pairs of neighbouring rows that differ in one value only, by whether the printed rise time goes up with that value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Neighbours {
-    /// How many pairs there are.
-    pub pairs: usize,
-    /// In how many the rise time goes up.
-    pub up: usize,
-    /// In how many it stays the same.
-    pub equal: usize,
-}
-
-impl Neighbours {
-    fn of<'a>(pairs: impl Iterator<Item = [&'a Row; 2]>) -> Self {
-        pairs.fold(Self { pairs: 0, up: 0, equal: 0 }, |all, pair| {
-            let [before, after] = pair.map(|row| row.number(Column::Rise));
-            let (up, equal) = (usize::from(after > before), usize::from(after == before));
-            Self { pairs: all.pairs + 1, up: all.up + up, equal: all.equal + equal }
-        })
-    }
-}
-
-/// Rows with the same mechanism and friction, and the next torque of the table.
-pub fn with_more_torque(rows: &[Row]) -> Neighbours {
-    Neighbours::of(series(rows).flat_map(|own| own.windows(2)).map(|pair| [&pair[0], &pair[1]]))
-}
-
-/// Rows with the same mechanism and torque, and the next friction of the table with which there is such a row.
-pub fn with_more_friction<'a>(rows: &'a [Row]) -> Neighbours {
-    let next = |row: &'a Row| {
-        let alike = |other: &&Row| {
-            other.mechanism == row.mechanism
-                && other.printed(Column::Torque) == row.printed(Column::Torque)
-                && other.friction() > row.friction()
-        };
-        let next = rows.iter().filter(alike).min_by(|a, b| a.friction().total_cmp(&b.friction()))?;
-        Some([row, next])
-    };
-    Neighbours::of(rows.iter().filter_map(next))
-}
-
 /// Rows of one mechanism and one friction: only the torque changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group<'a> {

@@ -1,10 +1,10 @@
 //! What chance is expected to explain is the mean of what it explains.
 
-use crate::rows::tables;
+use crate::tables::tables;
 use geneva_case1973::chance::{Shuffled, expected_cells, shuffles_of_cells, shuffles_of_definitions};
-use geneva_case1973::rise_times::{explained, groups, with_more_friction, with_more_torque};
+use geneva_case1973::rise_times::{explained, groups};
 use geneva_case1973::witness::sampling;
-use geneva_case1973::{Hypothesis, Score};
+use geneva_case1973::{Column, Hypothesis, Score, Trend, pairs_by_torque};
 use geneva_kinematics::Mechanism;
 
 /// Asserts that the mean of some counts is what is expected, but for chance: 4.5 standard errors.
@@ -53,7 +53,6 @@ fn counting_pairs_and_sampling_expect_as_much_of_each_definition_and_the_best_of
 #[test]
 fn a_time_of_the_motion_alone_falls_with_the_torque_as_its_root() {
     assert_eq!(groups(tables()).iter().filter(|group| group.possible).count(), 6);
-    let torque = with_more_torque(tables());
+    let torque = Trend::of(Column::Rise, pairs_by_torque(tables()));
     assert_eq!((torque.pairs, torque.up), (18, 0));
-    assert_eq!(with_more_friction(tables()).pairs, 12);
 }

@@ -1,10 +1,9 @@
 //! Do both routes find the data with which the tables were made?
 
-use crate::rows::tables;
-use geneva_case1973::choice::rows_of;
+use crate::tables::tables;
 use geneva_case1973::fitted::{self, Freed, Motions, most_within_one, ratios};
 use geneva_case1973::witness::gauss_newton;
-use geneva_case1973::{EXPLAINED, Hypothesis, Reset};
+use geneva_case1973::{EXPLAINED, Hypothesis, Reset, rows_of};
 use geneva_kinematics::Mechanism;
 
 #[test]

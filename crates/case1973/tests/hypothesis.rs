@@ -1,6 +1,6 @@
 //! Tables that the program made are explained by the program, and by no other hypothesis equally well.
 
-use crate::rows::{LISTING, given, printed, tables};
+use crate::tables::{LISTING, given, printed, tables};
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::densities;

@@ -8,6 +8,6 @@ mod fitted;
 mod hypothesis;
 mod likelihood;
 mod program;
-mod rows;
 mod run;
+mod tables;
 mod witness;

@@ -1,8 +1,8 @@
 //! Does a ruler read off a run what the solver computes?
 
 use geneva_case1973::Run;
-use geneva_case1973::program::{Line, Printout, Program};
-use geneva_dynamics::steady::Engagement;
+use geneva_case1973::program::{Printout, Program};
+use geneva_dynamics::steady::{Engagement, Printed};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -30,13 +30,14 @@ fn the_time_of_a_hand_over_is_exact_where_the_angle_is_a_cubic() {
     // Slowest at the time `least`.
     let line = |least: f64, time: f64| {
         let past = time - least;
-        Line {
+        Printed {
             time,
             turned: past * past * past + past + least * least * least + least,
             angle: 0.0,
             speed: 3.0 * past * past + 1.0,
             acceleration: 6.0 * past,
             follower_speed: 0.0,
+            engagement: 0,
         }
     };
     // From the first of these times on, so far apart, until the driver would be handed over for the third time.

@@ -1,11 +1,59 @@
 //! The book: built, opened, tested.
 
-use crate::arguments::{BookAction, BookArguments, BuildArguments};
 use crate::output::{Outcome, Streams};
+use crate::print::PrintArguments;
 use crate::{print, progress, signals, workspace};
 use anyhow::Context;
+use clap::{Args, Subcommand};
 use geneva_press::Geneva;
 use geneva_press::building::{self, Built};
+use std::path::PathBuf;
+
+/// Options of `geneva book`.
+#[derive(Args, Debug)]
+pub struct BookArguments {
+    /// What to do with the book; without it, build.
+    #[command(subcommand)]
+    pub action: Option<BookAction>,
+    /// Without an action: how to build.
+    #[command(flatten)]
+    pub build: BuildArguments,
+}
+
+/// Actions of `geneva book`.
+#[derive(Debug, Subcommand)]
+pub enum BookAction {
+    /// Build the book; this is what `geneva book` does
+    #[command(after_help = "\
+Example:
+  geneva book build --output public --open")]
+    Build(BuildArguments),
+    /// Print the whole book into one PDF, with Chromium or Chrome
+    ///
+    /// The contents get the numbers of their pages, and the PDF an outline. The browser is the program that $CHROMIUM names,
+    /// or the first that is installed.
+    #[command(after_help = "\
+Example:
+  geneva book print --output geneva-verified.pdf")]
+    Print(PrintArguments),
+    /// Compile and run every Rust block in every chapter
+    #[command(after_help = "\
+Example:
+  geneva book test")]
+    Test,
+}
+
+/// Options of `geneva book build`.
+#[derive(Args, Debug, Default)]
+pub struct BuildArguments {
+    /// Build into this directory; a book already there is replaced once the new one is complete
+    /// [default: target/book in the workspace]
+    #[arg(long, value_name = "DIR", alias = "out")]
+    pub output: Option<PathBuf>,
+    /// Open the book once it is built
+    #[arg(long)]
+    pub open: bool,
+}
 
 /// Builds the book or tests its chapters.
 pub fn run(wanted: BookArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {

@@ -1,10 +1,32 @@
 //! The list of claims.
 
-use crate::arguments::{ClaimsArguments, Format};
 use crate::fields;
 use crate::output::{WIDTH, count, cut, heading, style};
-use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full, verdict, verdicts, verdicts_of};
+use crate::typed::{self, Format, Output, formats};
+use clap::Args;
+use geneva_ledger::{Decimal, Judged, Verdict, Work, claims, in_full, verdict, verdicts, verdicts_of};
 use geneva_press::records;
+
+/// Options of `geneva claims`.
+#[derive(Args, Debug)]
+pub struct ClaimsArguments {
+    /// List only the claims of this source
+    #[arg(long, value_parser = typed::named(Work::ALL, Work::slug, Work::citation))]
+    pub source: Option<Work>,
+    /// List only the claims with this verdict
+    #[arg(long, value_parser = typed::named(Verdict::ALL, Verdict::slug, Verdict::meaning))]
+    pub verdict: Option<Verdict>,
+    /// Output format
+    #[arg(long, default_value = "text", value_parser = formats(&[
+        (Format::Text, "A readable table"),
+        (Format::Json, "An array of objects, with everything known about each claim"),
+        (Format::Csv, "The data of the JSON, one row per claim"),
+    ]))]
+    pub format: Format,
+    /// Where the output goes.
+    #[command(flatten)]
+    pub to: Output,
+}
 
 /// The claims that are wanted, in the format that is wanted.
 pub fn page(wanted: &ClaimsArguments) -> anyhow::Result<String> {
@@ -71,9 +93,8 @@ fn computed(judged: &Judged) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arguments::{Arguments, Command};
+    use crate::{Arguments, Command};
     use clap::Parser;
-    use geneva_ledger::Work;
 
     /// The ids of the claims that are listed for these options.
     fn listed(options: &[&str]) -> Vec<String> {

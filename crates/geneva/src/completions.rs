@@ -1,6 +1,6 @@
 //! Completions for a shell.
 
-use crate::arguments::Arguments;
+use crate::Arguments;
 use clap::CommandFactory;
 use clap_complete::Shell;
 

@@ -1,12 +1,26 @@
 //! The claims and exceptions on each line of a source, the comparison with a copy, and the inventory file for a copy.
 
-use crate::arguments::CoverageArguments;
-use crate::input;
 use crate::output::{Outcome, count, heading, wrapped};
 use crate::printable::shown_path;
+use crate::{input, typed};
 use anyhow::bail;
+use clap::Args;
 use geneva_ledger::{Entry, Line, Work, listed, numeric_tokens};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// Options of `geneva coverage`.
+#[derive(Args, Debug)]
+pub struct CoverageArguments {
+    /// Show only this source
+    #[arg(long, value_parser = typed::named(Work::DOCUMENTS, Work::slug, Work::citation))]
+    pub source: Option<Work>,
+    /// Compare the numbers on each line with those in FILE, your own copy of the source's text
+    #[arg(long, value_name = "FILE", requires = "source")]
+    pub against: Option<PathBuf>,
+    /// Write a new inventory file for the ledger, with the numbers in FILE, your own copy of the source's text
+    #[arg(long, value_name = "FILE", requires = "source", conflicts_with = "against")]
+    pub record: Option<PathBuf>,
+}
 
 /// Most characters of a line of a copy. No page has so many.
 const LONGEST_LINE: usize = 100_000;

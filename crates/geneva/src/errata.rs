@@ -1,12 +1,38 @@
 //! The mistakes in the sources, most serious consequence first.
 
-use crate::arguments::{ErrataArguments, Format};
 use crate::claims::with_unit;
 use crate::fields;
 use crate::output::{count, field, heading, wrapped};
+use crate::typed::{self, Format, Output, formats};
+use clap::Args;
 use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips, slips_in, verdicts, verdicts_of};
 use geneva_press::records;
 use std::slice;
+
+/// Options of `geneva errata`.
+#[derive(Args, Debug)]
+pub struct ErrataArguments {
+    /// List only the mistakes in this source [default: all sources but wild]
+    #[arg(long, value_parser = typed::named(Work::ALL, Work::slug, Work::citation))]
+    pub source: Option<Work>,
+    /// List only the mistakes with this consequence
+    #[arg(long, value_parser = typed::named(Consequence::ALL, Consequence::slug, Consequence::meaning), conflicts_with = "all")]
+    pub consequence: Option<Consequence>,
+    /// Also list what the copy we had has lost or changed; we don't know whether the original has it too
+    #[arg(long)]
+    pub all: bool,
+    /// Output format
+    #[arg(long, default_value = "text", value_parser = formats(&[
+        (Format::Text, "Readable paragraphs"),
+        (Format::Json, "An array of objects"),
+        (Format::Csv, "The data of the JSON, one row per mistake"),
+        (Format::Markdown, "A list by source"),
+    ]))]
+    pub format: Format,
+    /// Where the output goes.
+    #[command(flatten)]
+    pub to: Output,
+}
 
 /// The mistakes that are wanted, in the format that is wanted.
 pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
@@ -159,7 +185,7 @@ fn code(characters: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arguments::{Arguments, Command};
+    use crate::{Arguments, Command};
     use clap::Parser;
 
     #[test]

@@ -1,8 +1,7 @@
 //! One escapement: whether it runs, its steady state, its rise from rest, the run itself, or a drawing.
 
-use crate::arguments::{Format, Output, formats, name_of};
 use crate::fields;
-use crate::typed::{self, as_typed};
+use crate::typed::{self, Format, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::escapement::{Design, Drawing, Further, Question, Units};
 
@@ -45,6 +44,7 @@ pub struct EscapementArguments {
         (Format::Text, "A readable sheet, which says where everything is measured from"),
         (Format::Json, "An object with all digits: the steady state and the rise from rest"),
         (Format::Csv, "The run from rest, one row per time"),
+        (Format::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
         (Format::Svg, "A drawing as a standalone file; --figure chooses which"),
     ]))]
     pub format: Format,
@@ -117,6 +117,7 @@ pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
             Ok(design.drawing(drawing)?.standalone())
         }
         Format::Json => fields::json(&design.answer()?),
+        Format::Fields => fields::table(&design.answer()?),
         _ => Ok(fields::sheet(&design.answer()?)),
     }
 }

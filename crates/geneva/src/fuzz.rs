@@ -3,30 +3,19 @@
 //! The options come from the parser itself, so a new one is tried without being named here. `GENEVA_FUZZ` says how many
 //! lines are tried, and `GENEVA_FUZZ_SEED` which.
 
-use crate::arguments::{self, Arguments, Command};
 use crate::printable::is_obeyed;
+use crate::{Arguments, Command};
 use crate::{claims, completions, coverage, errata, escapement, mimic, quick_return, sweep, wheel};
 use anstream::adapter::strip_str;
 use clap::CommandFactory;
+use fastrand::Rng;
 use geneva_ledger::Work;
 use geneva_mimic::language::DECKS;
 use std::ffi::OsString;
 
-/// Numbers that look random and are the same everywhere.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, most: usize) -> usize {
-        // Marsaglia's xorshift.
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        ((self.0 >> 11) % most.max(1) as u64) as usize
-    }
-
-    fn pick<T: Clone>(&mut self, all: &[T]) -> T {
-        all[self.below(all.len())].clone()
-    }
+/// One of several.
+fn pick<T: Clone>(dice: &mut Rng, all: &[T]) -> T {
+    all[dice.usize(..all.len())].clone()
 }
 
 /// A number that the environment gives, or a usual one.
@@ -84,39 +73,39 @@ fn file(folder: &tempfile::TempDir) -> String {
 }
 
 /// A random command line, most of it as the parser wants it.
-fn line(dice: &mut Dice, root: &clap::Command) -> Vec<String> {
+fn line(dice: &mut Rng, root: &clap::Command) -> Vec<String> {
     let mut line = vec!["geneva".to_owned()];
     let mut command = root;
     while command.has_subcommands() {
         let all: Vec<_> =
             command.get_subcommands().filter(|of| !["book", "preprocess"].contains(&of.get_name())).collect();
-        command = dice.pick(&all);
+        command = pick(dice, &all);
         line.push(command.get_name().to_owned());
     }
     // What an argument without a name is.
     let decks = DECKS.iter().map(|(name, _)| (*name).to_owned()).chain(["no-deck".to_owned()]).collect::<Vec<_>>();
-    let is_strange = dice.below(3) == 0;
+    let is_strange = dice.usize(..3) == 0;
     for argument in command.get_arguments() {
         let (name, is_required) = (argument.get_long(), argument.is_required_set());
-        if ["help", "version", "output"].contains(&name.unwrap_or_default()) || dice.below(4) != 0 && !is_required {
+        if ["help", "version", "output"].contains(&name.unwrap_or_default()) || dice.usize(..4) != 0 && !is_required {
             continue;
         }
         let possible: Vec<_> = argument.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
-        let value = match dice.below(10) {
-            0 if is_strange => dice.pick(&STRANGE).to_owned(),
-            1 if is_strange => dice.pick(&USUAL).repeat(40),
-            _ if !possible.is_empty() => dice.pick(&possible),
-            _ if name.is_none() => dice.pick(&decks),
-            _ => dice.pick(&USUAL).to_owned(),
+        let value = match dice.usize(..10) {
+            0 if is_strange => pick(dice, &STRANGE).to_owned(),
+            1 if is_strange => pick(dice, &USUAL).repeat(40),
+            _ if !possible.is_empty() => pick(dice, &possible),
+            _ if name.is_none() => pick(dice, &decks),
+            _ => pick(dice, &USUAL).to_owned(),
         };
         line.extend(name.map(|name| format!("--{name}")));
         if argument.get_action().takes_values() {
             line.push(value);
         }
     }
-    if is_strange && dice.below(4) == 0 {
-        let at = 1 + dice.below(line.len());
-        line.insert(at, dice.pick(&STRANGE).to_owned());
+    if is_strange && dice.usize(..4) == 0 {
+        let at = 1 + dice.usize(..line.len());
+        line.insert(at, pick(dice, &STRANGE).to_owned());
     }
     line
 }
@@ -156,14 +145,14 @@ impl Drop for Tried {
 #[test]
 fn fuzz_command_lines_are_answered_or_refused_in_words() {
     let lines = given("GENEVA_FUZZ", 1000);
-    let mut dice = Dice(given("GENEVA_FUZZ_SEED", 0x5eed).max(1));
+    let mut dice = Rng::with_seed(given("GENEVA_FUZZ_SEED", 0x5eed));
     let folder = tempfile::tempdir().expect("a temporary folder");
     let root = Arguments::command();
     let (mut answers, mut refusals, mut misread, mut skipped) = (0, 0, 0, 0);
     for _ in 0..lines {
         let line = line(&mut dice, &root);
         let tried = Tried(format!("{line:?}"));
-        let told = match arguments::parse(line.iter().map(OsString::from)) {
+        let told = match crate::parse(line.iter().map(OsString::from)) {
             Err(error) => {
                 misread += 1;
                 error.render().to_string()

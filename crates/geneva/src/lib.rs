@@ -1,12 +1,13 @@
 //! The command line `geneva`: argument parsing and printing, nothing else.
 //!
 //! Every command turns its arguments into text. What the text says of a mechanism comes from `ask`, of claims from the
-//! ledger, of a deck from the language, of a text from the proofreader, and the book from the press. Exit codes: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access.
+//! ledger, of a deck from the language, of a text from the proofreader, and the book from the press. Exit codes: 0 everything
+//! matches the record, 1 something differs, 2 bad usage, bad input or no access. Here is the list of the commands, with their
+//! examples; the options of each are in its own file.
 //!
 //! The program is [`main`]. It is a library too, so that a test can ask thousands of lines with [`answer`] without starting
 //! a process for each.
 
-mod arguments;
 mod book;
 mod claims;
 mod completions;
@@ -35,8 +36,10 @@ mod typed;
 mod wheel;
 mod workspace;
 
-use arguments::{Arguments, Command, Output};
+use clap::error::{ContextKind, ContextValue};
+use clap::{CommandFactory, Parser, Subcommand};
 use output::{Outcome, Own, Streams};
+use printable::{escaped, shown};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -65,9 +68,181 @@ pub fn answer(line: impl IntoIterator<Item = OsString>) -> Answer {
     answer
 }
 
+/// Checks every claim of the sources, derives its verdict, and builds the book.
+///
+/// Without a command: checks all claims, reports what no longer matches the record, builds the book and says where it is.
+#[derive(Debug, Parser)]
+#[command(
+    name = "geneva",
+    version,
+    max_term_width = 100,
+    after_help = "\
+Examples:
+  geneva                                       check all claims and build the book
+  geneva claims --source pin --format json     the claims of one source as JSON
+  geneva errata                                the mistakes in the sources
+  geneva coverage --source pin                 the claims on each line of a source
+  geneva wheel --stations 6 --rpm 360          sizes, times and peaks of your own wheel
+  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
+                                               your own quick-return mechanism, at one instant
+  geneva escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15
+                                               your own Geneva escapement: how fast it runs
+  geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1:1:10 --output sweep.csv
+                                               many escapements, one row each
+  geneva mimic run predators                   run a deck of cards in the language of 1973
+  geneva proofread notes.tex chapters/         recompute every chain of numbers in texts of yours
+  geneva book --open                           build the book and open it
+  geneva completions bash                      shell completions for bash
+
+Exit codes: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access."
+)]
+struct Arguments {
+    /// What to do; without it, check all claims and build the book.
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// List the claims: what is printed, what we compute, and the verdict
+    #[command(after_help = "\
+Examples:
+  geneva claims --source pin
+  geneva claims --verdict corrected
+  geneva claims --format json --output claims.json")]
+    Claims(claims::ClaimsArguments),
+    /// List the mistakes in the sources, most serious first, each with its correction, reason and witness
+    #[command(after_help = "\
+Examples:
+  geneva errata
+  geneva errata --consequence result
+  geneva errata --source jazar --all
+  geneva errata --format markdown --output errata.md")]
+    Errata(errata::ErrataArguments),
+    /// Show the claims on each line of a source, or compare the numbers in your copy of it with ours
+    #[command(after_help = "\
+Examples:
+  geneva coverage
+  geneva coverage --source pin --against my-copy.txt
+  geneva coverage --source pin --record my-copy.txt > pin.inventory
+
+With --against, the exit code is 1 if the numbers on some line of your copy differ from the ledger's. With --record, a \
+line keeps its claims and exceptions if its numbers haven't changed; you fill in the rest by hand.")]
+    Coverage(coverage::CoverageArguments),
+    /// Compute or draw a Geneva wheel: sizes, times, motion and loads
+    #[command(after_help = "\
+Examples:
+  geneva wheel --stations 6 --rpm 360 --crank-radius 50
+  geneva wheel --stations 6 --rpm 360 --crank-radius 50 --inertia 0.002 --friction-torque 0.3
+  geneva wheel --stations 8 --centre-distance 100 --pin-diameter 8 --play 0.05 --wheel-shaft 20
+  geneva wheel --stations 5 --type internal --rpm 60 --at -90 --at 30
+  geneva wheel --stations 4 --pins 2 --format json
+  geneva wheel --stations 6 --rpm 60 --format fields --output numbers.csv
+  geneva wheel --stations 6 --rpm 60 --format csv --output cycle.csv
+  geneva wheel --stations 6 --format svg --output wheel.svg
+  geneva wheel --stations 6 --crank-radius 50 --format dxf --output wheel.dxf
+  geneva wheel --stations 6 --crank-radius 50 --thickness 8 --format stl --output wheel.stl
+  geneva wheel --index-time 0.4 --dwell-time 1
+
+An option that would have no effect is refused, and the message says what to add.")]
+    Wheel(Box<wheel::WheelArguments>),
+    /// Compute or draw a quick-return mechanism: velocities and accelerations at one instant
+    #[command(after_help = "\
+Examples:
+  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
+  geneva quick-return --ground 0.3 --crank 0.1 --lever-angle -10 --branch near --rpm 60
+  geneva quick-return --ground 0.1 --crank 0.3 --crank-angle 75 --rpm -60 --format json
+  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60 \\
+                      --format svg --output drawing.svg
+
+The pin on the crank slides in the slot of the lever, which turns about its pivot.")]
+    QuickReturn(quick_return::QuickReturnArguments),
+    /// Compute or draw a Geneva escapement: terminal speed, period and rise from rest
+    #[command(after_help = "\
+Examples:
+  geneva escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15
+  geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
+                    --format json
+  geneva escapement --slots 4 --friction 0 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
+                    --duration 20 --interval 0.1 --format csv --output run.csv
+  geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
+                    --reset-deg 90
+
+A spring turns the driver. The driver's pins are spaced all the way round and push the slotted follower from stop to \
+stop: each pin enters as the one before it leaves. Any coherent units will do, for example a torque in in lb with inertias \
+in in lb s², or N m with kg m². Times are then in s, and speeds in rad/s.")]
+    Escapement(escapement::EscapementArguments),
+    /// Compute many escapements over ranges of friction, inertia ratio and torque, as CSV
+    #[command(after_help = "\
+Examples:
+  geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1
+  geneva sweep --slots 3,4,6 --friction 0.05:0.4:50 --inertia-ratio 0.01:1:50:log --output sweep.csv
+  geneva sweep --slots 6 --friction 0.3 --inertia-ratio 0.6 --torque 1:100:5:log \\
+               --follower-inertia 1e-5 --threads 2 --output sweep.csv
+
+A range gives its two ends, the number of values including both ends, and how they are spaced. Rows run through the \
+torques first, then through the inertia ratios, the frictions and the slots. There can be up to ten million rows. Units \
+and numbers are those of geneva escapement.
+
+The last column is the status: ok; jams if the friction is critical or more; no-terminal-speed if there is no friction; \
+too-sharp if the motion changes too quickly to be computed; long-rise if only the rise takes too many engagements to be \
+followed. A number that doesn't exist is left empty.
+
+If you interrupt a sweep, FILE stays as it was, or is not created. If the program is killed just as it puts the complete \
+rows in place, it may leave FILE.unfinished- with some letters after it, which you can delete.")]
+    Sweep(sweep::SweepArguments),
+    /// Check, sort or run a deck in MIMIC, the simulation language of the 1973 thesis
+    #[command(
+        disable_help_subcommand = true,
+        after_help = "\
+Examples:
+  geneva mimic decks
+  geneva mimic run predators
+  geneva mimic run my.deck --data my.cards --format csv --output run.csv
+  geneva mimic run escapement --set MU=0.2 --format svg --output run.svg
+  geneva mimic sort escapement
+  geneva mimic run --listing-in my-copy-of-the-thesis.txt --runs appendix-e --format json"
+    )]
+    Mimic(mimic::MimicArguments),
+    /// Recompute every chain of numbers in texts of yours, with units and to the printed digits
+    #[command(after_help = ::proofread::cli::EXAMPLES.replace("proofread ", "geneva proofread "))]
+    Proofread(::proofread::cli::Arguments),
+    /// Build the book, or test its chapters
+    #[command(
+        args_conflicts_with_subcommands = true,
+        disable_help_subcommand = true,
+        after_help = "\
+Examples:
+  geneva book --open
+  geneva book build --output public
+  geneva book test"
+    )]
+    Book(book::BookArguments),
+    /// Write shell completions to standard output
+    #[command(after_help = "\
+Example:
+  geneva completions bash > ~/.local/share/bash-completion/completions/geneva")]
+    Completions {
+        /// The shell
+        #[arg(value_name = "SHELL")]
+        shell: clap_complete::Shell,
+    },
+    /// Act as mdBook's preprocessor: read a book from standard input and write it to standard output
+    #[command(
+        hide = true,
+        disable_help_subcommand = true,
+        after_help = "\
+Example, in book.toml:
+  [preprocessor.geneva]
+  command = \"cargo run -q -p geneva -- preprocess\""
+    )]
+    Preprocess(preprocess::PreprocessArguments),
+}
+
 /// Does what a command line asks for, and says on these streams what there is to say.
 fn respond(line: impl IntoIterator<Item = OsString>, streams: &mut dyn Streams) -> Outcome {
-    let done = match arguments::parse(line) {
+    let done = match parse(line) {
         Ok(arguments) => run(arguments, streams),
         Err(error) => output::explain(&error, streams),
     };
@@ -114,7 +289,7 @@ fn run(arguments: Arguments, streams: &mut dyn Streams) -> anyhow::Result<Outcom
 }
 
 /// Writes an answer with which nothing is compared where it was asked for.
-fn say(text: &str, to: &Output, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+fn say(text: &str, to: &typed::Output, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     output::write(text, &to.output, streams)?;
     Ok(Outcome::AsRecorded)
 }
@@ -126,7 +301,7 @@ fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
         geneva_ledger::verdicts()
     };
     streams.print(&summary::page(verdicts))?;
-    book::build(&arguments::BuildArguments::default(), streams)?;
+    book::build(&book::BuildArguments::default(), streams)?;
     Ok(as_recorded(verdicts, streams))
 }
 
@@ -138,4 +313,53 @@ fn as_recorded<'a>(
     let verdicts: Vec<_> = verdicts.into_iter().collect();
     differing::tell(verdicts.iter().copied(), streams);
     Outcome::as_recorded_if(verdicts.into_iter().all(geneva_ledger::Judged::holds))
+}
+
+/// Reads a command line.
+///
+/// # Errors
+///
+/// Says what is wrong with it, or answers a request for help or the version. Values are repeated in a form that is harmless
+/// for a terminal, and cut where they are long.
+fn parse(line: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
+    let line: Vec<_> = line.into_iter().collect();
+    Arguments::try_parse_from(&line).map_err(|error| {
+        let harmless = line.iter().map(|word| escaped(&word.to_string_lossy()).into_owned());
+        // The same error with the same words, in which nothing is left that a terminal obeys.
+        let mut error = match Arguments::try_parse_from(harmless) {
+            Err(harmless) if harmless.kind() == error.kind() => harmless,
+            _ => Arguments::command().error(error.kind(), escaped(&plain(&error))),
+        };
+        let long: Vec<_> = error
+            .context()
+            .filter_map(|(kind, value)| match value {
+                ContextValue::String(typed) => Some((kind, shown(typed))),
+                _ => None,
+            })
+            .filter(|(_, shown)| shown.ends_with('…'))
+            .collect();
+        if !long.is_empty() {
+            error.insert(ContextKind::Suggested, ContextValue::None);
+        }
+        for (kind, shown) in long {
+            error.insert(kind, ContextValue::String(shown));
+        }
+        error
+    })
+}
+
+/// What an error says, in one line.
+fn plain(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_do_not_contradict_one_another() {
+        super::Arguments::command().debug_assert();
+    }
 }

@@ -1,12 +1,30 @@
 //! mdBook's protocol for preprocessors: a question, or a book in and a book out. Nothing else is printed.
 
-use crate::arguments::{PreprocessArguments, Question};
 use crate::output::{Outcome, Streams};
 use crate::printable::chain;
 use anyhow::{anyhow, ensure};
+use clap::{Args, Subcommand};
 use geneva_press::Geneva;
 use mdbook_preprocessor::{Preprocessor, parse_input};
 use std::io::{IsTerminal, stdin};
+
+/// Options of `geneva preprocess`, as mdBook gives them.
+#[derive(Args, Debug)]
+pub struct PreprocessArguments {
+    /// A question instead of a book.
+    #[command(subcommand)]
+    pub question: Option<Question>,
+}
+
+/// Questions that mdBook asks before it passes a book.
+#[derive(Debug, Subcommand)]
+pub enum Question {
+    /// Exit with 0 if the renderer is supported, otherwise with 1
+    Supports {
+        /// mdBook's name for the renderer
+        renderer: String,
+    },
+}
 
 /// Answers the question, or processes the book on standard input.
 pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {

@@ -1,9 +1,9 @@
 //! The book as a PDF, printed by a browser.
 
-use crate::arguments::PrintArguments;
 use crate::output::Streams;
 use crate::{progress, signals, workspace};
 use anyhow::{Context, bail, ensure};
+use clap::Args;
 use geneva_press::Geneva;
 use geneva_press::building;
 use geneva_press::print::{self, numbers};
@@ -11,6 +11,15 @@ use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+
+/// Options of `geneva book print`.
+#[derive(Args, Debug, Default)]
+pub struct PrintArguments {
+    /// Write this file; one that is there is replaced once the new one is complete
+    /// [default: target/geneva-verified.pdf in the workspace]
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
 
 /// By what names the browser goes, where `$CHROMIUM` does not say.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];

@@ -1,8 +1,7 @@
 //! One quick-return mechanism at an instant: where its parts are, every velocity and acceleration, or a drawing.
 
-use crate::arguments::{Format, Output, formats, name_of};
 use crate::fields;
-use crate::typed;
+use crate::typed::{self, Format, Output, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::quick_return::{Design, Drawing, Place, Question};
 use geneva_kinematics::quick_return::Branch;
@@ -31,6 +30,7 @@ pub struct QuickReturnArguments {
     #[arg(long, default_value = "text", value_parser = formats(&[
         (Format::Text, "A readable sheet, which says where everything is measured from and in which sense"),
         (Format::Json, "An object with all digits; a zero vector has null for its direction"),
+        (Format::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
         (Format::Svg, "A drawing to scale as a standalone file; --figure chooses which"),
     ]))]
     pub format: Format,
@@ -100,6 +100,7 @@ pub fn page(wanted: &QuickReturnArguments) -> anyhow::Result<String> {
     let answer = design.answer()?;
     match wanted.format {
         Format::Json => fields::json(&answer),
+        Format::Fields => fields::table(&answer),
         Format::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
                 FigureName::Mechanism => Drawing::Mechanism,

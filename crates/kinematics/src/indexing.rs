@@ -6,8 +6,33 @@
 
 use crate::KinematicsError;
 use crate::error::size;
-use crate::wheel::{Motion, Phase};
 use std::f64::consts::{PI, TAU};
+
+/// Whether a pin is in a slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// A pin is in a slot.
+    Advance,
+    /// The wheel is locked.
+    Dwell,
+}
+
+/// The wheel at one crank angle, for a driver of constant speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// Whether a pin moves the wheel, or the wheel dwells.
+    pub phase: Phase,
+    /// Whole stations that the wheel has passed: the middle of the last advance begun, or the dwell behind it.
+    pub stations: i64,
+    /// Wheel angle from there in radians, between −α and α; the whole angle is `stations` times 2α and this.
+    pub angle: f64,
+    /// Angular velocity over the driver's, dimensionless.
+    pub velocity: f64,
+    /// Angular acceleration over the square of the driver's speed, dimensionless.
+    pub acceleration: f64,
+    /// Jerk over the cube of the driver's speed, dimensionless.
+    pub jerk: f64,
+}
 
 /// Where the acceleration is greatest, and how great.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,9 +9,8 @@
 //! driver's turn. That is more than half a turn, and the driver has one pin.
 
 use crate::error::KinematicsError;
-use crate::indexing::AccelerationPeak;
-use crate::indexing::{Indexing, JerkPeak, PinInSlot, within_half_pitch};
-use crate::wheel::{Motion, Phase, STATIONS};
+use crate::indexing::{AccelerationPeak, Indexing, JerkPeak, Motion, Phase, PinInSlot, within_half_pitch};
+use crate::wheel::STATIONS;
 use crate::{Field, Turn};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -3,8 +3,8 @@
 //! `cargo run --release --example accuracy` does the same over a grid three hundred times as fine.
 
 use crate::oracle::{MOTION, Oracle};
-use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Phase, Wheel};
+use geneva_kinematics::indexing::{Indexing, Phase};
+use geneva_kinematics::wheel::Wheel;
 
 /// Units in the last place; what is reached is 1.5 for the velocity and 0.5 for the rest.
 const TOLERANCE: f64 = 2.0;

@@ -2,10 +2,10 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use geneva_kinematics::KinematicsError;
-use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::indexing::{Indexing, Motion};
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::spherical_wheel::SphericalWheel;
-use geneva_kinematics::wheel::{Motion, Wheel};
+use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::{PI, TAU};
 
 /// Wheels of every kind and many numbers.

@@ -20,6 +20,12 @@ pub(crate) fn coincide(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
     (a - b).norm() <= ROUTES.relative * a.norm().max(b.norm())
 }
 
+/// The least and the greatest of some numbers; infinite if there are none.
+pub(crate) fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let ends = [f64::INFINITY, f64::NEG_INFINITY];
+    numbers.into_iter().fold(ends, |[low, high], number| [low.min(number), high.max(number)])
+}
+
 /// Compares two numbers as [`agrees`] does, and says both.
 pub(crate) fn same(a: f64, b: f64) -> Finding {
     Finding::new(agrees(a, b), pair("number", &short(a), &short(b)))

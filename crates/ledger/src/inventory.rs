@@ -168,6 +168,7 @@ pub fn numeric_tokens(text: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Work;
 
     #[test]
     fn numbers_are_found_with_their_points_and_commas() {
@@ -183,6 +184,16 @@ mod tests {
         assert!(!full.contains(DOTS) && numeric_tokens(&full).len() == 3, "{full}");
         let plain = claim("pin.pin-speed-equation").expect("a claim without dots");
         assert_eq!(in_full(plain), plain.printed);
+    }
+
+    #[test]
+    fn each_symbol_of_the_book_stands_for_one_thing_in_the_chapters_on_a_source() {
+        for work in Work::ALL {
+            for symbol in work.symbols() {
+                let alike = work.symbols().iter().filter(|other| other.ours == symbol.ours).count();
+                assert_eq!(alike, 1, "{work}: {}", symbol.ours);
+            }
+        }
     }
 
     #[test]

@@ -44,6 +44,12 @@ impl Stated {
         numbers_in(self.characters).into_iter().filter_map(|(at, _)| decimal(&self.characters[at])).collect()
     }
 
+    /// Whether these numbers round to those in digits, one by one, and there are no others.
+    pub fn is_rounding_of(self, numbers: &[f64]) -> bool {
+        let said = self.decimals();
+        said.len() == numbers.len() && said.iter().zip(numbers).all(|(said, number)| said.is_rounding_of(*number))
+    }
+
     /// The first of them; not a number if there is none.
     pub fn number(self) -> f64 {
         self.numbers().first().copied().unwrap_or(f64::NAN)

@@ -147,6 +147,20 @@ pub struct Quantity {
     pub name: &'static str,
     /// What it is called.
     pub label: &'static str,
+    /// The key of the field that it is; none if the figure has it from elsewhere.
+    pub key: Option<&'static str>,
+}
+
+impl Quantity {
+    /// A number that the figure finds itself.
+    pub const fn new(name: &'static str, label: &'static str) -> Self {
+        Self { name, label, key: None }
+    }
+
+    /// A number that is the field with this key.
+    pub const fn field(name: &'static str, label: &'static str, key: &'static str) -> Self {
+        Self { name, label, key: Some(key) }
+    }
 }
 
 /// An angle of the drawing that the pointer sets: that of the pointer about the circle of the pins.

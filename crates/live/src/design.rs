@@ -5,9 +5,8 @@ use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
 use geneva_ask::Error;
 use geneva_ask::wheel::{Design, Effort, Question};
 use geneva_dynamics::line_contact::MATERIALS;
-use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::stations;
-use geneva_kinematics::wheel::{Contact, Sizes, Wheel};
+use geneva_kinematics::wheel::{Contact, Nearest, Sizes};
 
 pub const LIVE: Live = Live {
     name: "design",
@@ -51,42 +50,42 @@ pub const LIVE: Live = Live {
     ],
     given: &[],
     quantities: &[
-        Quantity { name: "centres", label: "centre distance" },
-        Quantity { name: "clearance", label: "least clearance" },
-        Quantity { name: "nearer", label: "axes may be too close together by" },
-        Quantity { name: "farther", label: "axes may be too far apart by" },
-        Quantity { name: "index", label: "indexing time" },
-        Quantity { name: "dwell", label: "dwell time" },
-        Quantity { name: "torque", label: "greatest torque on the wheel" },
-        Quantity { name: "force", label: "greatest force of the pin" },
-        Quantity { name: "crank", label: "greatest torque at the crank" },
-        Quantity { name: "rms", label: "RMS torque at the crank" },
-        Quantity { name: "power", label: "greatest power" },
-        Quantity { name: "backlash", label: "backlash in mid-dwell" },
-        Quantity { name: "greatest", label: "greatest backlash, to one side" },
-        Quantity { name: "blow", label: "knock of the pin at entry" },
-        Quantity { name: "hardest", label: "knock after the greatest backlash" },
+        Quantity::field("centres", "centre distance", "centre_distance_mm"),
+        Quantity::new("clearance", "least clearance"),
+        Quantity::field("nearer", "axes may be too close together by", "centres_nearer_mm"),
+        Quantity::field("farther", "axes may be too far apart by", "centres_farther_mm"),
+        Quantity::field("index", "indexing time", "indexing_time_s"),
+        Quantity::field("dwell", "dwell time", "dwell_time_s"),
+        Quantity::field("torque", "greatest torque on the wheel", "peak_wheel_torque_nm"),
+        Quantity::field("force", "greatest force of the pin", "peak_pin_force_n"),
+        Quantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
+        Quantity::field("rms", "RMS torque at the crank", "rms_crank_torque_nm"),
+        Quantity::field("power", "greatest power", "peak_power_w"),
+        Quantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
+        Quantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
+        Quantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
+        Quantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
     ],
     others: &[
-        Quantity { name: "mean", label: "mean torque at the crank" },
-        Quantity { name: "own", label: "the wheel's own part of the inertia" },
-        Quantity { name: "pressure", label: "contact pressure of a steel pin" },
-        Quantity { name: "where", label: "the least clearance is" },
-        Quantity { name: "held", label: "mid-dwell backlash holds for" },
-        Quantity { name: "before", label: "greatest backlash is before entry by" },
-        Quantity { name: "wheel", label: "wheel radius, to the pin at entry" },
-        Quantity { name: "slot", label: "slot, width × depth" },
-        Quantity { name: "disc", label: "radius of the locking disc" },
-        Quantity { name: "locking-play", label: "locking play" },
-        Quantity { name: "bore-play", label: "bore play" },
-        Quantity { name: "slot-bottom-clearance", label: "slot bottom clearance" },
-        Quantity { name: "locking-arc-radius", label: "locking arc radius" },
-        Quantity { name: "horn-thickness", label: "horn thickness" },
-        Quantity { name: "web-between-slots", label: "web between slots" },
-        Quantity { name: "crescent-radius", label: "crescent radius" },
-        Quantity { name: "crescent-centre-from-driver", label: "crescent centre from the driver's axis" },
-        Quantity { name: "wheel-bore-diameter", label: "diameter of the wheel's bore" },
-        Quantity { name: "driver-bore-diameter", label: "diameter of the driver's bore" },
+        Quantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
+        Quantity::new("own", "the wheel's own part of the inertia"),
+        Quantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
+        Quantity::new("where", "the least clearance is"),
+        Quantity::field("held", "mid-dwell backlash holds for", "dwell_backlash_held_fraction"),
+        Quantity::field("before", "greatest backlash is before entry by", "greatest_dwell_backlash_until_entry_deg"),
+        Quantity::field("wheel", "wheel radius, to the pin at entry", "wheel_radius_mm"),
+        Quantity::field("slot", "slot, width × depth", "slot_width_mm"),
+        Quantity::field("disc", "radius of the locking disc", "locking_radius_mm"),
+        Quantity::field("locking-play", "locking play", "play_mm"),
+        Quantity::field("bore-play", "bore play", "bore_play_mm"),
+        Quantity::field("slot-bottom-clearance", "slot bottom clearance", "bottom_clearance_mm"),
+        Quantity::field("locking-arc-radius", "locking arc radius", "locking_arc_radius_mm"),
+        Quantity::field("horn-thickness", "horn thickness", "horn_thickness_mm"),
+        Quantity::field("web-between-slots", "web between slots", "slot_web_mm"),
+        Quantity::field("crescent-radius", "crescent radius", "crescent_radius_mm"),
+        Quantity::field("crescent-centre-from-driver", "crescent centre from the driver's axis", "crescent_centre_mm"),
+        Quantity::field("wheel-bore-diameter", "diameter of the wheel's bore", "wheel_bore_mm"),
+        Quantity::field("driver-bore-diameter", "diameter of the driver's bore", "driver_bore_mm"),
     ],
     drag: None,
     files: &[
@@ -154,10 +153,6 @@ fn decimals(tolerance: f64) -> usize {
     [0.000_05, 0.0005, 0.005, 0.05].iter().position(|half| tolerance <= *half).map_or(0, |wider| 4 - wider)
 }
 
-fn millimetres(name: &'static str, value: f64) -> Number {
-    Number::new(name, value, 3, "mm")
-}
-
 /// Names, values and texts of all numbers, a line for each.
 fn numbers_file(settings: &Settings) -> Result<String, String> {
     let Answer { numbers, followers, further, .. } = draw(settings)?;
@@ -184,28 +179,37 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let design = design(settings)?;
     let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
-    let mut numbers = parts(sizes);
+    let mut fields = design.shown(&sizes.wheel).map_err(words)?;
+    let blow = design.blow(sizes);
+    let is_met = blow.number().is_some();
+    // With the axes apart the backlash is another.
+    let is_known = |key: &str| match key {
+        BACKLASH | HELD | GREATEST | BEFORE => error == 0.0,
+        "greatest_knock_mm_s" => error == 0.0 && is_met,
+        _ => true,
+    };
+    fields.retain(|field| is_known(field.key));
+    fields.push(blow);
     let clearance = design.clearance().map_err(words)?;
-    let tolerance = design.centre_tolerance().map_err(words)?;
-    if let Some((nearest, tolerance)) = clearance {
-        numbers.push(Number::new("clearance", nearest.distance, decimals(tolerance), "mm"));
-        let angle = nearest.crank_angle.to_degrees().abs();
-        let at = Number::new("where", angle, 1, "°");
-        let is_at_rest = nearest.contact == Contact::LockingDisc;
-        let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
-        numbers.push(Number { text, ..at });
-    }
-    if let Some(tolerance) = tolerance {
-        numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
-        numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
-    }
-    numbers.extend(loads(&design, &sizes.wheel).map_err(words)?);
-    let is_met = play(&design, sizes, &mut numbers);
-    let figure = stations::dimensions_on_a_page(sizes);
-    numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
-    let more = design.on_pages(&sizes.wheel).map_err(words)?;
-    numbers.extend(more.iter().filter_map(|field| Number::of(field.key, field)));
-    let further = more.iter().filter_map(|of| Some(Quantity { name: of.key, label: of.line.as_ref()?.name })).collect();
+    let own = design.question.wheel_material.map(|of| design.own_inertia(of.density)).transpose().map_err(words)?;
+    let number = |of: &Quantity| match of.key {
+        Some(key) => {
+            Number::of(of.name, fields.iter().find(|field| field.key == key)?).map(|number| worded(number, key, sizes))
+        }
+        None => match of.name {
+            "own" => own.flatten().map(|own| Number::significant("own", own, 3, "kg m²")),
+            "clearance" => clearance
+                .map(|(nearest, tolerance)| Number::new("clearance", nearest.distance, decimals(tolerance), "mm")),
+            "where" => clearance.map(|(nearest, _)| place(&nearest)),
+            _ => None,
+        },
+    };
+    let further: Vec<Quantity> = fields
+        .iter()
+        .filter(|field| field.is_on_pages && field.number().is_some())
+        .filter_map(|field| Some(Quantity::field(field.key, field.line.as_ref()?.name, field.key)))
+        .collect();
+    let numbers: Vec<Number> = LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
     let followers = vec![
         ("pin", sizes.pin_diameter),
         ("play", sizes.play.slot),
@@ -213,67 +217,34 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         ("bore-play", sizes.play.bore),
     ];
     let depth = clearance.map(|(nearest, _)| nearest.distance);
-    let message = message(sizes, error, is_met, depth, clearance.is_none() || tolerance.is_none());
-    Ok(Answer { further, followers, message, ..Answer::new(figure, numbers) })
+    let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
+    let message = message(sizes, error, is_met, depth, is_late);
+    Ok(Answer { further, followers, message, ..Answer::new(stations::dimensions_on_a_page(sizes), numbers) })
 }
 
-fn parts(sizes: &Sizes) -> Vec<Number> {
-    let mut numbers = vec![
-        millimetres("centres", sizes.centre_distance),
-        millimetres("wheel", sizes.wheel_radius),
-        Number {
-            text: format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
-            ..millimetres("slot", sizes.slot_width)
-        },
-    ];
-    numbers.extend(sizes.locking_disc.map(|disc| millimetres("disc", disc.radius)));
-    numbers
+const BACKLASH: &str = "dwell_backlash_deg";
+const HELD: &str = "dwell_backlash_held_fraction";
+const GREATEST: &str = "greatest_dwell_backlash_deg";
+const BEFORE: &str = "greatest_dwell_backlash_until_entry_deg";
+
+/// A field's number with the words that the figure puts beside it.
+fn worded(number: Number, key: &str, sizes: &Sizes) -> Number {
+    let text = match key {
+        BACKLASH => format!("±{}", number.text),
+        HELD => format!("{} of the dwell", number.text),
+        BEFORE => format!("{} of the crank", number.text),
+        "slot_width_mm" => format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
+        _ => return number,
+    };
+    Number { text, ..number }
 }
 
-/// Times, torques and forces, with the axes at the right distance.
-fn loads(design: &Design, wheel: &Wheel) -> Result<Vec<Number>, Error> {
-    let loads = design.loads(wheel)?;
-    let load = |of: fn(&WheelLoads<Wheel>) -> f64| loads.as_ref().map(of);
-    let times = design.times(wheel)?;
-    let force = load(|loads| loads.pin_moment().driving.value).and_then(|moment| design.force(moment));
-    let pressure = force.map(|force| design.pressure(force)).transpose()?.flatten();
-    let own = design.question.wheel_material.map(|of| design.own_inertia(of.density)).transpose()?.flatten();
-    let all = [
-        ("index", times.map(|[index, _]| index), 4, "s"),
-        ("dwell", times.map(|[_, dwell]| dwell), 4, "s"),
-        ("torque", load(|loads| loads.wheel_torque().driving.value), 4, "N m"),
-        ("force", force, 4, "N"),
-        ("crank", load(|loads| loads.crank_torque().driving.value), 4, "N m"),
-        ("rms", load(|loads| loads.rms_crank_torque()), 4, "N m"),
-        ("power", load(|loads| loads.peak_power()), 3, "W"),
-        ("mean", load(|loads| loads.mean_crank_torque()), 3, "N m"),
-        ("own", own, 3, "kg m²"),
-        ("pressure", pressure, 3, "MPa"),
-    ];
-    let number =
-        |(name, value, digits, unit): (_, Option<f64>, _, _)| Some(Number::significant(name, value?, digits, unit));
-    Ok(all.into_iter().filter_map(number).collect())
-}
-
-/// Backlash and blows; whether the pin meets the slot at all.
-fn play(design: &Design, sizes: &Sizes, numbers: &mut Vec<Number>) -> bool {
-    let (error, pin_speed) = (design.question.centre_error, design.pin_speed().unwrap_or(f64::NAN));
-    // With the axes apart the play is another.
-    if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
-        let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
-        numbers.push(Number { text: format!("±{}", middle.text), ..middle });
-        numbers.push(Number::new("greatest", play.greatest.to_degrees(), 3, "°"));
-        let held = Number::new("held", 100.0 * play.held, 0, "%");
-        numbers.push(Number { text: format!("{} of the dwell", held.text), ..held });
-        let before = Number::new("before", play.until_entry.to_degrees(), 1, "°");
-        numbers.push(Number { text: format!("{} of the crank", before.text), ..before });
-    }
-    let Some(blow) = Number::of("blow", &design.blow(sizes)) else { return false };
-    numbers.push(blow);
-    if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
-        numbers.push(Number::significant("hardest", knock.drifted * pin_speed, 3, "mm/s"));
-    }
-    true
+/// Where the least clearance is.
+fn place(nearest: &Nearest) -> Number {
+    let at = Number::new("where", nearest.crank_angle.to_degrees().abs(), 1, "°");
+    let is_at_rest = nearest.contact == Contact::LockingDisc;
+    let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
+    Number { text, ..at }
 }
 
 /// What is to be said of the setting; `depth` is the least clearance in millimetres, if it was found.

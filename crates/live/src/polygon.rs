@@ -2,6 +2,7 @@
 
 use crate::answer::{Answer, Number};
 use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, TURNS};
+use geneva_ask::quick_return::lever_motion;
 use geneva_figures::quick_return;
 use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
 
@@ -25,11 +26,11 @@ pub const LIVE: Live = Live {
     ],
     given: &["ground", "radius", "speed", "unit"],
     quantities: &[
-        Quantity { name: "gap", label: "gap of the acceleration polygon" },
-        Quantity { name: "lever-speed", label: "lever's angular velocity φ̇" },
-        Quantity { name: "lever-acceleration", label: "lever's angular acceleration φ̈" },
-        Quantity { name: "sliding", label: "sliding velocity vᵣₑₗ, outwards" },
-        Quantity { name: "coriolis", label: "Coriolis acceleration |2 φ̇ vᵣₑₗ|" },
+        Quantity::new("gap", "gap of the acceleration polygon"),
+        Quantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
+        Quantity::field("lever-acceleration", "lever's angular acceleration φ̈", "lever_acceleration_rad_s2"),
+        Quantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
+        Quantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
     ],
     others: &[],
     drag: Some(Drag { control: "crank", at_right: -180.0, sense: 1.0 }),
@@ -52,13 +53,14 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let coriolis = motion.accelerations.coriolis.norm();
     let sliding = motion.velocities.sliding_velocity.dot(&position.lever.direction());
     let (speed, acceleration) = (format!("{unit}/s"), format!("{unit}/s²"));
-    let numbers = [
-        Number::significant("gap", gap, 4, &acceleration),
-        Number::significant("lever-speed", motion.velocities.follower_speed, 4, "rad/s"),
-        Number::significant("lever-acceleration", motion.accelerations.follower_acceleration, 4, "rad/s²"),
-        Number::significant("sliding", sliding, 4, &speed),
-        Number::significant("coriolis", coriolis, 4, &acceleration),
-    ];
+    let of_lever = ["lever-speed", "lever-acceleration"].into_iter().zip(lever_motion(&motion));
+    let numbers = [Number::significant("gap", gap, 4, &acceleration)]
+        .into_iter()
+        .chain(of_lever.filter_map(|(name, field)| Number::of(name, &field)))
+        .chain([
+            Number::significant("sliding", sliding, 4, &speed),
+            Number::significant("coriolis", coriolis, 4, &acceleration),
+        ]);
     Ok(Answer::new(figure, numbers))
 }
 

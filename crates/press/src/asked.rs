@@ -128,7 +128,11 @@ fn once<T>(asked: &Asked<T>, question: &str, ask: fn(&str) -> Result<T, geneva_a
 
 /// A number of the answer to a question as it is typed behind `geneva`.
 pub fn value(question: &str, key: &str) -> anyhow::Result<f64> {
-    field(question, key)?.number().with_context(|| format!("`{key}` has no number: `{question}` gives too little"))
+    number_of(&field(question, key)?, question)
+}
+
+fn number_of(field: &Field, question: &str) -> anyhow::Result<f64> {
+    field.number().with_context(|| format!("`{}` has no number: `{question}` gives too little", field.key))
 }
 
 /// A number of an answer, `QUESTION.KEY` or `QUESTION.KEY:DIGITS`.
@@ -139,7 +143,8 @@ pub fn number(asked: &str) -> anyhow::Result<String> {
     let (path, digits) = asked.split_once(':').unwrap_or((asked, ""));
     let (name, key) = path.split_once('.').with_context(|| format!("`{asked}`: give QUESTION.KEY"))?;
     let question = question(name)?;
-    let (field, value) = (field(&question, key)?, value(&question, key)?);
+    let field = field(&question, key)?;
+    let value = number_of(&field, &question)?;
     let unsized_digits = digits.strip_prefix("size");
     let (value, digits) =
         (if unsized_digits.is_some() { value.abs() } else { value }, unsized_digits.unwrap_or(digits));

@@ -69,6 +69,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ),
     ("figure", "a numbered figure", Put::Figure),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
+    ("letter", "what a letter stands for in the chapters on a source", Of(lists::letter)),
     ("live", "a numbered figure that a reader moves", Put::Live),
     ("notation", "the letters of the triangle in the whole book", Alone(|| Ok(lists::notation()?.html()))),
     ("open", "the open claims of a group, with what each lacks", Of(open::list)),

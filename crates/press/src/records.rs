@@ -29,7 +29,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("unit", "The unit of the printed number, as printed. Empty if there is none."),
     (
         "computed",
-        "The number that follows from what the source says it did, in the printed unit and with all its digits. Null \
+        "The result of the calculation that the source describes, done again: in the printed unit and not rounded. Null \
          if the claim is not a number.",
     ),
     ("witnessed", "The same number by the second route, which shares no formula with the first."),

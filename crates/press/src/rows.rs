@@ -2,9 +2,10 @@
 
 use crate::asked;
 use anyhow::Context;
+use geneva_case1973::{Column, Hypothesis, Row, Score, least_braked};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::least_braked;
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, Score, scores};
+use geneva_ledger::meyer::runs::study::scores;
+use geneva_ledger::meyer::runs::table::rows;
 
 /// Why a row has no such motion.
 pub const NONE: &str = "a run's data make no escapement";
@@ -36,7 +37,7 @@ pub fn numbers<'a>(rows: impl Iterator<Item = &'a Row>, key: &str) -> anyhow::Re
 
 /// The four-pin run that brakes least, with the weakest spring: the example wherever one run stands for all.
 pub fn example() -> anyhow::Result<&'static Row> {
-    weakest(least_braked(Mechanism::FOUR_PIN))
+    weakest(least_braked(rows(), Mechanism::FOUR_PIN))
 }
 
 /// The score of a hypothesis among those compared.

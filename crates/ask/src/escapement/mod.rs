@@ -37,6 +37,8 @@ const SETTLED: f64 = 0.01;
 pub struct Design {
     question: Question,
     parameters: Parameters,
+    /// The turn of the driver, in degrees, after which its angle is reset: the question's, or that of the mechanism.
+    reset_deg: f64,
     engagement: Engagement,
 }
 
@@ -50,11 +52,7 @@ impl Design {
         let parameters = parameters(&question)?;
         let reset_deg = question.reset_deg.unwrap_or(own_reset(parameters.mechanism()));
         let engagement = engagement(&parameters, reset_deg).map_err(|error| unsteady(&question, error))?;
-        Ok(Self { question, parameters, engagement })
-    }
-
-    fn reset_deg(&self) -> f64 {
-        self.question.reset_deg.unwrap_or(own_reset(self.parameters.mechanism()))
+        Ok(Self { question, parameters, reset_deg, engagement })
     }
 
     fn steady_state(&self) -> Result<SteadyState, Error> {
@@ -73,11 +71,10 @@ impl Design {
                 mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?
             }
             Drawing::NormalForce => {
-                let reset_angle = self.reset_deg();
-                if reset_angle != own_reset(self.parameters.mechanism()) {
+                if self.reset_deg != own_reset(self.parameters.mechanism()) {
                     return Err(refused!(
                         "--reset-deg {}: --figure normal-force shows an engagement of a real mechanism; leave --reset-deg out",
-                        as_typed(reset_angle)
+                        as_typed(self.reset_deg)
                     ));
                 }
                 normal_force(&self.parameters, self.steady_state()?.entry_speed)?

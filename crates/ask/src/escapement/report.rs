@@ -24,7 +24,7 @@ impl Design {
     ///
     /// Why there is no steady state.
     pub fn answer(&self) -> Result<Answer, Error> {
-        let (parameters, engagement, reset_deg) = (&self.parameters, &self.engagement, self.reset_deg());
+        let (parameters, engagement, reset_deg) = (&self.parameters, &self.engagement, self.reset_deg);
         let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
         let state = self.steady_state()?;
         let rise = rise(engagement, &state).map_err(|error| unsteady(&self.question, error))?;

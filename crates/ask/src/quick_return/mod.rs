@@ -4,6 +4,8 @@ mod instant;
 mod report;
 mod vector;
 
+pub use report::lever_motion;
+
 use crate::written::{as_typed, rounded_down};
 use crate::{Error, number, pairs};
 use geneva_figures::Figure;

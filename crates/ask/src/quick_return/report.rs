@@ -91,6 +91,15 @@ impl Design {
     }
 }
 
+/// Angular velocity and angular acceleration of the lever, counter-clockwise positive.
+pub fn lever_motion(motion: &Motion<f64>) -> [Field; 2] {
+    let (speed, acceleration) = (motion.velocities.follower_speed, motion.accelerations.follower_acceleration);
+    [
+        Field::in_unit("lever_speed_rad_s", unsigned_zero(speed), "rad/s"),
+        Field::in_unit("lever_acceleration_rad_s2", unsigned_zero(acceleration), "rad/s²"),
+    ]
+}
+
 impl Seen {
     fn position(&self, position: &Position) -> Vec<Field> {
         let branch = match self.instant.branch {
@@ -113,7 +122,7 @@ impl Seen {
 
     /// Velocities and accelerations.
     fn motion(&self, motion: &Motion<f64>) -> (Vec<Field>, Vec<Field>) {
-        let instant = &self.instant;
+        let (instant, [lever_speed, lever_acceleration]) = (&self.instant, lever_motion(motion));
         let (velocities, terms) = (&motion.velocities, &motion.accelerations);
         let [pin, lever, sliding] =
             [&velocities.pin_velocity, &velocities.slot_point_velocity, &velocities.sliding_velocity]
@@ -148,9 +157,7 @@ impl Seen {
             field("pin_velocity_m_s", "pin", &pin, Is(&on_circle), NOT_TOLD),
             field("lever_point_velocity_m_s", "lever's point", &lever, Across, "the lever is at rest"),
             field("sliding_velocity_m_s", "sliding", &sliding, Along, instant.no_sliding()),
-            Field::in_unit("lever_speed_rad_s", self.lever_speed, "rad/s")
-                .line("lever, angular", self.lever_speed_in_words())
-                .of_size(speed, String::new()),
+            lever_speed.line("lever, angular", self.lever_speed_in_words()).of_size(speed, String::new()),
         ];
         let still = if instant.lever_at_rest { "the lever is at rest" } else { "the pin does not slide" };
         let (constant, straight) = ("the crank turns at constant speed", "the slot is straight");
@@ -170,7 +177,7 @@ impl Seen {
                 steady_sliding,
             ),
             field("coriolis_acceleration_m_s2", "Coriolis", &coriolis, Across, still),
-            Field::in_unit("lever_acceleration_rad_s2", self.lever_acceleration, "rad/s²")
+            lever_acceleration
                 .line("lever, angular", self.lever_acceleration_in_words(&lever_tangential))
                 .of_size(angular, String::new()),
         ];

@@ -14,6 +14,7 @@ use geneva_kinematics::wheel::{
     CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel,
 };
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// A wheel, and what its question says about it.
 #[derive(Debug)]
@@ -32,6 +33,9 @@ pub struct Design {
     pub wheel_inertia: Option<f64>,
     /// The pin on the wall of its slot, if thickness and materials are given.
     pub contact: Option<LineContact>,
+    /// What takes long to find, once it has been asked for.
+    clearance: OnceLock<Option<(Nearest, f64)>>,
+    centre_tolerance: OnceLock<Option<CentreTolerance>>,
 }
 
 impl Design {
@@ -72,7 +76,8 @@ impl Design {
             }
             _ => None,
         };
-        Ok(Self { question, wheel, crank_radius, sizes, inertia, wheel_inertia, contact })
+        let (clearance, centre_tolerance) = (OnceLock::new(), OnceLock::new());
+        Ok(Self { question, wheel, crank_radius, sizes, inertia, wheel_inertia, contact, clearance, centre_tolerance })
     }
 
     /// The drawing: in true size with dimensions if the parts have sizes, otherwise not to scale.
@@ -146,7 +151,8 @@ impl Design {
     pub fn clearance(&self) -> Result<Option<(Nearest, f64)>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(None) };
         let centres = sizes.centre_distance + self.question.centre_error;
-        in_time(sizes.least_clearance_within(centres, self.question.effort.clearance))
+        let find = || in_time(sizes.least_clearance_within(centres, self.question.effort.clearance));
+        once(&self.clearance, find)
     }
 
     /// By how much the axes may be nearer and farther; none without sizes, or where it would take too long to find.
@@ -156,7 +162,7 @@ impl Design {
     /// A distance of the axes at which the parts can't work together.
     pub fn centre_tolerance(&self) -> Result<Option<CentreTolerance>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(None) };
-        in_time(sizes.centre_tolerance_within(self.question.effort.tolerance))
+        once(&self.centre_tolerance, || in_time(sizes.centre_tolerance_within(self.question.effort.tolerance)))
     }
 }
 
@@ -165,6 +171,14 @@ const MEGA: f64 = 1e6;
 
 fn own_inertia(sizes: &Sizes, thickness: f64, density: f64) -> Result<f64, Error> {
     Ok(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
+}
+
+/// What is found at the first time, and kept.
+fn once<T: Copy>(kept: &OnceLock<T>, find: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+    match kept.get() {
+        Some(found) => Ok(*found),
+        None => find().map(|found| *kept.get_or_init(|| found)),
+    }
 }
 
 /// What was found, if it was found in time.

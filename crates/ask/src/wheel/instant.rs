@@ -1,14 +1,18 @@
 //! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
+use super::Question;
 use super::design::Design;
 use super::report::too_large;
-use crate::{Error, Field, Item, Row, Value};
+use crate::written::{as_typed, rounded_down};
+use crate::{Error, Field, Item, Row};
 use geneva_dynamics::wheel_loads::Load;
-use geneva_kinematics::indexing::PinInSlot;
-use geneva_kinematics::wheel::{Motion, Phase};
+use geneva_kinematics::indexing::{Motion, Phase, PinInSlot};
 
 /// Degrees of half a turn.
 const HALF_TURN: i32 = 180;
+
+/// Most angles at which the motion is reported at once.
+const MOST_INSTANTS: usize = 10_000;
 
 /// The wheel at one crank angle.
 struct Instant {
@@ -44,64 +48,77 @@ impl Instant {
         self.motion.stations as f64 * step + self.motion.angle.to_degrees()
     }
 
-    /// Everything reported about it.
-    fn row(&self, design: &Design) -> Row {
+    /// Everything reported about it. What has no line is only in the data.
+    fn fields(&self, design: &Design) -> Fields {
         let (motion, pin, load) = (&self.motion, self.pin, self.load);
         let speed = design.speed();
-        let phase = if motion.phase == Phase::Advance { "index" } else { "dwell" };
+        let is_engaged = motion.phase == Phase::Advance;
+        let (phase, meaning) =
+            if is_engaged { ("index", "a pin is in a slot") } else { ("dwell", "dwell: the wheel is locked") };
         let rated = |ratio: f64, power: i32| speed.map(|speed| (0..power).fold(ratio, |rate, _| rate * speed));
-        Row(vec![
-            ("crank_angle_deg", self.degrees.into()),
-            ("phase", phase.into()),
-            ("wheel_angle_deg", self.wheel_angle(design).into()),
-            ("pin_radius_ratio", pin.map(|pin| pin.radius).into()),
-            ("velocity_ratio", motion.velocity.into()),
-            ("acceleration_ratio", motion.acceleration.into()),
-            ("jerk_ratio", motion.jerk.into()),
-            ("sliding_ratio", pin.map(|pin| pin.sliding).into()),
-            ("coriolis_ratio", pin.map(|pin| pin.coriolis).into()),
-            ("time_s", speed.map(|speed| self.degrees.to_radians() / speed).into()),
-            ("wheel_speed_rad_s", rated(motion.velocity, 1).into()),
-            ("wheel_acceleration_rad_s2", rated(motion.acceleration, 2).into()),
-            ("wheel_jerk_rad_s3", rated(motion.jerk, 3).into()),
-            ("wheel_torque_nm", load.map(|load| load.wheel_torque).into()),
-            ("pin_force_n", load.and_then(|load| design.force(load.pin_moment)).into()),
-            ("crank_torque_nm", load.map(|load| load.crank_torque).into()),
-            ("power_w", load.map(|load| load.power).into()),
-        ])
+        let time = speed.map(|speed| self.degrees.to_radians() / speed);
+        Fields {
+            place: vec![
+                Field::in_unit("crank_angle_deg", self.degrees, "°").line("crank angle", meaning),
+                Field::new("phase", phase),
+                Field::in_unit("wheel_angle_deg", self.wheel_angle(design), "°")
+                    .line("wheel angle", "from the middle of the index at crank angle zero"),
+                Field::in_unit("pin_radius_ratio", pin.map(|pin| pin.radius), "× crank radius")
+                    .line("pin", "from the wheel's axis"),
+            ],
+            ratios: vec![
+                Field::in_unit("velocity_ratio", motion.velocity, "× driver speed").line("velocity", ""),
+                Field::in_unit("acceleration_ratio", motion.acceleration, "× driver speed²").line("acceleration", ""),
+                Field::in_unit("jerk_ratio", motion.jerk, "× driver speed³").line("jerk", ""),
+            ],
+            along_the_slot: vec![
+                Field::in_unit("sliding_ratio", pin.map(|pin| pin.sliding), "× pin speed")
+                    .line("sliding", "along the slot; negative while the pin goes in"),
+                Field::in_unit("coriolis_ratio", pin.map(|pin| pin.coriolis), "× pin's own")
+                    .line("Coriolis", "acceleration of the pin, over its acceleration on the crank circle"),
+            ],
+            time: Field::in_unit("time_s", time, "s"),
+            rates: vec![
+                Field::in_unit("wheel_speed_rad_s", rated(motion.velocity, 1), "rad/s").also(),
+                Field::in_unit("wheel_acceleration_rad_s2", rated(motion.acceleration, 2), "rad/s²").also(),
+                Field::in_unit("wheel_jerk_rad_s3", rated(motion.jerk, 3), "rad/s³").also(),
+            ],
+            load: vec![
+                Field::in_unit("wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")
+                    .line("wheel torque", "positive while the pin drives the wheel"),
+                Field::in_unit("pin_force_n", load.and_then(|load| design.force(load.pin_moment)), "N")
+                    .line("pin force", "at right angles to the slot"),
+                Field::in_unit("crank_torque_nm", load.map(|load| load.crank_torque), "N m").line("crank torque", ""),
+                Field::in_unit("power_w", load.map(|load| load.power), "W").line("power", ""),
+            ],
+        }
+    }
+}
+
+/// What is reported of an instant.
+struct Fields {
+    place: Vec<Field>,
+    ratios: Vec<Field>,
+    along_the_slot: Vec<Field>,
+    time: Field,
+    /// The ratios at the driver's speed, in their order.
+    rates: Vec<Field>,
+    load: Vec<Field>,
+}
+
+impl Fields {
+    /// As data: what is known without a speed comes first.
+    fn into_row(self) -> Row {
+        let Self { place, ratios, along_the_slot, time, rates, load } = self;
+        let all = place.into_iter().chain(ratios).chain(along_the_slot).chain([time]).chain(rates).chain(load);
+        Row(all.map(|field| (field.key, field.value)).collect())
     }
 
-    /// Its lines on a sheet.
-    fn lines(&self, design: &Design) -> Vec<Field> {
-        let phase = if self.pin.is_some() { "a pin is in a slot" } else { "dwell: the wheel is locked" };
-        let told = [
-            ("crank_angle_deg", "crank angle", "°", phase),
-            ("wheel_angle_deg", "wheel angle", "°", "from the middle of the index at crank angle zero"),
-            ("pin_radius_ratio", "pin", "× crank radius", "from the wheel's axis"),
-            ("velocity_ratio", "velocity", "× driver speed", ""),
-            ("wheel_speed_rad_s", "", "rad/s", ""),
-            ("acceleration_ratio", "acceleration", "× driver speed²", ""),
-            ("wheel_acceleration_rad_s2", "", "rad/s²", ""),
-            ("jerk_ratio", "jerk", "× driver speed³", ""),
-            ("wheel_jerk_rad_s3", "", "rad/s³", ""),
-            ("sliding_ratio", "sliding", "× pin speed", "along the slot; negative while the pin goes in"),
-            (
-                "coriolis_ratio",
-                "Coriolis",
-                "× pin's own",
-                "acceleration of the pin, over its acceleration on the crank circle",
-            ),
-            ("wheel_torque_nm", "wheel torque", "N m", "positive while the pin drives the wheel"),
-            ("pin_force_n", "pin force", "N", "at right angles to the slot"),
-            ("crank_torque_nm", "crank torque", "N m", ""),
-            ("power_w", "power", "W", ""),
-        ];
-        let Row(row) = self.row(design);
-        let value =
-            |key: &str| row.iter().find(|(known, _)| *known == key).map_or(Value::Missing, |(_, value)| value.clone());
-        // Of a wheel at rest there is only its angle to tell.
-        let told = told.into_iter().take(if self.pin.is_some() { usize::MAX } else { 2 });
-        told.map(|(key, name, unit, of)| Field::in_unit(key, value(key), unit).line(name, of)).collect()
+    /// On a sheet: each rate under its ratio. Of a wheel at rest there is only its place to tell.
+    fn into_lines(self, is_at_rest: bool) -> Vec<Field> {
+        let Self { place, ratios, along_the_slot, rates, load, .. } = self;
+        let moving = ratios.into_iter().zip(rates).flat_map(<[Field; 2]>::from).chain(along_the_slot).chain(load);
+        place.into_iter().chain(moving.filter(|_| !is_at_rest)).collect()
     }
 }
 
@@ -113,10 +130,36 @@ fn within(most: f64, angle: f64) -> f64 {
 /// The wheel at one crank angle, as one of a list.
 pub(super) fn item(design: &Design, degrees: f64) -> Result<Item, Error> {
     let instant = Instant::new(design, degrees)?;
-    Ok(Item { heading: "At a crank angle", fields: instant.lines(design), row: instant.row(design) })
+    let fields = instant.fields(design).into_lines(instant.pin.is_none());
+    Ok(Item { heading: "At a crank angle", fields, row: instant.fields(design).into_row() })
 }
 
 impl Design {
+    /// The crank angles in degrees at which to report the motion.
+    pub(super) fn angles(&self) -> Result<Vec<f64>, Error> {
+        let Question { at, at_wheel, .. } = &self.question;
+        let asked = at.len() + at_wheel.len();
+        if asked > MOST_INSTANTS {
+            return Err(refused!(
+                "--at and --at-wheel give {asked} angles, but at most {MOST_INSTANTS} can be reported at once; give fewer, or \
+                 none with --format csv, which has a row for each degree"
+            ));
+        }
+        let wheel = self.wheel.indexing();
+        let most = 180.0 / f64::from(wheel.stations());
+        let of_the_wheel = at_wheel.iter().map(|degrees| {
+            if degrees.abs() > most {
+                return Err(refused!(
+                    "--at-wheel {}: during an index the wheel turns from −{most}° to {most}°; give an angle in this range",
+                    as_typed(*degrees),
+                    most = rounded_down(most)
+                ));
+            }
+            Ok(wheel.crank_at(degrees.to_radians())?.to_degrees())
+        });
+        at.iter().map(|degrees| Ok(*degrees)).chain(of_the_wheel).collect()
+    }
+
     /// The cycle: a row for each degree of a turn of the driver, both ends included, or for each angle of the question.
     ///
     /// # Errors
@@ -125,7 +168,7 @@ impl Design {
     pub fn cycle(&self) -> Result<Vec<Row>, Error> {
         let angles = self.angles()?;
         let angles = if angles.is_empty() { (-HALF_TURN..=HALF_TURN).map(f64::from).collect() } else { angles };
-        let rows = angles.into_iter().map(|degrees| Ok(Instant::new(self, degrees)?.row(self)));
+        let rows = angles.into_iter().map(|degrees| Ok(Instant::new(self, degrees)?.fields(self).into_row()));
         let rows = rows.collect::<Result<Vec<_>, Error>>()?;
         let is_finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
         if is_finite { Ok(rows) } else { Err(too_large()) }

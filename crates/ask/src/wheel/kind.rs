@@ -31,6 +31,17 @@ impl Kind {
         }
     }
 
+    /// How wheel and driver are arranged.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::External => "Driver beside the wheel: they turn in opposite senses",
+            Self::Internal => {
+                "Driver inside the wheel: they turn in the same sense, the wheel for more than half of each turn"
+            }
+            Self::Spherical => "Axes that cross at right angles: half of each turn is motion, half is dwell",
+        }
+    }
+
     /// What is measured from where.
     pub(super) fn introduction(self) -> &'static str {
         match self {

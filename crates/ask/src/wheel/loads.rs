@@ -7,14 +7,14 @@ use geneva_dynamics::wheel_loads::{Peak, Peaks};
 use geneva_kinematics::indexing::Indexing;
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
-pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
-    let wheel = design.wheel.indexing();
+pub fn fields(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
     let loads = design.loads(wheel)?;
     let kind = design.wheel.kind();
     let [torque, moment, crank] = match &loads {
         Some(loads) => [loads.wheel_torque(), loads.pin_moment(), loads.crank_torque()].map(Some),
         None => [None; 3],
     };
+    let at_entry = loads.as_ref().map(|loads| loads.at(-wheel.engagement_half_angle())).transpose()?;
     let force = |peak: Peak| design.force(peak.value);
     let driving = |peaks: Option<Peaks>| peaks.map(|peaks| peaks.driving);
     let braking = |peaks: Option<Peaks>| peaks.and_then(|peaks| peaks.braking);
@@ -40,7 +40,9 @@ pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
             .line("", "part of the wheel itself, from its outline, thickness and density"),
         Field::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included"),
-        entry_wheel_torque(design, wheel)?,
+        Field::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
+            .line("entry wheel torque", "as a pin enters: it comes all at once")
+            .on_pages(),
         Field::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
         Field::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),
@@ -71,21 +73,4 @@ pub fn fields(design: &Design) -> Result<Vec<Field>, Error> {
         Field::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
     Ok(fields)
-}
-
-impl Design {
-    /// Fields that a figure shows which a reader moves, besides the numbers that it has a place for.
-    ///
-    /// # Errors
-    ///
-    /// A speed, an inertia or a friction that no wheel has.
-    pub fn on_pages(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
-        Ok(vec![entry_wheel_torque(self, wheel)?])
-    }
-}
-
-fn entry_wheel_torque(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Field, Error> {
-    let load = design.loads(wheel)?.map(|loads| loads.at(-wheel.engagement_half_angle())).transpose()?;
-    Ok(Field::in_unit("entry_wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")
-        .line("entry wheel torque", "as a pin enters: it comes all at once"))
 }

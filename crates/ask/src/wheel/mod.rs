@@ -14,8 +14,8 @@ pub use design::Design;
 pub use kind::{AnyWheel, Kind};
 pub use times::{Times, proposals};
 
-use crate::written::{as_typed, rounded_down};
 use crate::{Error, number, pairs};
+use ActsOn::{Motion, Parts, Size};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
@@ -75,6 +75,220 @@ pub struct Question {
     pub effort: Effort,
 }
 
+/// An argument of a question about a wheel, as it is typed at the command line.
+#[derive(Clone, Copy, Debug)]
+pub struct Argument {
+    /// Its name, which stands behind two hyphens.
+    pub name: &'static str,
+    /// A word for its value, which says the unit: `MM`.
+    pub unit: &'static str,
+    /// Where it is in the question, and so what it may be.
+    pub place: Place,
+    /// What it acts on: without that, it has no effect. Some act on all that is said of a wheel.
+    pub acts_on: &'static [ActsOn],
+    /// What it means, with its range and what it is by default.
+    pub help: &'static str,
+}
+
+impl Argument {
+    const fn new(
+        name: &'static str,
+        unit: &'static str,
+        place: Place,
+        acts_on: &'static [ActsOn],
+        help: &'static str,
+    ) -> Self {
+        Self { name, unit, place, acts_on, help }
+    }
+}
+
+/// The place of an argument in a question, by what it may be.
+#[derive(Clone, Copy, Debug)]
+pub enum Place {
+    /// A number of stations.
+    Stations(fn(&mut Question) -> &mut Option<u32>),
+    /// A number of pins.
+    Pins(fn(&mut Question) -> &mut Option<u32>),
+    /// A kind of wheel, by its name.
+    Kind(fn(&mut Question) -> &mut Option<Kind>),
+    /// A length in millimetres, above zero.
+    Length(fn(&mut Question) -> &mut Option<f64>),
+    /// A number above zero.
+    AboveZero(fn(&mut Question) -> &mut Option<f64>),
+    /// A number that is zero or more.
+    ZeroOrMore(fn(&mut Question) -> &mut Option<f64>),
+    /// A material, by its name.
+    Material(fn(&mut Question) -> &mut Option<Material>),
+    /// Angles in degrees; the argument can be repeated.
+    Degrees(fn(&mut Question) -> &mut Vec<f64>),
+}
+
+/// What an argument acts on besides the wheel as such.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ActsOn {
+    /// The size of the wheel: one such argument gives it.
+    Size,
+    /// The parts in millimetres, which only an external wheel with a size has.
+    Parts,
+    /// Motion and loads.
+    Motion,
+}
+
+/// The arguments that the command line has, in its order.
+pub const ARGUMENTS: [Argument; 21] = [
+    Argument::new(
+        "stations",
+        "N",
+        Place::Stations(|question| &mut question.stations),
+        &[],
+        "Number of slots, from 3 to 1000; the wheel stops this many times in one turn",
+    ),
+    Argument::new(
+        "pins",
+        "P",
+        Place::Pins(|question| &mut question.pins),
+        &[],
+        "Number of evenly spaced pins on the driver. External wheels: at most 2N/(N − 2), or two pins would be in slots \
+         at once. Internal wheels: 1. Spherical wheels: 1 or 2 [default: 1]",
+    ),
+    Argument::new("type", "TYPE", Place::Kind(|question| &mut question.kind), &[], "Kind of wheel [default: external]"),
+    Argument::new(
+        "crank-radius",
+        "MM",
+        Place::Length(|question| &mut question.crank_radius),
+        &[Size],
+        "Distance from the driver's axis to a pin's centre, in millimetres; give this or one of the next two for sizes in \
+         mm",
+    ),
+    Argument::new(
+        "centre-distance",
+        "MM",
+        Place::Length(|question| &mut question.centre_distance),
+        &[Size],
+        "Distance between the two axes, in millimetres",
+    ),
+    Argument::new(
+        "wheel-radius",
+        "MM",
+        Place::Length(|question| &mut question.wheel_radius),
+        &[Size],
+        "Distance from the wheel's axis to a pin's centre as the pin enters, in millimetres",
+    ),
+    Argument::new(
+        "pin-diameter",
+        "MM",
+        Place::Length(|question| &mut question.pin_diameter),
+        &[Parts],
+        "Diameter of the pins, in millimetres [default: one that fits]",
+    ),
+    Argument::new(
+        "play",
+        "MM",
+        Place::ZeroOrMore(|question| &mut question.play),
+        &[Parts],
+        "How much wider slots and locking arcs are than the parts that run in them, in millimetres, zero or more; bores \
+         have a quarter of it [default: a thousandth of the centre distance, or less if parts are small]",
+    ),
+    Argument::new(
+        "horn",
+        "MM",
+        Place::Length(|question| &mut question.horn),
+        &[Parts],
+        "Least thickness of the wheel between a slot and a locking arc, in millimetres [default: the pin's diameter]",
+    ),
+    Argument::new(
+        "bottom-clearance",
+        "MM",
+        Place::ZeroOrMore(|question| &mut question.bottom_clearance),
+        &[Parts],
+        "How much deeper the slots are than the pins need, in millimetres, zero or more [default: a twentieth of the \
+         pin's diameter]",
+    ),
+    Argument::new(
+        "wheel-shaft",
+        "MM",
+        Place::Length(|question| &mut question.wheel_shaft),
+        &[Parts],
+        "Diameter of the wheel's shaft, in millimetres [default: half of the largest possible]",
+    ),
+    Argument::new(
+        "driver-shaft",
+        "MM",
+        Place::Length(|question| &mut question.driver_shaft),
+        &[Parts],
+        "Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the largest possible; \
+         none if that would be very thin]",
+    ),
+    Argument::new(
+        "rpm",
+        "R",
+        Place::AboveZero(|question| &mut question.rpm),
+        &[Motion],
+        "Speed of the driver in turns per minute, above zero; adds times in s, and motion in rad/s, rad/s² and rad/s³",
+    ),
+    Argument::new(
+        "inertia",
+        "KGM2",
+        Place::ZeroOrMore(|question| &mut question.inertia),
+        &[Motion],
+        "Moment of inertia, in kg m², zero or more, of everything that turns with the wheel, including the wheel itself \
+         unless you give --density. With --rpm it gives torques and, if you also give a size, the force on the pin. These \
+         loads leave out the friction of pin, locking disc, bearings and gear",
+    ),
+    Argument::new(
+        "thickness",
+        "MM",
+        Place::Length(|question| &mut question.thickness),
+        &[Parts],
+        "Thickness of the wheel, in millimetres: needed for the wheel's own inertia (with --density), for the pressure \
+         between pin and slot, and for OpenSCAD and STL files",
+    ),
+    Argument::new(
+        "density",
+        "KGM3",
+        Place::AboveZero(|question| &mut question.density),
+        &[Parts, Motion],
+        "Density of the wheel, in kg/m³; with --thickness and a size, the wheel's own inertia is computed and added to \
+         --inertia",
+    ),
+    Argument::new(
+        "friction-torque",
+        "NM",
+        Place::ZeroOrMore(|question| &mut question.friction_torque),
+        &[Motion],
+        "Torque of the friction that brakes the wheel, in N m, zero or more",
+    ),
+    Argument::new(
+        "pin-material",
+        "MATERIAL",
+        Place::Material(|question| &mut question.pin_material),
+        &[],
+        "Material of the pins; with --wheel-material, --thickness and the options that give the force on the pin, it \
+         gives the pressure between pin and slot",
+    ),
+    Argument::new(
+        "wheel-material",
+        "MATERIAL",
+        Place::Material(|question| &mut question.wheel_material),
+        &[],
+        "Material of the wheel",
+    ),
+    Argument::new(
+        "at",
+        "DEG",
+        Place::Degrees(|question| &mut question.at),
+        &[Motion],
+        "Crank angle, in degrees, at which to report the motion; can be repeated",
+    ),
+    Argument::new(
+        "at-wheel",
+        "DEG",
+        Place::Degrees(|question| &mut question.at_wheel),
+        &[Motion],
+        "Wheel angle, in degrees from the middle of an index, at which to report the motion; can be repeated",
+    ),
+];
+
 /// Crank angles at which clearances are looked for at most. Where the play is so small against the parts that more are needed,
 /// the numbers are missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,9 +305,6 @@ impl Default for Effort {
         Self { clearance: 4_000_000, tolerance: 400_000 }
     }
 }
-
-/// Most angles at which the motion is reported at once.
-const MOST_INSTANTS: usize = 10_000;
 
 impl Question {
     /// Reads arguments as they are typed: `--stations 6 --rpm 60`.
@@ -112,88 +323,43 @@ impl Question {
 
     fn set(&mut self, name: &str, value: &str) -> Result<(), Error> {
         match name {
-            "type" => self.kind = Some(one_of(name, value, &Kind::ALL.map(|kind| (kind.name(), kind)))?),
-            "stations" => self.stations = Some(number(name, value)?),
-            "pins" => self.pins = Some(number(name, value)?),
-            "pin-material" => self.pin_material = Some(material(name, value)?),
-            "wheel-material" => self.wheel_material = Some(material(name, value)?),
-            "at" => self.at.push(number(name, value)?),
-            "at-wheel" => self.at_wheel.push(number(name, value)?),
             "centre-error" => self.centre_error = number(name, value)?,
             "pin-friction" => self.pin_friction = Some(number(name, value)?),
             "before-entry" => self.before_entry = Some(number(name, value)?),
             _ => {
-                let mut all = self.measures();
-                let names = all.iter().map(|(known, _)| *known).collect::<Vec<_>>().join(", --");
-                let Some((_, measure)) = all.iter_mut().find(|(known, _)| *known == name) else {
-                    return Err(refused!("no argument --{name}; there are --{names}"));
-                };
-                **measure = Some(number(name, value)?);
+                let known = ARGUMENTS.iter().find(|argument| argument.name == name).ok_or_else(|| {
+                    let names = ARGUMENTS.map(|argument| argument.name).join(", --");
+                    refused!("no argument --{name}; there are --{names}")
+                })?;
+                match known.place {
+                    Place::Stations(at) | Place::Pins(at) => *at(self) = Some(number(name, value)?),
+                    Place::Kind(at) => {
+                        *at(self) = Some(one_of(name, value, &Kind::ALL.map(|kind| (kind.name(), kind)))?)
+                    }
+                    Place::Length(at) | Place::AboveZero(at) | Place::ZeroOrMore(at) => {
+                        *at(self) = Some(number(name, value)?)
+                    }
+                    Place::Material(at) => {
+                        *at(self) = Some(one_of(name, value, &MATERIALS.map(|material| (material.name, material)))?);
+                    }
+                    Place::Degrees(at) => at(self).push(number(name, value)?),
+                }
             }
         }
         Ok(())
     }
 
-    /// The arguments that are measured, by their names.
-    fn measures(&mut self) -> [(&'static str, &mut Option<f64>); 14] {
-        [
-            ("crank-radius", &mut self.crank_radius),
-            ("centre-distance", &mut self.centre_distance),
-            ("wheel-radius", &mut self.wheel_radius),
-            ("pin-diameter", &mut self.pin_diameter),
-            ("play", &mut self.play),
-            ("horn", &mut self.horn),
-            ("bottom-clearance", &mut self.bottom_clearance),
-            ("wheel-shaft", &mut self.wheel_shaft),
-            ("driver-shaft", &mut self.driver_shaft),
-            ("rpm", &mut self.rpm),
-            ("inertia", &mut self.inertia),
-            ("thickness", &mut self.thickness),
-            ("density", &mut self.density),
-            ("friction-torque", &mut self.friction_torque),
-        ]
-    }
-
-    /// The arguments with a number that were given, by their names; of repeated ones the first.
-    pub fn numbers(&self) -> Vec<(&'static str, f64)> {
-        let counts =
-            [("stations", self.stations), ("pins", self.pins)].map(|(name, count)| (name, count.map(f64::from)));
-        let angles = [("at", self.at.first().copied()), ("at-wheel", self.at_wheel.first().copied())];
+    /// The arguments with a number that were given; of repeated ones the first.
+    pub fn numbers(&self) -> Vec<(Argument, f64)> {
         let mut copy = self.clone();
-        let measures = copy.measures().map(|(name, value)| (name, *value));
-        counts.into_iter().chain(measures).chain(angles).filter_map(|(name, value)| Some((name, value?))).collect()
+        let mut number = |argument: &Argument| match argument.place {
+            Place::Stations(at) | Place::Pins(at) => at(&mut copy).map(f64::from),
+            Place::Length(at) | Place::AboveZero(at) | Place::ZeroOrMore(at) => *at(&mut copy),
+            Place::Degrees(at) => at(&mut copy).first().copied(),
+            Place::Kind(_) | Place::Material(_) => None,
+        };
+        ARGUMENTS.iter().filter_map(|argument| Some((*argument, number(argument)?))).collect()
     }
-}
-
-impl Design {
-    /// The crank angles in degrees at which to report the motion.
-    fn angles(&self) -> Result<Vec<f64>, Error> {
-        let Question { at, at_wheel, .. } = &self.question;
-        let asked = at.len() + at_wheel.len();
-        if asked > MOST_INSTANTS {
-            return Err(refused!(
-                "--at and --at-wheel give {asked} angles, but at most {MOST_INSTANTS} can be reported at once; give fewer, or \
-                 none with --format csv, which has a row for each degree"
-            ));
-        }
-        let wheel = self.wheel.indexing();
-        let most = 180.0 / f64::from(wheel.stations());
-        let of_the_wheel = at_wheel.iter().map(|degrees| {
-            if degrees.abs() > most {
-                return Err(refused!(
-                    "--at-wheel {}: during an index the wheel turns from −{most}° to {most}°; give an angle in this range",
-                    as_typed(*degrees),
-                    most = rounded_down(most)
-                ));
-            }
-            Ok(wheel.crank_at(degrees.to_radians())?.to_degrees())
-        });
-        at.iter().map(|degrees| Ok(*degrees)).chain(of_the_wheel).collect()
-    }
-}
-
-fn material(name: &str, text: &str) -> Result<Material, Error> {
-    one_of(name, text, &MATERIALS.map(|material| (material.name, material)))
 }
 
 fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error> {
@@ -202,4 +368,25 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
         let names = all.iter().map(|(known, _)| *known).collect::<Vec<_>>().join(", ");
         refused!("--{name} {text}: give one of {names}")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ARGUMENTS, Place, Question};
+
+    #[test]
+    fn each_argument_sets_the_field_of_its_name() {
+        for argument in ARGUMENTS {
+            let (value, set) = match argument.place {
+                Place::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                Place::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
+                Place::Stations(_) | Place::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
+                Place::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),
+                _ => ("7", format!("{}: Some(7.0)", argument.name)),
+            };
+            let question = Question::parse(&format!("--{} {value}", argument.name)).expect("an argument");
+            let set = format!(" {}", set.replace('-', "_"));
+            assert!(format!("{question:?}").contains(&set), "--{}: no{set}", argument.name);
+        }
+    }
 }

@@ -9,6 +9,7 @@ use super::kind::Kind;
 use super::{loads, parts};
 use crate::written::{as_typed, count, degrees, number};
 use crate::{Answer, Error, Field};
+use geneva_kinematics::indexing::Indexing;
 
 impl Design {
     /// The answer, with the motion at the angles of the question.
@@ -17,20 +18,37 @@ impl Design {
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
     pub fn answer(&self) -> Result<Answer, Error> {
+        let wheel = self.wheel.indexing();
         let sections = vec![
             ("Given", given(self)),
-            ("Geometry", geometry(self)),
+            ("Geometry", geometry(self, wheel)),
             ("Parts", parts::parts(self)),
             ("Play and tolerances of the parts", parts::tolerances(self)?),
             ("Warnings", parts::warnings(self)),
-            ("Cycle", cycle(self)?),
+            ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),
-            ("Loads", loads::fields(self)?),
+            ("Loads", loads::fields(self, wheel)?),
         ];
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
         let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
         if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
+    }
+
+    /// The fields of the answer that pages show of a wheel of known kind: sizes, play, times and loads.
+    ///
+    /// The design's wheel is an argument so that a page for wheels of one kind loads no code for the others.
+    ///
+    /// # Errors
+    ///
+    /// Speeds and inertias that no wheel has.
+    pub fn shown(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+        let mut fields = geometry(self, wheel);
+        fields.extend(parts::parts(self));
+        fields.extend(parts::tolerances(self)?);
+        fields.extend(cycle(self, wheel)?);
+        fields.extend(loads::fields(self, wheel)?);
+        Ok(fields)
     }
 }
 
@@ -52,7 +70,7 @@ fn given(design: &Design) -> Vec<Field> {
     ]
 }
 
-fn geometry(design: &Design) -> Vec<Field> {
+fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<Field> {
     let wheel = &design.wheel;
     // Of an external wheel the length that was given comes back as it was given.
     let of_parts = design.sizes.map(|sizes| [sizes.centre_distance, sizes.wheel_radius]);
@@ -65,7 +83,7 @@ fn geometry(design: &Design) -> Vec<Field> {
         Kind::Spherical => "from there along the meridian to the pin's centre at its deepest",
     };
     vec![
-        Field::in_unit("engagement_half_angle_deg", wheel.indexing().engagement_half_angle().to_degrees(), "°")
+        Field::in_unit("engagement_half_angle_deg", indexing.engagement_half_angle().to_degrees(), "°")
             .line("engagement half-angle", "crank angle where a pin enters and leaves"),
         Field::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
             .line("centre distance", "wheel's axis to driver's axis"),
@@ -79,8 +97,8 @@ fn geometry(design: &Design) -> Vec<Field> {
     ]
 }
 
-fn cycle(design: &Design) -> Result<Vec<Field>, Error> {
-    let (wheel, times) = (design.wheel.indexing(), design.times(design.wheel.indexing())?);
+fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+    let times = design.times(wheel)?;
     Ok(vec![
         Field::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
             .line("motion fraction", "while a pin is in a slot"),

@@ -201,8 +201,11 @@ fn lowest(before: f64, middle: f64, next: f64) -> f64 {
 /// Steps of an engagement of a row.
 const STEPS: u32 = 750;
 
-/// The least speed, the period and the greatest speed of the steady cycle of a row under a hypothesis, for a torque and a
-/// follower of one and so in units of √(K/I_f) and its inverse: by equal steps of θ. None if there is no such motion.
+/// The least speed in rad/s, the period in s and the greatest speed in rad/s of the steady cycle of a row under a hypothesis: by
+/// equal steps of θ. None if there is no such motion.
 pub fn cycle_of_row(hypothesis: &Hypothesis, row: &Row) -> Option<[f64; 3]> {
-    cycle(&hypothesis.parameters(row)?, hypothesis.angle(row), STEPS)
+    let parameters = hypothesis.parameters(row)?;
+    let unit = parameters.drive().sqrt();
+    let [least, time, greatest] = cycle(&parameters, hypothesis.angle(row), STEPS)?;
+    Some([least * unit, time / unit, greatest * unit])
 }

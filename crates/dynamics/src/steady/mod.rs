@@ -23,7 +23,6 @@ pub mod proofs;
 pub(crate) mod quadrature;
 mod rise;
 mod run;
-mod settled_profile;
 mod steady_state;
 mod subinterval;
 

@@ -8,8 +8,8 @@ mod laws;
 mod limits;
 mod proofs;
 mod quadrature;
+mod rise;
 mod routes;
-mod settled_profile;
 mod terminal;
 
 use geneva_dynamics::steady::Engagement;

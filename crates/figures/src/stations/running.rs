@@ -7,8 +7,8 @@ use crate::parts::{WIDTH, pin_circle};
 use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{Colour, DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
-use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Misplaced, Motion};
+use geneva_kinematics::indexing::{Indexing, Motion};
+use geneva_kinematics::wheel::Misplaced;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 

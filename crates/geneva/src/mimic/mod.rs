@@ -3,17 +3,17 @@
 mod listed;
 mod report;
 
-use crate::arguments::{Format, Output, formats};
 use crate::destination::apart_from;
 use crate::input::{self, STANDARD_INPUT};
 use crate::output::count;
 use crate::printable::{shown, shown_path};
 use crate::progress;
 use crate::threads::Threads;
-use crate::typed::{self, as_typed};
+use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::{anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
-use geneva_ledger::meyer::runs::{Hypothesis, rows};
+use geneva_case1973::Hypothesis;
+use geneva_ledger::meyer::runs::table::rows;
 use geneva_mimic::language::{
     Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
     nearest_to,

@@ -6,13 +6,13 @@ mod grid;
 mod range;
 mod row;
 
-use crate::arguments::Output;
 use crate::destination::Destination;
 use crate::fields;
 use crate::output::count;
 use crate::printable::shown_path;
+use crate::progress;
 use crate::threads::Threads;
-use crate::{progress, typed};
+use crate::typed::{self, Output};
 use clap::Args;
 use grid::Grid;
 use range::{Range, Spacing};

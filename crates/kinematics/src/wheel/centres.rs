@@ -93,7 +93,7 @@ impl Sizes {
         for _ in 0..TURNS {
             let assembly = self.assembly_at(self.centre_distance + runs * error)?;
             let tolerance = assembly.tolerance;
-            match assembly.within(angles, 0.0, Assembly::least) {
+            match assembly.least_within(angles, 0.0) {
                 Ok(nearest) if nearest.distance >= tolerance => return Ok(runs * error.abs()),
                 Ok(nearest) => {
                     let assembly = self.assembly_at(self.centre_distance + runs * error)?;

@@ -123,34 +123,19 @@ impl Sizes {
         Ok(self.assembly_at(centre_distance)?.clearance())
     }
 
-    /// The least distances with the axes at another distance, in millimetres, as exactly as so many crank angles allow. The
-    /// tolerance is that of [`clearance_at`](Self::clearance_at), or 16 or 256 times as wide.
+    /// The least distance of all over a whole turn with the axes at another distance, in millimetres, and its tolerance, as exactly
+    /// as so many crank angles allow. That is found sooner than the least distance of each pair of parts: the pair that is nearest
+    /// saves looking at the others. The tolerance is that of [`clearance_at`](Self::clearance_at), or 16 or 256 times as wide.
     ///
     /// # Errors
     ///
     /// The errors of [`clearance_at`](Self::clearance_at), and [`KinematicsError::TooManyAngles`] where the distances stay so
     /// nearly the same over the turn that even the widest tolerance needs more crank angles.
-    pub fn clearance_within(&self, centre_distance: f64, angles: u32) -> Result<Clearance, KinematicsError> {
-        let wider = |times: f64| {
-            let assembly = self.assembly_at(centre_distance)?;
-            let tolerance = times * assembly.tolerance;
-            Assembly { tolerance, ..assembly }.within(angles, f64::INFINITY, Assembly::clearance)
-        };
-        wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
-    }
-
-    /// The least distance of all over a whole turn with the axes at another distance, in millimetres, and its tolerance. That is
-    /// found sooner than the least distance of each pair of parts: the pair that is nearest saves looking at the others. The
-    /// tolerance is as of [`clearance_within`](Self::clearance_within).
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`clearance_within`](Self::clearance_within).
     pub fn least_clearance_within(&self, centre_distance: f64, angles: u32) -> Result<(Nearest, f64), KinematicsError> {
         let wider = |times: f64| {
             let assembly = self.assembly_at(centre_distance)?;
             let tolerance = times * assembly.tolerance;
-            Ok((Assembly { tolerance, ..assembly }.within(angles, f64::INFINITY, Assembly::least)?, tolerance))
+            Ok((Assembly { tolerance, ..assembly }.least_within(angles, f64::INFINITY)?, tolerance))
         };
         wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
     }
@@ -230,10 +215,10 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// What is found from so many crank angles at most, where a distance of `enough` millimetres need not be known better.
-    pub fn within<T>(self, angles: u32, enough: f64, of: fn(&Self) -> T) -> Result<T, KinematicsError> {
+    /// The least of all distances from so many crank angles at most, where a distance of `enough` millimetres need not be known better.
+    pub fn least_within(self, angles: u32, enough: f64) -> Result<Nearest, KinematicsError> {
         let limited = Self { enough, angles: Cell::new(angles), ..self };
-        let found = of(&limited);
+        let found = limited.least();
         if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
     }
 

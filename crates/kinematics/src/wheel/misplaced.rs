@@ -3,10 +3,10 @@
 //! Driver and wheel are those of the right distance: crank radius, slots and rim stay. Only the tangent condition is lost:
 //! as the pin passes the rim, it no longer moves along the slot.
 
-use super::{Motion, Phase, Wheel, acceleration_ratio, jerk_ratio};
+use super::{Wheel, acceleration_ratio, jerk_ratio};
 use crate::Turn;
 use crate::error::KinematicsError;
-use crate::indexing::Indexing;
+use crate::indexing::{Indexing, Motion, Phase};
 use crate::pin_slot::{pin_from_pivot, velocity_ratio};
 
 /// A wheel and its driver at a given distance of their axes.

@@ -9,7 +9,6 @@
 //!
 //! Notation: `a` crank radius, `c` centre distance, α half the angle between slots, `g` the gap of slot or arc.
 
-use super::clearance::Assembly;
 use super::crescent::Crescent;
 use super::sizes::{LockingDisc, Sizes};
 use crate::indexing::Indexing;
@@ -101,7 +100,7 @@ impl Sizes {
                 let wrong = self.with_errors(limit, sense);
                 let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return false };
                 let tolerance = assembly.tolerance;
-                let least = assembly.within(u32::MAX, 0.0, Assembly::least);
+                let least = assembly.least_within(u32::MAX, 0.0);
                 least.is_ok_and(|least| least.distance >= tolerance)
             })
         })

@@ -1,8 +1,7 @@
 //! Are there only three escapements, and do they have the sizes of wheels without dwell?
 
 use geneva_kinematics::escapement::{EscapementError, Mechanism, pins_needed, possible};
-use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::Phase;
+use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::{Turn, rational};
 use std::f64::consts::PI;
 

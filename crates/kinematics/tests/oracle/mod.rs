@@ -1,8 +1,8 @@
 //! The wheel in 240-bit arithmetic, from its plain formulas, and how far an `f64` is from it.
 
 use dashu_float::{FBig, round::mode::HalfEven};
-use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{self, Motion, Wheel};
+use geneva_kinematics::indexing::{Indexing, Motion};
+use geneva_kinematics::wheel::{self, Wheel};
 
 type Wide = FBig<HalfEven, 2>;
 

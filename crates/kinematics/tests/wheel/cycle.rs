@@ -1,8 +1,8 @@
 //! Is the motion what the proven formulas give, and does the angle go on from turn to turn?
 
-use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::indexing::{Indexing, Motion};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
-use geneva_kinematics::wheel::{Motion, Wheel, acceleration_ratio, jerk_ratio};
+use geneva_kinematics::wheel::{Wheel, acceleration_ratio, jerk_ratio};
 use geneva_kinematics::{KinematicsError, Turn};
 use std::f64::consts::PI;
 

@@ -2,8 +2,7 @@
 
 use super::letters::{PARTS, PARTS_BY_DEGREES};
 use super::*;
-use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::Phase;
+use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::{Field, Rational, rational};
 
 const C: Place = at("Ex. (c)");

@@ -1,14 +1,11 @@
 //! The worked example, parts (a), (b) and (d). Part (c) has a file of its own.
 
 use super::dwell;
-use super::four::printed_5_32;
-use super::general::printed_angle;
 use super::letters::{FASTEST, PARTS};
 use super::peak::{number, rounds_to_the_speed};
 use super::*;
-use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove};
 
 const DATA: Place = at("Example, data");
@@ -109,9 +106,9 @@ fn reference() -> Claim {
             "Eq. (5.32) shows where the velocity of Eq. (5.31) is greatest",
         )
         .by(ClosedForm, |stated| {
-            let formula = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_angle);
+            let formula = stated.pick("jazar.eq-5.32", "jazar.eq-5.30");
             for_all_stations(
-                |wheel| tells_the_maximum(wheel, |t| formula(wheel, t)),
+                |wheel| tells_the_maximum(wheel, |t| steady_display(formula, wheel, t)),
                 "it changes from plus to minus at θ = 0",
             )
         })
@@ -134,7 +131,7 @@ fn absolute_senses() -> Claim {
                 |wheel| {
                     within(wheel.engagement_half_angle()).all(|t| {
                         let pin = turned_clockwise(wheel, t);
-                        vanishes(sign * libm::atan2(pin.y, pin.x) - printed_angle(wheel, t))
+                        vanishes(sign * libm::atan2(pin.y, pin.x) - steady_display("jazar.eq-5.30", wheel, t))
                     })
                 },
                 "with a driver turned clockwise by θ, the pin's direction from the wheel's axis is the angle of Eq. \

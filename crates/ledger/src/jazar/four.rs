@@ -124,7 +124,7 @@ fn accelerations() -> Vec<Claim> {
                 // What is left is the acceleration of a steady driver's wheel.
                 let gone = stated.pick(stated.count(), 2);
                 at_instants(|wheel, t| {
-                    let terms = unsteady_terms(0.0, t);
+                    let terms = unsteady_terms(wheel, 0.0, t);
                     (by_series(wheel, t)[2], terms.iter().sum::<f64>() - term(terms, gone))
                 })
             })
@@ -134,7 +134,7 @@ fn accelerations() -> Vec<Claim> {
                 at_instants(|wheel, t| {
                     let [unsteady, steady] = [0.75, 0.0]
                         .map(|angular_acceleration| unsteady_by_duals(wheel, t, 1.0, angular_acceleration)[0]);
-                    (unsteady - steady, term(unsteady_terms(0.75, t), gone))
+                    (unsteady - steady, term(unsteady_terms(wheel, 0.75, t), gone))
                 })
             })
             .but_not("the second term vanishes"),
@@ -147,7 +147,11 @@ fn accelerations() -> Vec<Claim> {
             .in_letters(STEADY_FOUR)
             .also_by(
                 OtherPlaceInSource, // (5.32), whose sign is right, for four stations.
-                || at_instants(|wheel, t| (printed_5_32(wheel, t), -printed_5_29(t))),
+                || {
+                    at_instants(|wheel, t| {
+                        (steady_display("jazar.eq-5.32", wheel, t), -steady_display("jazar.eq-5.29", wheel, t))
+                    })
+                },
             )
             .corrected(
                 r"\ddot{\phi} = -\dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
@@ -156,36 +160,14 @@ fn accelerations() -> Vec<Claim> {
     ]
 }
 
-/// Eq. (5.27) as it is printed.
-pub(super) fn printed_5_27(theta: f64) -> f64 {
-    libm::atan(libm::sin(theta) / (2f64.sqrt() - libm::cos(theta)))
-}
-
-/// Eq. (5.28) as it is printed, for a driver of speed one.
-pub(super) fn printed_5_28(theta: f64) -> f64 {
-    let product = 2f64.sqrt() * libm::cos(theta);
-    (product - 1.0) / (3.0 - 2.0 * product)
-}
-
-/// Eq. (5.29) as it is printed, without its minus sign, for a driver of speed one.
-pub(super) fn printed_5_29(theta: f64) -> f64 {
-    let square = 3.0 - 2.0 * 2f64.sqrt() * libm::cos(theta);
-    2f64.sqrt() * libm::sin(theta) / (square * square)
-}
-
-/// The two terms of the wheel's acceleration as they are printed, for a driver of speed one with this acceleration.
-fn unsteady_terms(angular_acceleration: f64, theta: f64) -> [f64; 2] {
-    [angular_acceleration * printed_5_28(theta), -printed_5_29(theta)]
+/// The two terms of the wheel's acceleration as they are printed, for a driver of speed one with this acceleration: without
+/// the speed, the first is left, and without the acceleration the second.
+fn unsteady_terms(wheel: &Wheel, angular_acceleration: f64, theta: f64) -> [f64; 2] {
+    [[0.0, angular_acceleration], [1.0, 0.0]]
+        .map(|driver| by_display("jazar.unsteady-acceleration", wheel, theta, driver))
 }
 
 /// The first, the second of two terms; not a number if there is no such one.
 fn term(terms: [f64; 2], number: u32) -> f64 {
     (1..).zip(terms).find(|(at, _)| *at == number).map_or(f64::NAN, |(_, term)| term)
-}
-
-/// Eq. (5.32) as it is printed, for a driver of speed one.
-pub(super) fn printed_5_32(wheel: &Wheel, theta: f64) -> f64 {
-    let (sine, cosine) = (libm::sin(wheel.half_pitch_angle()), libm::cos(wheel.half_pitch_angle()));
-    let square = 1.0 + sine * sine - 2.0 * sine * libm::cos(theta);
-    -(sine * cosine * cosine * libm::sin(theta)) / (square * square)
 }

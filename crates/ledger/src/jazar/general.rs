@@ -1,9 +1,8 @@
 //! The wheel of any number of stations: its sizes and the equations (5.30) to (5.32).
 
-use super::four::{printed_5_27, printed_5_28, printed_5_29, printed_5_32};
 use super::letters::{ANY, PARTS, SIZES};
 use super::*;
-use crate::tex::{Letters, value};
+use crate::tex::{by_name, value};
 use crate::vocabulary::equal_to;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::{Expression, Identity, prove};
@@ -68,7 +67,14 @@ fn sizes() -> Vec<Claim> {
                 "become",
                 "Eqs. (5.27) to (5.29) are Eqs. (5.30) to (5.32) in the case of four stations",
             )
-            .by(ClosedForm, |stated| four_from_general(&[printed_angle, printed_5_31, printed_5_32], stated))
+            .by(ClosedForm, |stated| {
+                let general: [fn(&Wheel, f64) -> f64; 3] = [
+                    |w, t| steady_display("jazar.eq-5.30", w, t),
+                    |w, t| steady_display("jazar.eq-5.31", w, t),
+                    |w, t| steady_display("jazar.eq-5.32", w, t),
+                ];
+                four_from_general(&general, stated)
+            })
             .by(AutomaticDerivative, |stated| {
                 // What Eq. (5.30) gives with its derivatives, by dual numbers.
                 let derivatives: [fn(&Wheel, f64) -> f64; 3] =
@@ -129,7 +135,7 @@ fn radii(stated: Stated) -> Option<u32> {
 /// The ratio that the characters give, for this α.
 fn ratio(stated: Stated, alpha: f64) -> Option<f64> {
     let (_, formula) = stated.characters().split_once(':')?;
-    Some(value(formula, &Letters::from([("alpha".to_owned(), alpha)])))
+    Some(value(formula, &by_name([("alpha", alpha)])))
 }
 
 /// Pythagoras at entry: the square of so many outside radii, in crank radii, is that of `above` over tan α.
@@ -153,9 +159,10 @@ impl Identity<1> for RimByPythagoras {
 /// Whether general formulas give Eqs. (5.27) to (5.29) for four stations, the last with its sign or as printed.
 fn four_from_general(general: &[fn(&Wheel, f64) -> f64; 3], stated: Stated) -> Finding {
     let sign = stated.pick(-1.0, 1.0);
-    let four: [&dyn Fn(f64) -> f64; 3] = [&printed_5_27, &printed_5_28, &|t| sign * printed_5_29(t)];
+    let four = [("jazar.eq-5.27", 1.0), ("jazar.eq-5.28", 1.0), ("jazar.eq-5.29", sign)];
     about_four(|wheel| {
-        let agree = |at: usize| thirds(wheel).all(|t| vanishes(general[at](wheel, t) - four[at](t)));
+        let apart = |at: usize, t| general[at](wheel, t) - four[at].1 * steady_display(four[at].0, wheel, t);
+        let agree = |at: usize| thirds(wheel).all(|t| vanishes(apart(at, t)));
         let names = ["(5.27)", "(5.28)", "(5.29)"];
         let differing: Vec<_> = (0..3).filter(|at| !agree(*at)).map(|at| names[at]).collect();
         let how = if differing.is_empty() {
@@ -171,16 +178,4 @@ fn four_from_general(general: &[fn(&Wheel, f64) -> f64; 3], stated: Stated) -> F
 fn thirds(wheel: &Wheel) -> impl Iterator<Item = f64> {
     let end = wheel.engagement_half_angle();
     [-1.0, -2.0 / 3.0, -1.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].into_iter().map(move |part| part * end)
-}
-
-/// Eq. (5.31) as it is printed, for a driver of speed one.
-pub(super) fn printed_5_31(wheel: &Wheel, theta: f64) -> f64 {
-    let (sine, cosine) = (libm::sin(wheel.half_pitch_angle()), libm::cos(theta));
-    sine * (cosine - sine) / (1.0 + sine * sine - 2.0 * sine * cosine)
-}
-
-/// Eq. (5.30) as it is printed.
-pub(super) fn printed_angle(wheel: &Wheel, theta: f64) -> f64 {
-    let sine = libm::sin(wheel.half_pitch_angle());
-    libm::atan(sine * libm::sin(theta) / (1.0 - sine * libm::cos(theta)))
 }

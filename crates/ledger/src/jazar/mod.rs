@@ -21,7 +21,8 @@ pub use locking::LockingArcs;
 pub use symbols::SYMBOLS;
 
 use crate::agreement::{agrees, same, vanishes};
-use crate::by_id::{characters, decimal, printed, rounds};
+use crate::by_id::{characters, decimal, printed, right_side, rounds};
+use crate::tex::{by_name, value};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
@@ -187,6 +188,19 @@ fn unsteady_by_duals(wheel: &Wheel, crank: f64, speed: f64, angular_acceleration
     let ratio = libm::sin(wheel.half_pitch_angle()).recip();
     let [_, _, acceleration, rate] = rates(ratio, crank, [speed, angular_acceleration]);
     [acceleration, rate]
+}
+
+/// What the display with this id gives as it is printed, for a wheel at a crank angle whose driver has this speed and
+/// acceleration.
+fn by_display(id: &str, wheel: &Wheel, theta: f64, [speed, acceleration]: [f64; 2]) -> f64 {
+    let alpha = wheel.half_pitch_angle();
+    let letters = [("alpha", alpha), ("theta", theta), ("theta'", speed), ("theta''", acceleration)];
+    value(right_side(id), &by_name(letters))
+}
+
+/// What the display with this id gives as it is printed, for a driver of speed one.
+fn steady_display(id: &str, wheel: &Wheel, theta: f64) -> f64 {
+    by_display(id, wheel, theta, [1.0, 0.0])
 }
 
 /// Distance of the pin from the wheel's axis in crank radii, and the wheel's angle, by the law of cosines alone.

@@ -1,10 +1,8 @@
 //! The worked example, part (e): where the acceleration is greatest, and how great.
 
-use super::four::printed_5_32;
-use super::general::printed_5_31;
 use super::letters::{ANY, COEFFICIENT, PEAK, ROOTS, condition, quadratic};
 use super::*;
-use crate::tex::{By, Letters, Moment, decide_multiple, holds, value};
+use crate::tex::{By, Letters, Moment, by_name, decide_multiple, holds, value};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::gamma;
 use geneva_kinematics::{Expression, Field};
@@ -105,8 +103,8 @@ fn plot() -> Claim {
             "the extreme and its angle can be read from a plot of Eq. (5.32)",
         )
         .by(Series, |stated| {
-            let curve = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_5_31);
-            reads(|wheel, t| curve(wheel, t).abs(), peak_by_series)
+            let curve = stated.pick("jazar.eq-5.32", "jazar.eq-5.31");
+            reads(|wheel, t| steady_display(curve, wheel, t).abs(), peak_by_series)
         })
         .by(AutomaticDerivative, |stated| {
             let order = stated.pick(2, 1);
@@ -277,7 +275,7 @@ fn pure_number(tex: &str) -> Option<bool> {
 
 /// The value of a formula in rates of the two angles; none if it cannot be read.
 fn of_rates(tex: &str, rates: [(&str, f64); 4]) -> Option<f64> {
-    let letters = rates.map(|(name, rate)| (name.to_owned(), rate)).into();
+    let letters = by_name(rates);
     Some(value(tex, &letters)).filter(|value| !value.is_nan())
 }
 

@@ -55,7 +55,7 @@ fn locking() -> Claim {
             "a spherical wheel can have many stations and still be locked between two advances",
         )
         .missing(
-            "The text does not say what a planar wheel loses and a spherical wheel keeps. If the length of the locking \
+            "By the text, a spherical wheel keeps something that a planar wheel loses, but the text does not say what. If the length of the locking \
              arcs in wheel radii is meant, a spherical wheel with axes at right angles loses as much. If the mere \
              ability to lock is meant, a planar wheel keeps it, too",
         )

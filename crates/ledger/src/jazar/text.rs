@@ -4,9 +4,8 @@ use super::letters::SIZES_OF_FOUR;
 use super::*;
 use crate::tolerance::CLOSURE;
 use crate::vocabulary::equal_to;
-use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::wheel::Phase;
 
 const INDEXING: Place = at("1st paragraph");
 pub(super) const VARIETIES: Place = at("2nd paragraph");

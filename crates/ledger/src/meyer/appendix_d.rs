@@ -31,7 +31,7 @@ fn needed() -> Claim {
             "without a separate line for the start, the program would have no first acceleration",
         )
         .missing(
-            "The thesis does not say what the delay gives before it has a value. If the delay gives nothing, the term \
+            "The thesis does not say what the delay returns while there is no earlier value. If the delay gives nothing, the term \
              F, from which the friction takes its sign, cannot be computed at the start, so a first acceleration must \
              be given. If the delay gives zero, no separate line is needed: the line that computes the acceleration \
              gives the same first value by itself. The sign makes no difference at the start: a pin enters along its \
@@ -209,7 +209,7 @@ fn equations() -> Vec<Claim> {
                     let said = FRICTION * stated.pick(times_acceleration, with_the_square) / seen.radius() * sliding;
                     let angle = libm::atan2(seen.crank.sin, seen.crank.cos);
                     let cards = [("G", seen.ratio), ("X0", angle), ("U", FRICTION), ("IC", 1.0), ("IW", 1.0)];
-                    let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
+                    let letters = reading::by_name(cards);
                     (start_line("V", &letters), said.abs())
                 })
             })
@@ -229,7 +229,7 @@ fn equations() -> Vec<Claim> {
                     claim(line).and_then(|claim| claim.right_characters().split_once('=')).map_or("", |(_, r)| r);
                 let at = |angle: f64| {
                     let letters = [("a", 2.0), ("theta", angle), ("I_D", 1.0), ("I_f", 2.0), ("K", 1.5)];
-                    reading::value(right, &letters.map(|(name, value)| (name.to_owned(), value)).into())
+                    reading::value(right, &reading::by_name(letters))
                 };
                 let holds = (0..=9).all(|k| agrees(at(f64::from(k) / 9.0), at(0.0)));
                 Finding::new(holds, "we read and evaluated the substitution before Eq. (1-19) at ten angles")
@@ -296,10 +296,9 @@ fn equations() -> Vec<Claim> {
                 let holds = (1..=20_u32).all(|k| {
                     let number = |factor: f64| libm::sin(factor * f64::from(k)) * 3.0;
                     let (size, letters) = (number(3.0).abs(), [("E", number(1.0)), ("R", number(2.0) + 4.0)]);
-                    let with =
-                        |v: f64| letters.into_iter().chain([("V", v)]).map(|(name, value)| (name.to_owned(), value));
-                    let line = reading::value(start_formula(), &with(stated.pick(size, 0.0)).collect());
-                    agrees(line, reading::value(right_side("meyer.app-d.acceleration"), &with(number(3.0)).collect()))
+                    let with = |v: f64| reading::by_name(letters.into_iter().chain([("V", v)]));
+                    let line = reading::value(start_formula(), &with(stated.pick(size, 0.0)));
+                    agrees(line, reading::value(right_side("meyer.app-d.acceleration"), &with(number(3.0))))
                 });
                 Finding::new(holds, "we read both formulas and evaluated them for 20 sets of numbers")
             })
@@ -366,7 +365,7 @@ fn of_slots(mechanism: Mechanism) -> impl Iterator<Item = (reading::Letters, Coe
             ("IC", driver),
             ("IW", follower),
         ];
-        let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
+        let letters = reading::by_name(cards);
         (letters, Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower)))
     })
 }
@@ -380,7 +379,7 @@ fn from_rest(tex: &str) -> Option<bool> {
             let angular_acceleration = c.acceleration(0.0).map_or(f64::NAN, |found| found.value);
             let letters = [("A", c.a), ("R", c.a), ("D", c.d), ("V", c.d), ("E", c.e), ("theta'", 0.0)];
             let gains = [("theta''", angular_acceleration), ("theta''_0", angular_acceleration)];
-            Moment::of(letters.into_iter().chain(gains).map(|(name, value)| (name.to_owned(), value)).collect())
+            Moment::of(reading::by_name(letters.into_iter().chain(gains)))
         };
         poses().map(rest).collect()
     });

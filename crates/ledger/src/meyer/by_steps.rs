@@ -3,8 +3,9 @@
 //! The second route of chapter II's statements: nothing here uses the solution by integrals. One motion stands for all
 //! torques of a group, those of a row are it with other scales: see [`Group::scale`].
 
-use super::runs::{Hypothesis, Row, series};
+use super::runs::table::rows;
 use geneva_case1973::witness::steps::Course;
+use geneva_case1973::{Hypothesis, Row, series};
 use geneva_dynamics::{Coefficients, Parameters};
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
@@ -37,7 +38,7 @@ pub fn groups() -> &'static [Group] {
             let motion = Motion::of(&Hypothesis::IDEAL.parameters(rows.first()?)?)?;
             Some(Group { rows, motion })
         };
-        series().filter_map(group).collect()
+        series(rows()).filter_map(group).collect()
     })
 }
 

@@ -1,9 +1,10 @@
 //! The three conclusions of the thesis.
 
-use super::runs::series;
+use super::runs::table::rows;
 use super::summary::from_speed;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
+use geneva_case1973::series;
 
 pub fn claims() -> Vec<Claim> {
     let mut claims = vec![timing(), small_variations()];
@@ -25,7 +26,7 @@ fn timing() -> Claim {
             "the mechanism comes to a steady motion",
         )
         .by(Quadrature, |stated| {
-            let settled = series().filter_map(|own| {
+            let settled = series(rows()).filter_map(|own| {
                 let of = general_statements::with(own.first()?, 1.0, stated.pick(1.0, MORE))?;
                 let steady = of.steady_state().ok()?;
                 let last = STARTS.map(|start| {
@@ -40,7 +41,7 @@ fn timing() -> Claim {
             of_groups(settled.collect())
         })
         .by(RungeKutta, |stated| {
-            let settled = series().filter_map(|own| {
+            let settled = series(rows()).filter_map(|own| {
                 let (row, friction) = (own.first()?, stated.pick(1.0, MORE));
                 let rest = from_speed(row, friction, 0.0);
                 let (duration, speed) = *rest.last()?;
@@ -73,11 +74,11 @@ fn settles(periods: &[f64]) -> bool {
 fn of_groups(settled: Vec<bool>) -> Finding {
     let count = settled.iter().filter(|settled| **settled).count();
     Finding::new(
-        count == series().count(),
+        count == series(rows()).count(),
         format!(
             "in {count} of {} groups of runs, the motion comes to one period, whether it starts from rest or with a \
              tenth to ten times the steady speed",
-            series().count()
+            series(rows()).count()
         ),
     )
 }
@@ -122,7 +123,7 @@ mod tests {
             Some([state.peak.speed, state.minimum.speed, state.period, profile, average])
         });
         let changes: Vec<[f64; 5]> = found.concat();
-        assert_eq!(changes.len(), 4 * series().count());
+        assert_eq!(changes.len(), 4 * series(rows()).count());
         assert!(changes.iter().all(|change| change[..3].iter().all(|part| *part < 0.01)));
         let more = changes.iter().filter(|change| change[3] > 0.01).count();
         assert!(more > 0 && more < changes.len(), "{more}");

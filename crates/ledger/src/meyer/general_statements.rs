@@ -1,12 +1,12 @@
 //! The parametric graphs, Figs. 9 to 11, and what the general statements on them say of the torque.
 
 use super::profile::lost;
-use super::runs::{Column, Hypothesis, Row, rows, series};
+use super::runs::table::rows;
 use super::terms::{Start, starts};
 use super::*;
 use crate::Evidence::Quadrature;
 use crate::Stated;
-use geneva_case1973::rise_times::with_more_torque;
+use geneva_case1973::{Column, Hypothesis, Row, Trend, pairs_by_torque, series};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Sign};
 use geneva_kinematics::Expression;
@@ -30,15 +30,14 @@ fn more_torque() -> Claim {
             "more torque gives more speed and a shorter rise time",
         )
         .by(Quadrature, |stated| {
-            let goes = |pair: &[Row]| {
-                let [weak, strong] = [&pair[0], &pair[1]].map(start);
-                let (Some(weak), Some(strong)) = (weak, strong) else { return false };
+            let goes = |pair: [&Row; 2]| {
+                let [Some(weak), Some(strong)] = pair.map(start) else { return false };
                 let shorter = (0..2).all(|k| strong.rise_times[k] < weak.rise_times[k]);
                 let [torque, velocity] = [pair[1].torque() / pair[0].torque(), strong.velocity / weak.velocity];
                 shorter && stated.pick(velocity > 1.0, (velocity / torque - 1.0).abs() < 1e-6)
             };
-            let printed = with_more_torque(rows());
-            Finding::for_all(series().flat_map(|own| own.windows(2)), goes, |right, all| {
+            let printed = Trend::of(Column::Rise, pairs_by_torque(rows()));
+            Finding::for_all(pairs_by_torque(rows()), goes, |right, all| {
                 format!(
                     "this holds for {right} of {all} pairs of neighbouring rows; of the rise times that Appendix E \
                      prints, {} of {} go up with the torque and {} stay the same",
@@ -65,7 +64,7 @@ fn least_rise_time() -> Claim {
         .by(Quadrature, |stated| {
             // The power of the torque with which a rise time goes where the torque is great.
             let power = stated.pick(-0.5, 0.0);
-            let found: Vec<f64> = series()
+            let found: Vec<f64> = series(rows())
                 .filter_map(|own| {
                     let strongest = own.last()?;
                     let times = |factor| Some(Start::by_integrals(&with(strongest, factor, 1.0)?)?.rise_times);
@@ -76,7 +75,7 @@ fn least_rise_time() -> Claim {
                 .collect();
             let holds = found.iter().all(|found| (found - power).abs() < 1e-6);
             Finding::new(
-                holds && found.len() == 2 * series().count(),
+                holds && found.len() == 2 * series(rows()).count(),
                 format!(
                     "from one million to four million times the torque in the tables, the rise time varies as the \
                      torque to the power {:.6}, with every mechanism at every friction value of the runs",
@@ -134,7 +133,7 @@ fn almost_linear() -> Claim {
             "plotted over the torque, the terminal velocity is nearly a straight line",
         )
         .by(OtherPlaceInSource, |stated| {
-            let found = series().map(|own| {
+            let found = series(rows()).map(|own| {
                 let velocity = |row: &Row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum));
                 let points: Vec<_> = own.iter().map(|row| (row.torque(), velocity(row))).collect();
                 misses_of_line(&points, stated)
@@ -174,7 +173,7 @@ pub type Responses<const N: usize> = Vec<Vec<[f64; N]>>;
 
 /// The responses to these sets of factors; not numbers where the quantities cannot be found.
 pub fn responses<const N: usize>(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; N]>) -> Responses<N> {
-    let before: Vec<_> = series()
+    let before: Vec<_> = series(rows())
         .filter_map(|own| {
             let at = Hypothesis::IDEAL.parameters(own.first()?)?;
             Some((at, of(&at)?))
@@ -271,12 +270,13 @@ fn misses_by_projection(abscissae: &[f64], ordinates: &[f64], stated: Stated) ->
 
 #[cfg(test)]
 mod tests {
-    use super::runs::rise_times;
+    use super::runs::study::explained;
+    use super::runs::table::listing;
     use super::*;
 
     #[test]
     fn no_reading_of_the_axis_nor_of_the_text_gives_most_of_the_rise_times() {
-        for tried in rise_times::explained() {
+        for tried in explained() {
             let counts = [&tried.as_run, &tried.ideal].map(|of| of.within_one.iter().sum::<usize>());
             assert!(counts.iter().all(|count| 2 * count < rows().len()), "{} {:?}: {counts:?}", tried.name, tried.part);
         }
@@ -285,7 +285,7 @@ mod tests {
             let near = rows().iter().filter(|row| {
                 let at = of.engagement(row).expect("an escapement");
                 let average = at.steady_state().expect("a steady state").mean_of_extremes();
-                let lines = at.run(runs::interval() / 10.0, runs::listing().duration).expect("a run");
+                let lines = at.run(listing().interval / 10.0, listing().duration).expect("a run");
                 let reached = lines.iter().find(|line| line.speed >= 0.99 * average).expect("in the run");
                 (reached.time - row.number(Column::Rise)).abs() <= 1e-3
             });
@@ -298,7 +298,7 @@ mod tests {
     fn the_reading_counts_the_rise_times_as_the_finding_does() {
         let claims = claims();
         let claim = claims.iter().find(|claim| claim.id == "meyer.more-torque").expect("the claim");
-        let printed = with_more_torque(rows());
+        let printed = Trend::of(Column::Rise, pairs_by_torque(rows()));
         let (failing, pairs) = (printed.up + printed.equal, printed.pairs);
         let counted = [
             format!("in {failing} of {pairs} pairs of neighbouring rows"),
@@ -328,7 +328,7 @@ mod tests {
     #[test]
     fn any_threshold_between_three_and_sixteen_per_cent_gives_the_same_verdict() {
         let most = |stated: Stated| {
-            series().map(move |own| {
+            series(rows()).map(move |own| {
                 let velocity = |row: &Row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum));
                 let points: Vec<_> = own.iter().map(|row| (row.torque(), velocity(row))).collect();
                 misses_of_line(&points, stated).iter().map(|miss| miss.abs()).fold(0.0, f64::max)

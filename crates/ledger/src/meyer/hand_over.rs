@@ -2,11 +2,12 @@
 //! the third conclusion.
 
 use super::newton::Newton;
-use super::runs::{Column, rows};
+use super::runs::table::rows;
 use super::slips::ENTRY_ALONG_THE_SLOT;
 use super::*;
 use crate::Evidence::RungeKutta;
 use crate::agreement::joined;
+use geneva_case1973::Column;
 use geneva_kinematics::escapement::{ContinuityStep, Continuous};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::{Jet, angular_velocity};

@@ -2,6 +2,7 @@
 
 use super::disc_letters::{DISC, ESTIMATE};
 use super::parameters::AFTER_THE_LIST;
+use super::runs::table::{UNIT, units_in_one};
 use super::*;
 use crate::Dimension as Exponents;
 
@@ -18,10 +19,6 @@ const PUT_RIGHT: &str = concat!(
     r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}^3}{386 \text{ in/sec}^2} ",
     r"\right) \left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})"
 );
-
-/// The unit of the printed moment of inertia, and how many of them an in lb sec² is.
-const UNIT: &str = "× 10^-6 in lb sec²";
-const MILLIONTHS: f64 = 1e6;
 
 /// The inch in metres and the pound in kilograms, by definition.
 const INCH: f64 = 0.0254;
@@ -144,7 +141,7 @@ fn estimate() -> Vec<Claim> {
                 // The acceleration of gravity in the units of the source.
                 let letter = density * stated.pick(1.0, 386.0);
                 let letters = [("m", letter), ("r", radius), ("t", thickness)];
-                let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
+                let letters = reading::by_name(letters);
                 same(reading::value(right_side("meyer.disc"), &letters), whole * radius * radius / 2.0)
             })
             .but_not("m is the weight of a unit of volume"),
@@ -201,14 +198,14 @@ fn estimate() -> Vec<Claim> {
             .but_not("387"),
         at("Chapter II, 3rd display of I")
             .value("meyer.disc.inertia", "0.5", UNIT, "approximate moment of inertia of either disc")
-            .by(ClosedForm, || data().map_or(f64::NAN, |data| MILLIONTHS * disc(data.diameter, data.thickness)))
+            .by(ClosedForm, || data().map_or(f64::NAN, |data| units_in_one(UNIT) * disc(data.diameter, data.thickness)))
             .by(LimitCase, || {
                 // A disc is a ring without a hole: half of its mass times the square of its radius.
                 let Some(Data { density, gravity, diameter, thickness }) = data_of_the_sentences() else {
                     return f64::NAN;
                 };
                 let weight = density * thickness * PI * diameter * diameter / 4.0;
-                MILLIONTHS * weight / gravity / 2.0 * diameter * diameter / 4.0
+                units_in_one(UNIT) * weight / gravity / 2.0 * diameter * diameter / 4.0
             })
             .corrected(
                 "0.45",
@@ -240,7 +237,7 @@ fn disc(diameter: f64, thickness: f64) -> f64 {
 
 /// The printed moment of inertia, in in lb sec².
 pub fn printed_inertia() -> f64 {
-    printed("meyer.disc.inertia") / MILLIONTHS
+    printed("meyer.disc.inertia") / units_in_one(UNIT)
 }
 
 /// The diameter and the thickness that are stated, in inches; the neighbour has a tenth of an inch more in diameter.

@@ -83,7 +83,7 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         FRICTION * normal(angular_acceleration).abs() * (RADIUS * now.place.normalize().dot(&now.velocity)).abs()
             / speed;
     let over_follower = |torque: f64| torque / FOLLOWER_INERTIA;
-    [
+    reading::by_name([
         ("a", ratio),
         ("r", RADIUS),
         ("c", ratio * RADIUS),
@@ -135,9 +135,7 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         ("E", over_follower(torque)),
         ("F", over_follower(friction(angular_acceleration))),
         ("S", if friction(angular_acceleration) < 0.0 { -1.0 } else { 1.0 }),
-    ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .into()
+    ])
 }
 
 /// What each letter stands for at one instant; not a number if it stands for nothing.

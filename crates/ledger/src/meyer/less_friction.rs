@@ -2,9 +2,10 @@
 
 use super::by_steps::Motion;
 use super::general_statements::with;
-use super::runs::series;
+use super::runs::table::rows;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
+use geneva_case1973::series;
 
 const SECOND: Place = at("Chapter II, 2nd general statement");
 
@@ -44,7 +45,7 @@ fn no_friction() -> Claim {
         )
         .by(Quadrature, |stated| {
             // Speeds that go as the root of the number of engagements know no bound.
-            let quotients: Vec<f64> = series()
+            let quotients: Vec<f64> = series(rows())
                 .filter_map(|own| {
                     let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
                     let (mut speed, mut after) = (0.0, Vec::new());
@@ -56,7 +57,8 @@ fn no_friction() -> Claim {
                 })
                 .collect();
             Finding::new(
-                quotients.len() == series().count() && quotients.iter().all(|quotient| (quotient - 2.0).abs() < 1e-9),
+                quotients.len() == series(rows()).count()
+                    && quotients.iter().all(|quotient| (quotient - 2.0).abs() < 1e-9),
                 format!(
                     "with six pins, after four hundred engagements, the speed is {:.6} times the speed after one \
                      hundred",
@@ -66,7 +68,7 @@ fn no_friction() -> Claim {
         })
         .by(RungeKutta, |stated| {
             // Each engagement adds the whole work of the spring to the driver's energy.
-            let parts: Vec<f64> = series()
+            let parts: Vec<f64> = series(rows())
                 .filter_map(|own| {
                     let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
                     let (at, motion) = (of.parameters(), Motion::from_rest(of.parameters(), 12));
@@ -76,7 +78,7 @@ fn no_friction() -> Claim {
                 })
                 .collect();
             Finding::new(
-                parts.len() == series().count() && parts.iter().all(|part| (part - 1.0).abs() < 1e-6),
+                parts.len() == series(rows()).count() && parts.iter().all(|part| (part - 1.0).abs() < 1e-6),
                 format!(
                     "with six pins, after twelve engagements, the driver's energy is {:.6} of the spring's work",
                     parts.first().copied().unwrap_or(f64::NAN)
@@ -89,9 +91,9 @@ fn no_friction() -> Claim {
 #[cfg(test)]
 mod tests {
     use super::super::by_steps::{Group, groups};
-    use super::super::runs::{Column, Hypothesis, Row, rows};
     use super::super::terms::{MISSING, Start};
     use super::*;
+    use geneva_case1973::{Column, Hypothesis, Row, Trend, pairs_by_friction};
     use geneva_dynamics::Parameters;
     use geneva_dynamics::steady::Engagement;
 
@@ -194,7 +196,7 @@ mod tests {
 
     #[test]
     fn the_printed_rise_times_go_up_in_eight_pairs() {
-        let printed = geneva_case1973::rise_times::with_more_friction(rows());
+        let printed = Trend::of(Column::Rise, pairs_by_friction(rows()));
         assert_eq!((printed.up, printed.pairs), (8, 34));
     }
 

@@ -243,7 +243,7 @@ pub fn vibration_at_start(bars: i64) -> Moment<Expression> {
 }
 
 fn of<'a>(letters: impl IntoIterator<Item = (&'a str, Expression)>) -> Moment<Expression> {
-    Moment::of(letters.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    Moment::of(reading::by_name(letters))
 }
 
 /// Whether an equation is proven, and the expression after the last of these operators is this one.

@@ -10,6 +10,7 @@ mod appendix_b;
 mod appendix_c;
 mod appendix_d;
 mod by_steps;
+mod centres;
 mod combinations;
 mod concluded;
 mod conclusions;
@@ -46,10 +47,10 @@ pub mod terms;
 pub use concluded::CONCLUSIONS;
 pub use symbols::SYMBOLS;
 
-use crate::agreement::{agrees, same, vanishes};
+use crate::agreement::{agrees, range, same, vanishes};
 use crate::by_id::{characters, named, numbers, printed, right_side};
 use crate::tex as reading;
-use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
+use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{HandOver, Mechanism, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::wheel::Wheel;
@@ -84,13 +85,13 @@ pub fn claims() -> Vec<Claim> {
         general_statements::claims(),
         conclusions::claims(),
         recommendations::claims(),
-        runs::of_figures(),
+        runs::headings::of_figures(),
         appendix_a::claims(),
         appendix_b::claims(),
         appendix_c::claims(),
         appendix_d::claims(),
         study::of_headings(),
-        runs::claims(),
+        runs::cells::claims(),
     ]
     .concat()
 }

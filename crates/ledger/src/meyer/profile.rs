@@ -2,14 +2,14 @@
 
 use super::by_steps::{Group, Motion, groups};
 use super::general_statements::{Responses, responses};
-use super::runs::choice::rows_of;
-use super::runs::{Column, Hypothesis, Row, rows, series};
+use super::runs::table::rows;
 use super::study::steady;
 use super::terms::Start;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::Stated;
 use crate::agreement::joined;
+use geneva_case1973::{Column, Hypothesis, Row, rows_of, series};
 use geneva_dynamics::steady::{Engagement, SteadyState};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -151,21 +151,13 @@ fn first_minimum() -> Claim {
 /// Whether the first minima, which lack such parts of the steady ones, are steady to one per cent, or lack as much as is
 /// stated.
 fn achieved(stated: Stated, lacks: &[f64], count: usize) -> Finding {
-    let [least, most] =
-        lacks.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], lack| [low.min(*lack), high.max(*lack)]);
-    let said = stated.decimals();
-    let as_said = || {
-        let ends = [least, most].map(|lack| 100.0 * lack);
-        said.len() == ends.len() && ends.iter().zip(&said).all(|(lack, said)| said.is_rounding_of(*lack))
-    };
+    let [least, most] = range(lacks.iter().copied()).map(|lack| 100.0 * lack);
     let steady = lacks.iter().filter(|lack| lack.abs() <= terms::MISSING).count();
     Finding::new(
-        lacks.len() == count && stated.pick(as_said(), steady == count),
+        lacks.len() == count && stated.pick(stated.is_rounding_of(&[least, most]), steady == count),
         format!(
             "in {steady} of {count} motions the first minimum agrees with the steady minimum to one per cent; the \
-             first minimum is {:.1} to {:.1} per cent lower than the steady one",
-            100.0 * least,
-            100.0 * most
+             first minimum is {least:.1} to {most:.1} per cent lower than the steady one"
         ),
     )
 }
@@ -186,7 +178,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         let [torque, others @ ..] = &changes;
         let most = torque.iter().copied().fold(0.0, f64::max);
         let least = others.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-        let complete = changes.iter().all(|own| own.len() == series().count());
+        let complete = changes.iter().all(|own| own.len() == series(rows()).count());
         return Finding::new(
             complete && most <= crate::tolerance::STEPS.relative && least >= VISIBLE,
             format!(
@@ -196,8 +188,8 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
             ),
         );
     }
-    let counts =
-        Mechanism::ALL.map(|mechanism| rows_of(mechanism).filter_map(|row| swings(&speeds(row)?)).collect::<Vec<_>>());
+    let counts = Mechanism::ALL
+        .map(|mechanism| rows_of(rows(), mechanism).iter().filter_map(|row| swings(&speeds(row)?)).collect::<Vec<_>>());
     let same = |own: &Vec<usize>| own.first().is_some_and(|first| own.iter().all(|count| count == first));
     let times = |own: &Vec<usize>| match [own.iter().min(), own.iter().max()].map(|end| end.copied().unwrap_or(0)) {
         [least, most] if least == most => least.to_string(),
@@ -298,12 +290,12 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
         std::array::from_fn(|k| alone.iter().filter_map(|own| Some(own.get(group)?[k])).fold(0.0, f64::max))
     };
     let together = found.last().cloned().unwrap_or_default();
-    let groups = stated.pick((0..series().count()).map(most).collect(), together);
+    let groups = stated.pick((0..series(rows()).count()).map(most).collect(), together);
     let changes: Vec<f64> = groups.iter().flat_map(|own| own[..SCALES].to_vec()).collect();
     let [least, least_alone] = [changes, alone.concat().iter().flat_map(|own| own[..SCALES].to_vec()).collect()]
         .map(|changes| 100.0 * changes.into_iter().fold(f64::INFINITY, f64::min));
     Finding::new(
-        groups.len() == series().count() && least >= 100.0 * VISIBLE,
+        groups.len() == series(rows()).count() && least >= 100.0 * VISIBLE,
         format!(
             "in all groups, changing a suitable parameter by a tenth changes each of them by {least:.1} per cent or \
              more, and changing any parameter by a tenth changes each by {least_alone:.2} per cent or more"
@@ -318,11 +310,11 @@ mod tests {
 
     #[test]
     fn no_four_pin_run_of_the_tables_has_the_rise_time_of_fig_8_by_either_reading_nor_in_print() {
-        let four = || rows_of(Mechanism::FOUR_PIN);
+        let four = || rows_of(rows(), Mechanism::FOUR_PIN);
         let times = |row: &Row| starts().iter().find(|(other, _)| *other == row).expect("a start").1.rise_times;
-        assert!(four().flat_map(times).all(|time| time > 0.029));
-        assert!(four().all(|row| row.number(Column::Rise) != printed("meyer.fig-8.rise")));
-        let candidates = four().filter(|row| {
+        assert!(four().iter().flat_map(times).all(|time| time > 0.029));
+        assert!(four().iter().all(|row| row.number(Column::Rise) != printed("meyer.fig-8.rise")));
+        let candidates = four().iter().filter(|row| {
             let engagement = Hypothesis::IDEAL.engagement(row).expect("an escapement");
             let first = engagement.first_minimum().expect("a start").expect("a minimum");
             (first.time - printed("meyer.fig-8.rise")).abs() <= 0.0005
@@ -344,7 +336,7 @@ mod tests {
     fn two_printed_curves_have_one_minimum_and_peaks_that_no_rounding_makes_alike() {
         let deep = |row: &&Row| row.number(Column::Minimum) == 25.0;
         let over = |row: &Row, off: f64| (25.0 + off) / (row.number(Column::Peak) - off);
-        let found: Vec<&Row> = rows_of(Mechanism::FOUR_PIN).filter(deep).collect();
+        let found: Vec<&Row> = rows_of(rows(), Mechanism::FOUR_PIN).iter().filter(deep).collect();
         let [one, other] = found[..] else { panic!("two rows") };
         assert_eq!([one, other].map(|row| row.printed(Column::Peak)), ["206", "163"]);
         assert!(over(one, 0.5) < over(other, -0.5));

@@ -2,12 +2,13 @@
 
 use super::by_steps::groups;
 use super::general_statements::with;
-use super::runs::{Column, Hypothesis, Listing, Row, rows, series};
+use super::runs::table::{listing, rows};
 use super::slips::SAMPLED_PEAKS;
 use super::terms::Start;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use geneva_case1973::program::Program;
+use geneva_case1973::{Column, Hypothesis, Listing, Row, series};
 
 pub fn claims() -> Vec<Claim> {
     vec![not_fast_enough(), spring_rates(), cyclic_oscillations(), front::page_of_definition()]
@@ -62,19 +63,19 @@ fn cyclic_oscillations() -> Claim {
         )
         .by(Quadrature, |stated| {
             // The motion of the mechanism, looked at as often as lines are printed, or fifty times as often.
-            let interval = runs::interval() * stated.pick(1.0, 0.02);
+            let interval = listing().interval * stated.pick(1.0, 0.02);
             swinging(looked_at(stated), &|row| {
                 let of = with(row, EXCESSIVE, 1.0)?;
-                let lines = of.run(interval, runs::listing().duration).ok()?;
+                let lines = of.run(interval, listing().duration).ok()?;
                 Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
             })
         })
         .by(RungeKutta, |stated| {
             // The program with its reset angle, its lagged sign and its own π, printing as often.
-            let interval = runs::interval() * stated.pick(1.0, 0.02);
+            let interval = listing().interval * stated.pick(1.0, 0.02);
             swinging(looked_at(stated), &|row| {
                 let program = Program { torque: EXCESSIVE * row.torque(), ..Hypothesis::AS_RUN.program(row)? };
-                let lines = program.run(&Listing { interval, ..runs::listing() }.integrator()).ok()?.lines;
+                let lines = program.run(&Listing { interval, ..listing() }.integrator()).ok()?.lines;
                 Some(lines.iter().map(|line| ((line.turned / program.reset) as usize, line.speed)).collect())
             })
         })
@@ -110,7 +111,7 @@ type Lines = Vec<(usize, f64)>;
 /// Whether the greatest speeds on the lines of successive engagements differ by a unit of the tables or more, in all
 /// groups of runs, each with an excessive torque; with words for the lines.
 fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
-    let swings = series().filter_map(|own| {
+    let swings = series(rows()).filter_map(|own| {
         let lines = lines(own.last()?)?;
         // The last engagement may be cut short.
         let last = lines.last()?.0;
@@ -119,14 +120,13 @@ fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
             peaks[engagement] = peaks[engagement].max(speed);
         }
         let steady = peaks.get(RISEN..)?;
-        let least = steady.iter().copied().fold(f64::INFINITY, f64::min);
-        Some(steady.iter().copied().fold(0.0, f64::max) - least)
+        let [least, most] = range(steady.iter().copied());
+        Some(most - least)
     });
     let swings: Vec<f64> = swings.collect();
-    let [least, most] =
-        swings.iter().fold([f64::INFINITY, 0.0_f64], |[low, high], swing| [low.min(*swing), high.max(*swing)]);
+    let [least, most] = range(swings.iter().copied());
     Finding::new(
-        swings.len() == series().count() && least >= 1.0,
+        swings.len() == series(rows()).count() && least >= 1.0,
         format!(
             "with {lines_of}, the highest and the lowest peak of a run differ by {least:.2} to {most:.2} rad/s in {} \
              groups of runs",
@@ -143,7 +143,7 @@ mod tests {
     fn from_five_times_the_greatest_torque_on_the_printed_peaks_of_all_groups_swing_and_with_three_times_not() {
         for (times, expected) in [(3.0, false), (5.0, true), (7.0, true), (30.0, true)] {
             let found = swinging("the printed lines", &|row| {
-                let lines = with(row, times, 1.0)?.run(runs::interval(), runs::listing().duration).ok()?;
+                let lines = with(row, times, 1.0)?.run(listing().interval, listing().duration).ok()?;
                 Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
             });
             assert_eq!(found.holds, expected, "{times}: {}", found.how);

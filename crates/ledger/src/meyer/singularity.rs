@@ -35,7 +35,7 @@ fn quantity() -> Vec<Claim> {
         .by(OtherPlaceInSource, |stated| {
             let solved = stated.pick(None, Some("meyer.app-b.solved"));
             let displays = ["meyer.eq-1-18.first-line", "meyer.eq-1-18.second-line"].into_iter().chain(solved);
-            let found: Option<Vec<_>> = displays.map(|id| divisors(super::named(id).right_characters())).collect();
+            let found: Option<Vec<_>> = displays.map(|id| divisors(named(id).right_characters())).collect();
             let Some(found) = found else { return Finding::new(false, "a denominator cannot be read") };
             // All powers of the pin's distance are one thing.
             let [powers, others] = [true, false].map(|of| found.iter().flatten().filter(|power| **power == of).count());
@@ -109,7 +109,7 @@ fn quantity() -> Vec<Claim> {
                     (-9..=9).all(|k| {
                         let angle = mechanism.engagement_half_angle() * f64::from(k) / 10.0;
                         let factors = factors(*mechanism, 1.0, angle, 0.0);
-                        let letters = [("a", mechanism.centre_distance_ratio()), ("theta", angle)].map(named).into();
+                        let letters = reading::by_name([("a", mechanism.centre_distance_ratio()), ("theta", angle)]);
                         let divisor = reading::value(quantity_with(stated), &letters);
                         let above = reading::value(r"a \cos \theta - 1", &letters);
                         vanishes((factors.a - 1.0) * divisor * divisor - above * above)
@@ -250,7 +250,7 @@ fn slots() -> Vec<Claim> {
         END.statement("meyer.singularity.ruled-out", "previously ruled out", "two slots are ruled out by Eq. (1-3)")
             .by(ClosedForm, |stated| {
                 let right = right_side("meyer.eq-1-3");
-                let letters = [named(("n", stated.pick(2.0, 3.0)))].into();
+                let letters = reading::by_name([("n", stated.pick(2.0, 3.0))]);
                 let pins = reading::value(right, &letters);
                 let ruled_out = !(pins.is_finite() && pins >= 1.0 && agrees(pins, pins.round()));
                 Finding::new(
@@ -381,10 +381,6 @@ fn bound(
         None => Finding::of_reading(None),
     };
     at(locator).equation(id, printed, meaning).decided(decide).read(ClosedForm, only_for_one)
-}
-
-fn named((name, value): (&str, f64)) -> (String, f64) {
-    (name.to_owned(), value)
 }
 
 /// The least of the ratios that are tried that is greater than one.

@@ -4,7 +4,7 @@
 //! not zero, as the pin is from the follower's axis, or the ratio from one. By numbers, ratios, angles and slots are tried.
 
 use super::hand_over_letters::RATIO;
-use super::reading::{Letters, Moment};
+use super::reading::Moment;
 use super::*;
 use crate::triangle::angle;
 use geneva_kinematics::Expression;
@@ -85,7 +85,7 @@ pub fn ratios() -> impl Iterator<Item = f64> {
 
 /// Whether an inequality allows a ratio; none if it cannot be read.
 pub fn allows(inequality: &str, ratio: f64) -> Option<bool> {
-    let letters: Letters = [("a".to_owned(), ratio)].into();
+    let letters = reading::by_name([("a", ratio)]);
     let sides = |relation: &str| {
         let (left, right) = inequality.split_once(relation)?;
         let values = [left, right].map(|side| reading::value(side, &letters));

@@ -1,10 +1,11 @@
 //! Is K a rate of the spring? Some places call the torque a rate, which it is not, and some a constant.
 
 use super::newton::Newton;
-use super::runs::{Column, Hypothesis, Row, rows};
+use super::runs::table::rows;
 use super::slips::SPRING_RATE;
 use super::*;
 use crate::Evidence::RungeKutta;
+use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 

@@ -1,10 +1,11 @@
 //! Chapter II to Fig. 8, the abstract, and what the headings of Appendix E say beside their numbers.
 
 use super::inertia::printed_inertia;
-use super::runs::{Column, Hypothesis, Row, rows};
+use super::runs::table::{UNIT, rows, units_in_one};
 use super::*;
 use crate::Evidence::Quadrature;
 use crate::agreement::joined;
+use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_dynamics::steady::SteadyState;
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -63,8 +64,7 @@ pub fn of_parameters() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| {
                 let (bounds, times) = (factors(stated), over_estimate());
                 // The least and the greatest are what is stated, rounded; or all are within somewhat.
-                let ends =
-                    [times.iter().copied().fold(f64::INFINITY, f64::min), times.iter().copied().fold(0.0, f64::max)];
+                let ends = range(times.iter().copied());
                 let exactly = ends.map(f64::round) == [*bounds.start(), *bounds.end()];
                 let holds = times.len() == 5 && stated.pick(exactly, ends.iter().all(|times| bounds.contains(times)));
                 let each: Vec<String> = times.iter().map(|times| format!("{times:.0}")).collect();
@@ -116,7 +116,7 @@ pub fn of_axis() -> Claim {
 /// The claims in the headings of Appendix E, beside their numbers.
 pub fn of_headings() -> Vec<Claim> {
     vec![
-        runs::of_headings(),
+        runs::headings::of_headings(),
         spring::torque_per_radian(
             "meyer.app-e.torque-unit",
             TABLES,
@@ -135,7 +135,7 @@ fn factors(stated: Stated) -> std::ops::RangeInclusive<f64> {
 
 /// The inertias of the runs over the estimate, by size.
 fn over_estimate() -> Vec<f64> {
-    let estimate = 1e6 * printed_inertia();
+    let estimate = units_in_one(UNIT) * printed_inertia();
     let ids = ["meyer.app-e.4-pin.driver", "meyer.app-e.6-pin.follower", "meyer.app-e.6-pin.driver"];
     let more = ["meyer.app-e.3-pin.follower", "meyer.app-e.4-pin.follower"];
     ids.iter().chain(&more).map(|id| printed(id) / estimate).collect()

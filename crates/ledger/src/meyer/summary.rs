@@ -2,11 +2,12 @@
 
 use super::general_statements::with;
 use super::newton::Newton;
-use super::runs::{Column, Hypothesis, Row, rows};
+use super::runs::table::rows;
 use super::terms::starts;
 use super::*;
 use crate::Decimal;
 use crate::Evidence::{Quadrature, RungeKutta};
+use geneva_case1973::{Column, Hypothesis, Row};
 use std::sync::OnceLock;
 
 const ABSTRACT: Place = at("Abstract, last paragraph");

@@ -48,16 +48,3 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "δW", ours: r"\delta W", meaning: "virtual work" },
     Symbol { printed: "I", ours: r"k\sin\theta", meaning: "in the program; elsewhere a moment of inertia" },
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_symbol_of_ours_stands_for_one_thing() {
-        for symbol in SYMBOLS {
-            let alike = SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count();
-            assert_eq!(alike, 1, "{}", symbol.ours);
-        }
-    }
-}

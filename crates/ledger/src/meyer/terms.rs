@@ -5,7 +5,8 @@
 //! agree.
 
 use super::by_steps::{self, Motion};
-use super::runs::{Hypothesis, Row, rows};
+use super::runs::table::rows;
+use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::steady::{Cycle, Engagement};
 use std::sync::OnceLock;
 
@@ -117,7 +118,7 @@ pub const TERMS: [Term; 8] = [
         known_by: &["any of the three mechanisms"],
         meaning: "what the thesis says of the curves of Fig. 8, it says of all runs",
         rests_on: "chapter II, sentence after Fig. 8",
-        measure: "runs::rows",
+        measure: "table::rows",
         claims: &[
             "meyer.shape",
             "meyer.scales",

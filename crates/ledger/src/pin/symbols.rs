@@ -24,15 +24,3 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow that shows a sense of rotation" },
     Symbol { printed: r"1 \overline{2}", ours: r"\sqrt{2}", meaning: "a root" },
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_symbol_of_the_book_stands_for_one_thing() {
-        for symbol in SYMBOLS {
-            assert_eq!(SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count(), 1, "{}", symbol.ours);
-        }
-    }
-}

@@ -23,15 +23,3 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "a, A", ours: r"a", meaning: "acceleration" },
     Symbol { printed: "n, t", ours: r"\mathrm{n}, \mathrm{t}", meaning: "normal to a path and along it" },
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_symbol_of_the_book_stands_for_one_thing() {
-        for symbol in SYMBOLS {
-            assert_eq!(SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count(), 1, "{}", symbol.ours);
-        }
-    }
-}

@@ -85,7 +85,7 @@ const OTHER_ANGLE: Slip = Slip {
               sine of an angle, and to the printed digits this angle is β.",
     origin: Origin::Misprint,
     consequence: Consequence::Derivation,
-    changes: "No number changes, because both speeds were computed with β.",
+    changes: "The correction changes no number, because the solution computed both speeds with β.",
 };
 
 /// Whether the ratio of a printed speed to the printed speed of the pin belongs to β and not to the printed angle.

@@ -20,7 +20,7 @@ mod value;
 pub use changed::changed_part;
 pub use exact::{Exact, decide, decide_joined, decide_multiple};
 pub use misprints::{Class, Misprint, misprints};
-pub use moment::{Letters, Moment};
+pub use moment::{Letters, Moment, by_name};
 pub use number::Number;
 pub use pieces::{GREEK, Piece, pieces};
 pub use places::places_changed;

@@ -9,6 +9,11 @@ use std::collections::BTreeMap;
 /// What each letter stands for at one instant, by its [`name`].
 pub type Letters<N = f64> = BTreeMap<String, N>;
 
+/// What letters stand for, from their names and values.
+pub fn by_name<'a, N>(values: impl IntoIterator<Item = (&'a str, N)>) -> Letters<N> {
+    values.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+}
+
 /// What the names of a formula stand for at one instant, and how fast it changes.
 #[derive(Clone, Debug)]
 pub struct Moment<N = f64> {

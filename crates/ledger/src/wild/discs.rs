@@ -5,7 +5,7 @@ use super::models::{SHIPPED, macro_sizes, size, whole};
 use super::*;
 use crate::agreement::agrees;
 use crate::by_id::characters;
-use crate::tex::{Letters, Moment, value};
+use crate::tex::{Moment, by_name, value};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use nalgebra::Vector2;
@@ -196,7 +196,7 @@ fn freecad_wheels() -> [Drawn; 2] {
 /// towards the wheel's.
 fn towards_the_wheel(characters: &str, y: f64, b: f64) -> f64 {
     let formula = characters.strip_prefix("x =").unwrap_or_default();
-    -value(formula, &Letters::from([("y".to_owned(), y), ("b".to_owned(), b)]))
+    -value(formula, &by_name([("y", y), ("b", b)]))
 }
 
 /// How the macro's wheels are read.
@@ -295,7 +295,7 @@ fn cosmo() -> Claim {
     let drawn = |stated: Stated| {
         let fitting = 16.0 * 3f64.sqrt();
         let rim = stated.characters().rsplit(", ").next().unwrap_or_default();
-        let rim = stated.pick(value(rim, &Letters::from([("b".to_owned(), fitting)])), fitting);
+        let rim = stated.pick(value(rim, &by_name([("b", fitting)])), fitting);
         Drawn::fitting(6, 16.0, rim, [0.0, 11.225], 11.125).with_wheel_for_cut()
     };
     COSMO

@@ -377,8 +377,8 @@ fn from_entry() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "crank and slot are at right angles at the start of a move if their scalar product is zero, and it \
-                     is {:.2} times the product of crank radius and centre distance",
+                    "at the start of a move the scalar product of crank and slot should be zero, and it is {:.2} times the \
+                     product of crank radius and centre distance",
                     aside(4)
                 ),
             )

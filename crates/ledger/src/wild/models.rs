@@ -7,7 +7,7 @@
 use super::fit::{ANY, counted};
 use super::*;
 use crate::agreement::vanishes;
-use crate::tex::{Letters, value};
+use crate::tex::{Letters, by_name, value};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use nalgebra::Vector2;
@@ -172,7 +172,7 @@ fn freecad_count() -> Claim {
     let cut = |stated: Stated, slots: u32| {
         let (count, pitch) = stated.characters().split_once(", ").unwrap_or_default();
         let count = count.strip_prefix("range(").and_then(|count| count.strip_suffix(')')).unwrap_or_default();
-        let letters = Letters::from([("n".to_owned(), f64::from(slots))]);
+        let letters = by_name([("n", f64::from(slots))]);
         (whole(value(count, &letters)), value(pitch, &letters))
     };
     MACRO
@@ -292,7 +292,7 @@ fn counter() -> Claim {
         |stated| {
             let (slots, crank) = (stated.count(), 25.0);
             let (_, rim) = stated.characters().split_once(": ").unwrap_or_default();
-            let rim = value(&in_tex(rim), &Letters::from([("r".to_owned(), crank)]));
+            let rim = value(&in_tex(rim), &by_name([("r", crank)]));
             Drawn { rim, ..Drawn { slots, crank, centres: crank, rim }.fitting() }
         },
         (
@@ -405,7 +405,7 @@ fn pitter_arcs() -> Claim {
 fn directions(characters: &str, of: &str) -> [f64; 6] {
     let parts = || characters.split(", ").filter_map(|part| part.split_once(" for "));
     let formula = parts().find(|(_, names)| names.contains(of)).map_or(String::new(), |(formula, _)| in_tex(formula));
-    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(|i| value(&formula, &Letters::from([("i".to_owned(), i)])).to_radians())
+    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(|i| value(&formula, &by_name([("i", i)])).to_radians())
 }
 
 /// Whether at rest one of the slots has the direction in which the pin leaves the wheel, whichever arc then points to the

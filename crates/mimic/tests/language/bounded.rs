@@ -2,24 +2,13 @@
 //!
 //! `GENEVA_FUZZ` says how many random decks are tried, and `GENEVA_FUZZ_SEED` which.
 
+use fastrand::Rng;
 use geneva_mimic::Parameters;
 use geneva_mimic::language::{Choices, DECKS, DataSet, Deck, FUNCTIONS, Layout, Program, print_out};
 
-/// Numbers that look random and are the same everywhere.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, most: usize) -> usize {
-        // Marsaglia's xorshift.
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % most as u64) as usize
-    }
-
-    fn pick<'a>(&mut self, all: &[&'a str]) -> &'a str {
-        all[self.below(all.len())]
-    }
+/// One of several words.
+fn pick<'a>(dice: &mut Rng, all: &[&'a str]) -> &'a str {
+    all[dice.usize(..all.len())]
 }
 
 /// A number that the environment gives, or a usual one.
@@ -28,8 +17,8 @@ fn given(variable: &str, usual: u64) -> u64 {
 }
 
 /// How many decks are tried, and the dice for them.
-fn rounds(seed: u64) -> (usize, Dice) {
-    (given("GENEVA_FUZZ", 1500) as usize, Dice(given("GENEVA_FUZZ_SEED", seed).max(1)))
+fn rounds(seed: u64) -> (usize, Rng) {
+    (given("GENEVA_FUZZ", 1500) as usize, Rng::with_seed(given("GENEVA_FUZZ_SEED", seed)))
 }
 
 /// Tells the deck that was tried, if it panics.
@@ -104,9 +93,9 @@ fn fuzz_decks_with_changed_signs_are_read_or_refused() {
     for round in 0..rounds {
         let (_, text) = DECKS[round % DECKS.len()];
         let mut text: Vec<char> = text.chars().collect();
-        for _ in 0..=dice.below(4) {
-            let (at, sign) = (dice.below(text.len()), signs[dice.below(signs.len())]);
-            match dice.below(3) {
+        for _ in 0..=dice.usize(..4) {
+            let (at, sign) = (dice.usize(..text.len()), signs[dice.usize(..signs.len())]);
+            match dice.usize(..3) {
                 0 => text[at] = sign,
                 1 => text.insert(at, sign),
                 _ => drop(text.remove(at)),
@@ -126,9 +115,9 @@ fn fuzz_decks_with_changed_cards_and_numbers_are_read_or_refused() {
     for round in 0..rounds {
         let (_, text) = DECKS[round % DECKS.len()];
         let mut cards: Vec<String> = text.lines().map(str::to_owned).collect();
-        for _ in 0..=dice.below(3) {
-            let (one, other) = (dice.below(cards.len()), dice.below(cards.len()));
-            match dice.below(5) {
+        for _ in 0..=dice.usize(..3) {
+            let (one, other) = (dice.usize(..cards.len()), dice.usize(..cards.len()));
+            match dice.usize(..5) {
                 0 => cards.swap(one, other),
                 1 => drop(cards.remove(one)),
                 2 => cards.insert(one, cards[other].clone()),
@@ -136,10 +125,10 @@ fn fuzz_decks_with_changed_cards_and_numbers_are_read_or_refused() {
                 _ => {
                     let digits = |sign: char| sign.is_ascii_digit() || sign == '.';
                     let places: Vec<usize> = cards[one].match_indices(digits).map(|(at, _)| at).collect();
-                    if let Some(at) = places.get(dice.below(places.len().max(1))) {
+                    if let Some(at) = places.get(dice.usize(..places.len().max(1))) {
                         let rest = cards[one][*at..].trim_start_matches(digits).to_owned();
                         cards[one] =
-                            cards[one][..*at].trim_end_matches(digits).to_owned() + dice.pick(&numbers) + &rest;
+                            cards[one][..*at].trim_end_matches(digits).to_owned() + pick(&mut dice, &numbers) + &rest;
                     }
                 }
             }
@@ -158,7 +147,7 @@ fn fuzz_random_cards_are_read_or_refused() {
     for _ in 0..rounds {
         let mut text = String::from(" L FSW(T-.3,TRUE,FALSE,FALSE)\n");
         for name in ["A", "B", "C", "1DX"] {
-            let control = if dice.below(6) == 0 { " L" } else { "" };
+            let control = if dice.usize(..6) == 0 { " L" } else { "" };
             text += &format!("{control} {name} = {}\n", expression(&mut dice, &names, 3));
         }
         text += " OUT(T,A,B,C)\n PLO(A,B,C)\n FIN(T,.5)\n END\n";
@@ -169,22 +158,22 @@ fn fuzz_random_cards_are_read_or_refused() {
 }
 
 /// An expression of some depth, mostly well formed.
-fn expression(dice: &mut Dice, names: &[&str], depth: usize) -> String {
-    if depth == 0 || dice.below(4) == 0 {
-        return dice.pick(names).to_owned();
+fn expression(dice: &mut Rng, names: &[&str], depth: usize) -> String {
+    if depth == 0 || dice.usize(..4) == 0 {
+        return pick(dice, names).to_owned();
     }
     let mut part = || expression(dice, names, depth - 1);
     let (first, second, third, fourth) = (part(), part(), part(), part());
-    match dice.below(8) {
+    match dice.usize(..8) {
         0..=2 => {
-            let sign = dice.pick(&["+", "-", "*", "/", "**"]);
+            let sign = pick(dice, &["+", "-", "*", "/", "**"]);
             format!("({first}{sign}{second})")
         }
         3 => format!("-({first})"),
         4 => format!("INT({first},{second})"),
         5 => format!("TDL({first},.1)"),
         _ => {
-            let function = FUNCTIONS[dice.below(FUNCTIONS.len())];
+            let function = FUNCTIONS[dice.usize(..FUNCTIONS.len())];
             let arguments = [first, second, third, fourth];
             let count = function.arguments.split(", ").filter(|letter| *letter != "...").count().min(4);
             format!("{}({})", function.name, arguments[..count].join(","))

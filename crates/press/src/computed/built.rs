@@ -5,9 +5,9 @@ use super::{Number, most, over};
 use crate::asked::value;
 use crate::numbers::fixed;
 use crate::rows::{number, number_with, numbers, weakest as weakest_of};
+use geneva_case1973::{Row, least_braked, strongest, weakest};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::Row;
-use geneva_ledger::meyer::runs::choice::{least_braked, strongest, weakest};
+use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of these sections.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -17,11 +17,11 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("built.blow.share.three", || shares(Mechanism::THREE_PIN, CROSSING)),
     ("built.blow.most", || {
         let both = |row| Ok(100.0 * (with_play(row, PLAY, CROSSING)? + with_play(row, PLAY, ENTRY)?));
-        Ok(format!("{}&nbsp;%", fixed(most(&all(weakest(), both)?), 0)))
+        Ok(format!("{}&nbsp;%", fixed(most(&all(weakest(rows()), both)?), 0)))
     }),
     ("built.blow.half", || {
         let energy = |row, play| with_play(row, play, "crossing_energy");
-        over(&all(weakest(), |row| Ok(energy(row, PLAY)? / energy(row, PLAY / 2.0)?))?, 1)
+        over(&all(weakest(rows()), |row| Ok(energy(row, PLAY)? / energy(row, PLAY / 2.0)?))?, 1)
     }),
     ("built.entry.six", || shares(Mechanism::SIX_PIN, ENTRY)),
     ("built.entry.four", || shares(Mechanism::FOUR_PIN, ENTRY)),
@@ -40,10 +40,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("built.ratio-run.four", || Ok(fixed(run(Mechanism::FOUR_PIN, "inertia_ratio")?, 3))),
     ("built.ratio-run.three", || Ok(fixed(run(Mechanism::THREE_PIN, "inertia_ratio")?, 3))),
     ("built.friction", || {
-        let powers: Vec<f64> = numbers(weakest(), "friction_power")?.iter().map(|power| -1.0 / power).collect();
+        let powers: Vec<f64> = numbers(weakest(rows()), "friction_power")?.iter().map(|power| -1.0 / power).collect();
         Ok(over(&powers, 1)? + "&nbsp;%")
     }),
-    ("built.force", || Ok(fixed(most(&all(strongest(), |row| with_play(row, PLAY, "pin_force_n"))?), 0))),
+    ("built.force", || Ok(fixed(most(&all(strongest(rows()), |row| with_play(row, PLAY, "pin_force_n"))?), 0))),
 ];
 
 /// The play between pin and slot, in crank radii.
@@ -69,20 +69,20 @@ fn all<'a>(
 
 /// Part of a beat's work that a blow takes, in per cent, over the frictions of a mechanism.
 fn shares(mechanism: Mechanism, blow: &str) -> anyhow::Result<String> {
-    let own = weakest().filter(|row| row.mechanism == mechanism);
+    let own = weakest(rows()).filter(|row| row.mechanism == mechanism);
     Ok(over(&all(own, |row| Ok(100.0 * with_play(row, PLAY, blow)?))?, 1)? + "&nbsp;%")
 }
 
 /// The greatest speed with which pin and flank meet, with the strongest springs of a mechanism, in m/s.
 fn speed(mechanism: Mechanism) -> anyhow::Result<String> {
-    let own = strongest().filter(|row| row.mechanism == mechanism);
+    let own = strongest(rows()).filter(|row| row.mechanism == mechanism);
     let speeds = all(own, |row| with_play(row, PLAY, "crossing_speed_m_s"))?;
     Ok(format!("{}&nbsp;m/s", fixed(most(&speeds), 2)))
 }
 
 /// A number of the runs of a mechanism, whatever the friction and the spring.
 fn run(mechanism: Mechanism, key: &str) -> anyhow::Result<f64> {
-    number(weakest_of(least_braked(mechanism))?, key)
+    number(weakest_of(least_braked(rows(), mechanism))?, key)
 }
 
 /// The friction from which the runs of a mechanism may jam.
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_pin_with_so_much_play_that_it_leaves_its_slot_first_has_no_blow() {
-        let row = strongest().next().expect("a run");
+        let row = strongest(rows()).next().expect("a run");
         assert!(with_play(row, PLAY, CROSSING).expect("it crosses") > 0.0);
         assert!(with_play(row, 0.9, CROSSING).is_err());
     }

@@ -3,8 +3,9 @@
 use super::Number;
 use crate::lookup::{judged, of_documents};
 use crate::rows::score;
+use geneva_case1973::{Hypothesis, Row};
 use geneva_ledger::meyer::runs::data::inputs;
-use geneva_ledger::meyer::runs::{Hypothesis, Row, rows};
+use geneva_ledger::meyer::runs::table::rows;
 use geneva_ledger::{Consequence, Decimal, Judged, Truth, claim, slips_of};
 
 /// What changes a result or a conclusion.

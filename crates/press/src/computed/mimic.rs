@@ -3,8 +3,10 @@
 use super::Number;
 use crate::html::escape;
 use anyhow::Context;
+use geneva_case1973::{Column, Reset};
 use geneva_ledger::claim;
-use geneva_ledger::meyer::runs::{self, Column, Reset, deck, rows};
+use geneva_ledger::meyer::runs::study::{AS_LISTED, by_deck};
+use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the page on the language.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -17,12 +19,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
 
 /// What makes the escapement's deck that of the thesis, as options of the command line.
 fn as_listed() -> String {
-    let set = deck::AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", claim(id)?.printed)));
+    let set = AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", claim(id)?.printed)));
     format!("<code>{}</code>", escape(&set.collect::<Vec<_>>().join(" ")))
 }
 
 /// In how many rows a column comes within one unit of the last printed place.
 fn within_one(column: Column) -> anyhow::Result<String> {
-    let runs = deck::runs(Reset::QuarterTurn).context("the escapement's deck does not run")?;
-    Ok(runs::within_one(column, runs).to_string())
+    let runs = by_deck(Reset::QuarterTurn).context("the escapement's deck does not run")?;
+    Ok(geneva_case1973::within_one(column, rows(), runs).to_string())
 }

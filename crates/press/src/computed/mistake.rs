@@ -2,9 +2,9 @@
 
 use super::Number;
 use crate::rows::score;
+use geneva_case1973::{EXPLAINED, Hypothesis, Reset, rows_of};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::rows_of;
-use geneva_ledger::meyer::runs::{EXPLAINED, Hypothesis, Reset, rows};
+use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the page.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -15,7 +15,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
         let score = score(&Hypothesis::WITHOUT_LAG)?;
         Ok(score.within_one_of(&[Mechanism::FOUR_PIN]).to_string())
     }),
-    ("mistake.four.cells", || Ok((EXPLAINED.len() * rows_of(Mechanism::FOUR_PIN).count()).to_string())),
+    ("mistake.four.cells", || Ok((EXPLAINED.len() * rows_of(rows(), Mechanism::FOUR_PIN).len()).to_string())),
     ("mistake.as-run", || within_one(&Hypothesis::AS_RUN)),
 ];
 

@@ -3,9 +3,9 @@
 use super::Number;
 use crate::numbers::signed;
 use anyhow::Context;
+use geneva_case1973::{Column, Hypothesis, Row, rows_of};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::rows_of;
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Row};
+use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the chapter on the corrected tables.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -34,7 +34,7 @@ fn ends(all: impl Iterator<Item = anyhow::Result<f64>>) -> anyhow::Result<[f64; 
 /// Printed over right, less one, in per cent: from the least to the greatest of a column.
 fn range(mechanism: Mechanism, column: Column) -> anyhow::Result<String> {
     let off = |row: &Row| Ok(100.0 * (row.number(column) / right(row, column)? - 1.0));
-    let [least, greatest] = ends(rows_of(mechanism).map(off))?;
+    let [least, greatest] = ends(rows_of(rows(), mechanism).iter().map(off))?;
     Ok(format!("{} to {}&nbsp;%", signed(least, 0), signed(greatest, 0)))
 }
 
@@ -43,8 +43,8 @@ fn quotients(peak: impl Fn(&Row) -> anyhow::Result<f64>) -> anyhow::Result<Strin
     let alike = |one: &Row, other: &Row| {
         [Column::Friction, Column::Torque].into_iter().all(|column| one.printed(column) == other.printed(column))
     };
-    let pairs = rows_of(Mechanism::THREE_PIN).filter_map(|three| {
-        let four = rows_of(Mechanism::FOUR_PIN).find(|four| alike(three, four))?;
+    let pairs = rows_of(rows(), Mechanism::THREE_PIN).iter().filter_map(|three| {
+        let four = rows_of(rows(), Mechanism::FOUR_PIN).iter().find(|four| alike(three, four))?;
         Some((three, four))
     });
     let [least, greatest] = ends(pairs.map(|(three, four)| Ok(peak(three)? / peak(four)?)))?;

@@ -3,9 +3,11 @@
 
 use super::Number;
 use anyhow::Context;
-use geneva_case1973::deck::{longer_than_delay, turned_when_backwards};
+use geneva_case1973::deck::{as_listed, deck, longer_than_delay, turned_when_backwards};
+use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::{Column, Constants, Hypothesis, Reset, Row, Run, deck, listing, rows};
+use geneva_ledger::meyer::runs::study::by_deck;
+use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_mimic::language::{Deck, Layout, Program, deck_named};
 
 /// The numbers of the chapter on the program.
@@ -27,7 +29,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("program.long-steps", long_steps),
     ("program.backwards-after", || {
         let row = rows().first().context("there is no run")?;
-        let turned = turned_when_backwards(row, &deck::as_listed()).context("the follower never runs backwards")?;
+        let turned = turned_when_backwards(row, &as_listed(&listing())).context("the follower never runs backwards")?;
         Ok(super::degrees(turned))
     }),
     ("program.three-at-the-reset", || Ok(format!("{:.2}", listing().velocity_ratio_at_reset(Mechanism::THREE_PIN)))),
@@ -39,7 +41,7 @@ const OLD_ACCELERATION: &str = "TDL(ACCEL,DT/10.,100.)";
 
 /// The escapement's deck as it stands.
 fn own() -> anyhow::Result<Program> {
-    Ok(Program::new(&deck::deck(&[]).context("there is no such deck")?)?)
+    Ok(Program::new(&deck(&[]).context("there is no such deck")?)?)
 }
 
 /// What part of the steps is longer than the delay, from the least to the greatest of all runs of the deck with the
@@ -72,7 +74,7 @@ fn within_one<'a>(column: Column, runs: impl Iterator<Item = (&'a Row, Option<Ru
 
 /// By the deck as it stands: each mechanism's own angle from pin to pin.
 fn of_own_reset(four_pins: bool, column: Column) -> anyhow::Result<String> {
-    let runs = deck::runs(Reset::OfTheMechanism).context("the escapement's deck does not run")?;
+    let runs = by_deck(Reset::OfTheMechanism).context("the escapement's deck does not run")?;
     let of_these = |(row, _): &(&Row, Option<Run>)| (row.mechanism == Mechanism::FOUR_PIN) == four_pins;
     Ok(within_one(column, rows().iter().zip(runs.iter().copied().map(Some)).filter(of_these)))
 }
@@ -99,7 +101,7 @@ mod tests {
     #[test]
     fn the_follower_of_six_pins_runs_backwards_only_with_the_reset_as_listed_and_only_past_60_degrees() {
         let row = rows().first().expect("a run");
-        let turned = turned_when_backwards(row, &deck::as_listed()).expect("it runs backwards").to_degrees();
+        let turned = turned_when_backwards(row, &as_listed(&listing())).expect("it runs backwards").to_degrees();
         assert!((60.0..63.0).contains(&turned), "{turned}");
         assert!(turned_when_backwards(row, &[]).is_none());
     }

@@ -6,14 +6,16 @@ use crate::numbers::{fixed, significant};
 use crate::rows::score;
 use anyhow::Context;
 use geneva_case1973::chance::Shuffled;
-use geneva_case1973::choice::rows_of as table_of;
 use geneva_case1973::fitted::Freed;
-use geneva_case1973::rise_times::{with_more_friction, with_more_torque};
+use geneva_case1973::rise_times::{Group, OF_A_PART, Tried, groups};
 use geneva_case1973::weighing::{Others, margins};
+use geneva_case1973::{
+    Column, EXPLAINED, Fit, Hypothesis, Reset, Row, Score, Trend, pairs_by_friction, pairs_by_torque, rows_of, series,
+};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::rise_times::{Group, OF_A_PART, Tried, explained, groups};
 use geneva_ledger::meyer::runs::statistics::{LITTLE, shuffled, statistic};
-use geneva_ledger::meyer::runs::{EXPLAINED, Fit, Hypothesis, Reset, Row, Score, rows, scores, series};
+use geneva_ledger::meyer::runs::study::{explained, scores};
+use geneva_ledger::meyer::runs::table::rows;
 use geneva_ledger::meyer::terms::MISSING;
 use geneva_ledger::{Decimal, Judged, Verdict};
 
@@ -33,7 +35,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.others.by-chance", || rounded("runs.others.by-chance")),
     ("runs.others.by-chance.mechanisms", || rounded("runs.others.by-chance.mechanisms")),
     ("runs.others.as-many", || Ok(format!("{}&nbsp;%", rounded("runs.others.as-many")?))),
-    ("runs.groups", || Ok(series().count().to_string())),
+    ("runs.groups", || Ok(series(rows()).count().to_string())),
     ("runs.reset", || rounded("runs.reset")),
     ("runs.reset.one-row", || Ok(fixed(number("runs.reset.one-row")?.floor(), 0))),
     ("runs.margin", || Ok(fixed(number("runs.margin")?.floor(), 0))),
@@ -50,7 +52,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("freed.three.quarter", || rounded("freed.three.quarter")),
     ("freed.six.less-friction", || rounded("freed.six.less-friction")),
     ("freed.three.less-friction", || {
-        let freed = Freed::with_friction(table_of(rows(), Mechanism::THREE_PIN), Reset::OfTheMechanism, LITTLE);
+        let freed = Freed::with_friction(rows_of(rows(), Mechanism::THREE_PIN), Reset::OfTheMechanism, LITTLE);
         Ok(freed.context("no inertias give a table a motion")?.within_one().to_string())
     }),
     ("runs.least-spread", || Ok(format!("{:.2}", least_spread()))),
@@ -79,12 +81,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.by-chance.equal-torques.most", || greatest(shuffled(Shuffled::AmongEqualTorques))),
     ("rise.profile", || own_meaning(0)),
     ("rise.average", || own_meaning(1)),
-    ("rise.torque.pairs", || Ok(with_more_torque(rows()).pairs.to_string())),
-    ("rise.torque.up", || Ok(with_more_torque(rows()).up.to_string())),
-    ("rise.torque.equal", || Ok(with_more_torque(rows()).equal.to_string())),
-    ("rise.friction.pairs", || Ok(with_more_friction(rows()).pairs.to_string())),
-    ("rise.friction.up", || Ok(with_more_friction(rows()).up.to_string())),
-    ("rise.friction.equal", || Ok(with_more_friction(rows()).equal.to_string())),
+    ("rise.torque.pairs", || Ok(with_more_torque().pairs.to_string())),
+    ("rise.torque.up", || Ok(with_more_torque().up.to_string())),
+    ("rise.torque.equal", || Ok(with_more_torque().equal.to_string())),
+    ("rise.friction.pairs", || Ok(with_more_friction().pairs.to_string())),
+    ("rise.friction.up", || Ok(with_more_friction().up.to_string())),
+    ("rise.friction.equal", || Ok(with_more_friction().equal.to_string())),
     ("runs.to-one-unit", || {
         let only_to_a_unit = |row: &&Row| -> anyhow::Result<usize> {
             let mut count = 0;
@@ -104,12 +106,24 @@ pub const NUMBERS: &[(&str, Number)] = &[
         let verdicts = verdicts.collect::<anyhow::Result<Vec<_>>>()?;
         Ok(verdicts.iter().filter(|verdict| **verdict == Verdict::ReproducedInError).count().to_string())
     }),
-    ("rise.groups", || Ok(groups().len().to_string())),
-    ("rise.groups.without", || Ok(groups().iter().filter(|group| !group.possible).count().to_string())),
-    ("rise.groups.but-for-one", || Ok(groups().iter().filter(|group| bears_one_number(group)).count().to_string())),
+    ("rise.groups", || Ok(groups(rows()).len().to_string())),
+    ("rise.groups.without", || Ok(groups(rows()).iter().filter(|group| !group.possible).count().to_string())),
+    ("rise.groups.but-for-one", || {
+        Ok(groups(rows()).iter().filter(|group| bears_one_number(group)).count().to_string())
+    }),
 ];
 
 /// The most rows that any of these definitions explains, as run or for the mechanism.
+/// The printed rise times with more torque and all else the same.
+fn with_more_torque() -> Trend {
+    Trend::of(Column::Rise, pairs_by_torque(rows()))
+}
+
+/// The printed rise times with more friction and all else the same.
+fn with_more_friction() -> Trend {
+    Trend::of(Column::Rise, pairs_by_friction(rows()))
+}
+
 fn most_explained(wanted: fn(&Tried) -> bool) -> usize {
     let own = explained().iter().filter(|tried| wanted(tried));
     own.map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max().unwrap_or(0)

@@ -3,11 +3,10 @@
 use super::{Number, most, over};
 use crate::rows::{NONE, numbers};
 use anyhow::Context;
-use geneva_case1973::obeys;
 use geneva_case1973::rise_times::is_steady_from_the_first_minimum;
+use geneva_case1973::{Column, obeys, rows_of, series};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::rows_of;
-use geneva_ledger::meyer::runs::{Column, rows, series};
+use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -16,7 +15,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("terminal-speed.multiplier.six-pin", || multiplier(Mechanism::SIX_PIN)),
     ("terminal-speed.minimum", || angle("minimum_angle_deg")),
     ("terminal-speed.reversal", || angle("reversal_angle_deg")),
-    ("terminal-speed.law.groups", || Ok(series().count().to_string())),
+    ("terminal-speed.law.groups", || Ok(series(rows()).count().to_string())),
     ("terminal-speed.law.minima", || Ok(obeying(Column::Minimum, 0.5).to_string())),
     ("terminal-speed.law.periods", || Ok(obeying(Column::Period, -0.5).to_string())),
     ("terminal-speed.law.peaks", || Ok(obeying(Column::Peak, 0.5).to_string())),
@@ -29,12 +28,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
 
 /// In how many groups of runs the printed numbers of a column go as this power of the torque, each to one unit.
 fn obeying(column: Column, power: f64) -> usize {
-    series().filter(|own| obeys(own, column, power)).count()
+    series(rows()).filter(|own| obeys(own, column, power)).count()
 }
 
 /// What an engagement leaves of a small difference at most, over the rows of a mechanism.
 fn multiplier(mechanism: Mechanism) -> anyhow::Result<String> {
-    Ok(format!("{:.3}", most(&numbers(rows_of(mechanism), "multiplier")?)))
+    Ok(format!("{:.3}", most(&numbers(rows_of(rows(), mechanism).iter(), "multiplier")?)))
 }
 
 /// The size of an angle of the steady state in degrees, from the least to the greatest over all rows.

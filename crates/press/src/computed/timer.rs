@@ -8,17 +8,17 @@ use crate::tables::joints::effect;
 use crate::tables::timer::{PARTS, lighter};
 use anyhow::Context;
 use geneva_case1973::rise_times::change;
+use geneva_case1973::{Row, least_braked, strongest, weakest};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::Row;
-use geneva_ledger::meyer::runs::choice::{least_braked, strongest, weakest};
+use geneva_ledger::meyer::runs::table::rows;
 use geneva_ledger::meyer::terms::MISSING;
 
 /// The numbers of this chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.minutes.friction.least", || Ok(fixed(least(&lost()?), 0))),
     ("timer.minutes.friction.most", || Ok(fixed(most(&lost()?), 0))),
-    ("timer.power.least", || Ok(signed(most(&numbers(weakest(), "friction_power")?), 2))),
-    ("timer.power.most", || Ok(signed(least(&numbers(weakest(), "friction_power")?), 2))),
+    ("timer.power.least", || Ok(signed(most(&numbers(weakest(rows()), "friction_power")?), 2))),
+    ("timer.power.most", || Ok(signed(least(&numbers(weakest(rows()), "friction_power")?), 2))),
     ("timer.minutes.torque", || Ok(fixed(number(example()?, "torque_rate_s_a_day")? / 60.0, 1))),
     ("timer.two-thirds", || Ok(fixed(HOURS * (1.0 - (2.0_f64 / 3.0).sqrt()), 1))),
     ("timer.brass.castor", || Ok(fixed(STEEL_ON_BRASS[0].0, 2))),
@@ -36,8 +36,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.reported.verge", || Ok(REPORTED[1].to_owned())),
     ("timer.reported.pendulum", || Ok(REPORTED[2].to_owned())),
     ("timer.reported.chronometer", || Ok(REPORTED[3].to_owned())),
-    ("timer.oil.least", || Ok(fixed(100.0 * least(&numbers(weakest(), HALF)?), 0))),
-    ("timer.oil.most", || Ok(format!("{}&nbsp;%", fixed(100.0 * most(&numbers(weakest(), HALF)?), 0)))),
+    ("timer.oil.least", || Ok(fixed(100.0 * least(&numbers(weakest(rows()), HALF)?), 0))),
+    ("timer.oil.most", || Ok(format!("{}&nbsp;%", fixed(100.0 * most(&numbers(weakest(rows()), HALF)?), 0)))),
     ("timer.settling.least", || Ok(fixed(1e3 * least(&settling_times()?), 0))),
     ("timer.settling.most", || Ok(format!("{}&nbsp;ms", fixed(1e3 * most(&settling_times()?), 0)))),
     ("timer.lighter.gain", || Ok(format!("{}&nbsp;%", fixed(100.0 * (1.0 - least(&lighter_times()?)), 0)))),
@@ -85,13 +85,13 @@ const HOURS: f64 = 24.0;
 
 /// The frictions of the runs.
 fn run_with() -> Vec<f64> {
-    weakest().map(Row::friction).collect()
+    weakest(rows()).map(Row::friction).collect()
 }
 
 /// The hours that each mechanism, set right with mineral oil, gains in a day with another of the frictions of steel on brass.
 fn hours_from_mineral_oil(other: usize) -> anyhow::Result<Vec<f64>> {
     let frictions = format!("--friction {} --set-friction {}", STEEL_ON_BRASS[other].0, STEEL_ON_BRASS[1].0);
-    let of = |mechanism| number_with(weakest_of(least_braked(mechanism))?, &frictions, "gain_h_a_day");
+    let of = |mechanism| number_with(weakest_of(least_braked(rows(), mechanism))?, &frictions, "gain_h_a_day");
     Mechanism::ALL.into_iter().map(of).collect()
 }
 
@@ -105,12 +105,12 @@ fn lost_by<'a>(rows: impl Iterator<Item = &'a Row>) -> anyhow::Result<Vec<f64>> 
 
 /// Minutes a day that one per cent more friction costs, of each mechanism and friction.
 fn lost() -> anyhow::Result<Vec<f64>> {
-    lost_by(weakest())
+    lost_by(weakest(rows()))
 }
 
 /// Minutes a day that one per cent more friction costs, from the least to the greatest of a mechanism.
 fn friction_a_day(mechanism: Mechanism) -> anyhow::Result<String> {
-    over(&lost_by(weakest().filter(|row| row.mechanism == mechanism))?, 1)
+    over(&lost_by(weakest(rows()).filter(|row| row.mechanism == mechanism))?, 1)
 }
 
 /// How long each of the compared followers takes to settle, in seconds.
@@ -123,7 +123,7 @@ const TO_SETTLE: &str = "time_to_one_per_cent";
 /// How long each of the lighter followers takes to settle over the one as run, with every mechanism and friction.
 fn lighter_times() -> anyhow::Result<Vec<f64>> {
     let of = |row| PARTS[1..].iter().map(move |part| Ok(lighter(row, *part, TO_SETTLE)? / number(row, TO_SETTLE)?));
-    weakest().flat_map(of).collect()
+    weakest(rows()).flat_map(of).collect()
 }
 
 /// The pin that a measurement leaves out, in crank radii.
@@ -144,15 +144,15 @@ const PER_CENT: f64 = 0.01;
 /// The greatest relative change of the rise time, until the velocity is the steady one at each angle, by one per cent more
 /// of friction or of an inertia, for each mechanism and friction.
 fn rise_changes() -> anyhow::Result<Vec<f64>> {
-    weakest().map(|row| change(row, MISSING, 1.0 + PER_CENT).context(NONE)).collect()
+    weakest(rows()).map(|row| change(row, MISSING, 1.0 + PER_CENT).context(NONE)).collect()
 }
 
 /// The greatest force on the pin over that of the spring at the crank radius.
 fn forces() -> anyhow::Result<Vec<f64>> {
-    Ok(numbers(strongest(), "pin_force_ratio")?.into_iter().map(f64::abs).collect())
+    Ok(numbers(strongest(rows()), "pin_force_ratio")?.into_iter().map(f64::abs).collect())
 }
 
 /// The mean of peak and minimum over the mean speed.
 fn averages() -> anyhow::Result<Vec<f64>> {
-    weakest().map(|row| Ok(number(row, "mean_of_extremes")? / number(row, "mean_speed")?)).collect()
+    weakest(rows()).map(|row| Ok(number(row, "mean_of_extremes")? / number(row, "mean_speed")?)).collect()
 }

@@ -9,14 +9,14 @@ use crate::rows::{NONE, example, question};
 use crate::{live, lookup};
 use anyhow::Context;
 use geneva_ask::escapement::{Design, Drawing, Question};
+use geneva_case1973::{Hypothesis, weakest};
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::meyer::runs::Hypothesis;
-use geneva_ledger::meyer::runs::choice::weakest;
+use geneva_ledger::meyer::runs::table::rows;
 use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
 
 /// Draws a figure for the printed data of its source.
@@ -152,7 +152,7 @@ fn mechanism(slots: u32) -> anyhow::Result<Figure> {
 /// The runs of the thesis as points of the map: one for each mechanism and friction, whatever the torque.
 fn designs() -> anyhow::Result<Vec<escapement::Design>> {
     let design = |row| Ok(escapement::Design::of(&Hypothesis::IDEAL.parameters(row).context(NONE)?));
-    weakest().map(design).collect()
+    weakest(rows()).map(design).collect()
 }
 
 #[cfg(test)]

@@ -6,15 +6,14 @@ use crate::numbers::fixed;
 use crate::rows::{self, NONE, number, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
-use geneva_case1973::choice::rows_of as table_of;
+use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Score, least_braked, rows_of};
 use geneva_figures::Figure;
 use geneva_figures::runs::{self, Compared, Count, Group, Lag, Scan};
 use geneva_figures::steady::{self, Measurement};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
-use geneva_ledger::meyer::runs::{
-    Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Score, delays, listing, rows, scores,
-};
+use geneva_ledger::meyer::runs::choice::{comparable, of_fig_8 as rows_of_fig_8};
+use geneva_ledger::meyer::runs::study::{delays, scores};
+use geneva_ledger::meyer::runs::table::{listing, rows};
 
 /// Printed against computed numbers of all cells: of the mechanisms as they are, and of the program as listed.
 pub fn agreement() -> anyhow::Result<Figure> {
@@ -23,7 +22,7 @@ pub fn agreement() -> anyhow::Result<Figure> {
     };
     let compared =
         [of(&Hypothesis::IDEAL, "real mechanisms")?, of(&Hypothesis::AS_RUN, "the program with its mistake")?];
-    let inertias = Mechanism::ALL.into_iter().filter_map(|mechanism| rows_of(mechanism).next()).map(|row| {
+    let inertias = Mechanism::ALL.into_iter().filter_map(|mechanism| rows_of(rows(), mechanism).first()).map(|row| {
         let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(row).map(|inertia| fixed(1e6 * inertia, 0));
         format!("{driver} and {follower} with {} pins", row.mechanism.pins())
     });
@@ -39,7 +38,7 @@ pub fn reset_angle() -> anyhow::Result<Figure> {
     /// From half the angle between the pins of three, in half degrees.
     const HALF_DEGREES: std::ops::RangeInclusive<u32> = 120..=240;
     let scan = |mechanism| {
-        let rows = table_of(rows(), mechanism);
+        let rows = rows_of(rows(), mechanism);
         let count = |half_degrees: u32| {
             let angle = f64::from(half_degrees) / 2.0;
             let reset = Reset::After(angle.to_radians());
@@ -77,7 +76,7 @@ pub fn lags() -> anyhow::Result<Figure> {
 
 /// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
 pub fn printed_too_seldom() -> anyhow::Result<Figure> {
-    let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
+    let row = least_braked(rows(), Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
     let listing = listing();
     Ok(runs::aliasing(&Hypothesis::WITHOUT_LAG.engagement(row).context(NONE)?, listing.interval, listing.duration)?)
 }
@@ -115,19 +114,19 @@ pub fn collapse() -> anyhow::Result<Figure> {
 
 /// A mechanism's rows, with the reset angle and the inertias that explain the tables.
 fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
-    Group::of(&Hypothesis::WITHOUT_LAG, table_of(rows(), mechanism)).context(NONE)
+    Group::of(&Hypothesis::WITHOUT_LAG, rows_of(rows(), mechanism)).context(NONE)
 }
 
 /// The return map of the three-pin run that brakes least: an engagement leaves more of a difference than with four pins, so
 /// that the steps to the steady state can be seen.
 pub fn return_map() -> anyhow::Result<Figure> {
-    let row = weakest(least_braked(Mechanism::THREE_PIN))?;
+    let row = weakest(least_braked(rows(), Mechanism::THREE_PIN))?;
     Ok(steady::return_map(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
 }
 
 /// The speed over the angle of that run, from rest.
 pub fn phase() -> anyhow::Result<Figure> {
-    let row = weakest(least_braked(Mechanism::THREE_PIN))?;
+    let row = weakest(least_braked(rows(), Mechanism::THREE_PIN))?;
     Ok(steady::phase(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
 }
 
@@ -138,7 +137,7 @@ pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
 
 /// Accelerations and pin force over an engagement: of the four-pin runs that brake least the one with the strongest spring.
 pub fn accelerations() -> anyhow::Result<Figure> {
-    let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
+    let row = least_braked(rows(), Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
     let run = format!(
         "four pins, μ = {}, K = {} in lb, inertias as in the runs of the thesis",
         row.printed(Column::Friction),

@@ -4,6 +4,7 @@ use super::inline::badge;
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::tables::chain::scientific;
 use crate::{lookup, maths};
+use anyhow::Context;
 use geneva_figures::notation::NOTATION;
 use geneva_ledger::{Evidence, Judged, Symbol, TOLERANCES, Verdict};
 
@@ -46,12 +47,11 @@ pub fn notation() -> anyhow::Result<Table> {
 /// The letters of a source and the book's: first those of the triangle, in the same order for each source.
 pub fn symbols(slug: &str) -> anyhow::Result<Table> {
     let symbols = lookup::work(slug)?.symbols();
-    let of_triangle = |of: &&Symbol| NOTATION.iter().find(|letter| letter.tex == of.ours);
+    let is_of_triangle = |of: &&Symbol| NOTATION.iter().any(|letter| letter.tex == of.ours);
     let triangle = NOTATION.iter().flat_map(|letter| symbols.iter().filter(|symbol| symbol.ours == letter.tex));
-    let others = symbols.iter().filter(|symbol| of_triangle(symbol).is_none());
+    let others = symbols.iter().filter(|symbol| !is_of_triangle(symbol));
     let rows = triangle.chain(others).map(|symbol| {
-        let parts = [of_triangle(&symbol).map_or("", |letter| letter.meaning), symbol.meaning];
-        let meaning = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
+        let meaning = meaning(symbol);
         // A letter is set as in a formula, with or without an index.
         let is_letter = |letter: &str| letter.contains('_') || letter.chars().count() == 1;
         let letters = with_indices(symbol.printed);
@@ -62,6 +62,22 @@ pub fn symbols(slug: &str) -> anyhow::Result<Table> {
         Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), printed?])
     });
     table("Letters", Cells::Words, &["In this book", "What it stands for", "In the source"], rows)
+}
+
+/// What a letter of the book stands for in the chapters on a source: both are named, the letter in TeX.
+pub fn letter(of: &str) -> anyhow::Result<String> {
+    let (slug, tex) = of.split_once(' ').with_context(|| format!("`{of}`: give a source and a letter, `meyer K`"))?;
+    let symbols = lookup::work(slug)?.symbols();
+    let symbol = symbols.iter().find(|symbol| symbol.ours == tex);
+    let symbol = symbol.ok_or_else(|| lookup::unknown("letter", tex, symbols.iter().map(|symbol| symbol.ours)))?;
+    Ok(escape(&meaning(symbol)))
+}
+
+/// What a letter stands for: as the whole book has it, and what else is to be said in the chapters on the source.
+fn meaning(symbol: &Symbol) -> String {
+    let of_triangle = NOTATION.iter().find(|letter| letter.tex == symbol.ours);
+    let parts = [of_triangle.map_or("", |letter| letter.meaning), symbol.meaning];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ")
 }
 
 /// Letters in TeX: a digit behind a letter is its index.
@@ -76,7 +92,16 @@ fn with_indices(letters: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::with_indices;
+    use super::{letter, with_indices};
+
+    #[test]
+    fn a_letter_says_what_the_table_says_and_an_unknown_one_is_refused() {
+        assert_eq!(letter("meyer K").expect("a letter"), "torque of the spring");
+        assert_eq!(letter("pin R").expect("a letter"), "crank radius");
+        for wrong in ["meyer", "meyer Kk", "mayer K"] {
+            assert!(letter(wrong).is_err(), "{wrong}");
+        }
+    }
 
     #[test]
     fn a_digit_behind_a_letter_is_its_index() {

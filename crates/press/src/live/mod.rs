@@ -8,10 +8,10 @@ use crate::html::escape;
 use crate::lookup;
 use crate::pages::address_of_claim;
 use anyhow::{Context, anyhow};
+use geneva_case1973::{Column, Hypothesis, Listing, Row, SixPin, rows_of};
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::rows_of;
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Listing, Row, SixPin, listing, rows};
+use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::quick_return::Instant as Lever;
 use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, shown};
 
@@ -235,7 +235,7 @@ fn runs() -> anyhow::Result<Arguments> {
     let row =
         |row: &Row| format!("{},{}", row.mechanism.slots(), Column::ALL.map(|column| row.printed(column)).join(","));
     let of = |hypothesis: &Hypothesis, mechanism: Mechanism| {
-        let [driver, follower] = hypothesis.inertias(rows_of(mechanism).next()?);
+        let [driver, follower] = hypothesis.inertias(rows_of(rows(), mechanism).first()?);
         Some(format!("{},{driver:e},{follower:e}", mechanism.slots()))
     };
     let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL };

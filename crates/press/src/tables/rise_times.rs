@@ -2,9 +2,10 @@
 
 use crate::html::{Cells, Table, escape, table};
 use crate::numbers::fixed;
-use geneva_case1973::rise_times::parts;
+use geneva_case1973::rise_times::{EVENTS, Misread, OF_A_PART, Tried, groups as all_groups, parts};
 use geneva_ledger::claims;
-use geneva_ledger::meyer::runs::rise_times::{EVENTS, Misread, OF_A_PART, Tried, explained, groups as all_groups};
+use geneva_ledger::meyer::runs::study::explained;
+use geneva_ledger::meyer::runs::table::rows;
 use geneva_ledger::meyer::terms::{MISSING, TERMS};
 
 /// How many rows each definition explains, with each part of the velocity that may be missing.
@@ -76,7 +77,7 @@ pub fn terms() -> anyhow::Result<Table> {
 
 /// Printed rise times times √K: equal within a group, were they defined by the motion alone.
 pub fn groups() -> anyhow::Result<Table> {
-    let all = all_groups();
+    let all = all_groups(rows());
     let rows = all.iter().map(|group| {
         let scaled: Vec<String> = group.scaled.iter().map(|time| format!("{:.1}", 1e3 * time)).collect();
         let possible = if group.possible { "yes" } else { "no" };

@@ -5,19 +5,19 @@ use crate::lookup::judged;
 use crate::numbers::{fixed, signed};
 use crate::rows::NONE;
 use anyhow::Context;
-use geneva_case1973::choice::rows_of as table_of;
 use geneva_case1973::fitted::{Freed, most_within_one};
 use geneva_case1973::integrator as integrators;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::Others;
+use geneva_case1973::{
+    Column, Constants, Fit, Hypothesis, Lag, Reading, Reset, Row, Score, SixPin, Weighing, rows_of, series, slug,
+};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::Verdict;
-use geneva_ledger::meyer::runs::choice::rows_of;
+use geneva_ledger::meyer::runs::data;
 use geneva_ledger::meyer::runs::statistics::STATISTICS;
-use geneva_ledger::meyer::runs::{
-    Column, Constants, Fit, Hypothesis, Lag, Reading, Reset, Row, Score, SixPin, Weighing, data, delays as all_delays,
-    expected, rows as all_rows, scores, series, slug,
-};
+use geneva_ledger::meyer::runs::study::{delays as all_delays, scores};
+use geneva_ledger::meyer::runs::table::{expected, rows};
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
 pub fn hypotheses() -> anyhow::Result<Table> {
@@ -68,9 +68,9 @@ pub fn weighings() -> anyhow::Result<Table> {
         };
         margins.into_iter().flat_map(|others| Law::ALL.map(|law| of(others, law))).collect::<anyhow::Result<Vec<_>>>()
     };
-    let one_row: Vec<Weighing> = Weighing::one_row_of_each(all_rows()).collect();
+    let one_row: Vec<Weighing> = Weighing::one_row_of_each(rows()).collect();
     let one_row_of_each =
-        format!("and only one row for each mechanism and friction, {} of {}", series().count(), all_rows().len());
+        format!("and only one row for each mechanism and friction, {} of {}", series(rows()).count(), rows().len());
     let ways: [(&str, &[Weighing]); 4] = [
         ("one spread for each column", &[Weighing::BY_COLUMN]),
         ("a spread for each column of each table", &[Weighing::BY_TABLE]),
@@ -97,7 +97,7 @@ pub fn weighings() -> anyhow::Result<Table> {
 pub fn freed() -> anyhow::Result<Table> {
     let of = |mechanism: Mechanism, reset: Reset| {
         let none = "no inertias give a table a motion";
-        let table = table_of(all_rows(), mechanism);
+        let table = rows_of(rows(), mechanism);
         let freed = Freed::inertias(table, reset).context(none)?;
         let [driver, follower] = freed.inertias.map(|inertia| format!("{:.1}", 1e6 * inertia));
         let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(table.first().context(none)?).to_degrees();
@@ -130,7 +130,7 @@ pub fn freed() -> anyhow::Result<Table> {
 /// The peaks that neither the program nor the mechanism gives.
 pub fn unexplained() -> anyhow::Result<Table> {
     let wrong = |row: &&Row| expected(row, Column::Peak) == Some(Verdict::Corrected);
-    let rows = all_rows().iter().filter(wrong).map(|row| {
+    let rows = rows().iter().filter(wrong).map(|row| {
         let id = format!("meyer.app-e.{}.max", row.slug());
         let judged = judged(&id)?;
         let printed = judged.printed_number().context("no printed number")?;
@@ -205,7 +205,7 @@ pub fn delays() -> anyhow::Result<Table> {
 
 /// What changes when the integrator differs in ways that the thesis leaves open.
 pub fn integrator() -> anyhow::Result<Table> {
-    let changes = integrators::changes(all_rows()).context("a run of the program of 1973 comes to no end")?;
+    let changes = integrators::changes(rows()).context("a run of the program of 1973 comes to no end")?;
     let rows = changes.iter().map(|(variant, changes)| {
         let mut row = vec![variant.name.to_owned()];
         row.extend(changes.iter().flat_map(|change| change.most.map(|most| format!("{:.1}", 1e6 * most))));
@@ -281,8 +281,8 @@ pub fn six_pin_as_headed() -> anyhow::Result<Table> {
 }
 
 fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Table> {
-    let first = rows_of(mechanism).next().context("a table without rows")?;
-    let cells = rows_of(mechanism).map(|row| printed_and_right(row, hypothesis));
+    let first = rows_of(rows(), mechanism).first().context("a table without rows")?;
+    let cells = rows_of(rows(), mechanism).iter().map(|row| printed_and_right(row, hypothesis));
     let head = [
         "μ",
         "K",

@@ -3,8 +3,8 @@
 use crate::html::{Cells, Table, table};
 use crate::numbers::signed;
 use crate::rows::{example, number, number_with, question};
-use geneva_ledger::meyer::runs::choice::{strongest, weakest};
-use geneva_ledger::meyer::runs::{Column, Row};
+use geneva_case1973::{Column, Row, strongest, weakest};
+use geneva_ledger::meyer::runs::table::rows;
 
 /// The followers compared: parts of the inertia of the example's.
 pub const PARTS: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
@@ -49,7 +49,7 @@ pub fn settling() -> anyhow::Result<Table> {
 
 /// What one per cent of each quantity makes in a day, and what half the friction does.
 pub fn sensitivity() -> anyhow::Result<Table> {
-    let rows = weakest().map(|row| {
+    let rows = weakest(rows()).map(|row| {
         let rates = [
             "torque_rate_s_a_day",
             "friction_rate_s_a_day",
@@ -83,7 +83,7 @@ pub fn sensitivity() -> anyhow::Result<Table> {
 
 /// The greatest accelerations and forces of the strongest run of each mechanism and friction.
 pub fn accelerations() -> anyhow::Result<Table> {
-    let rows = strongest().map(|row| {
+    let rows = strongest(rows()).map(|row| {
         let of = |key| number(row, key);
         let degrees = |key| Ok::<_, anyhow::Error>(signed(of(key)?, 1) + "°");
         Ok(vec![
@@ -115,7 +115,7 @@ pub fn accelerations() -> anyhow::Result<Table> {
 
 /// The average of the thesis beside the mean speed over a revolution.
 pub fn mean_speed() -> anyhow::Result<Table> {
-    let rows = weakest().map(|row| {
+    let rows = weakest(rows()).map(|row| {
         let [of_extremes, mean] = [number(row, "mean_of_extremes")?, number(row, "mean_speed")?];
         let printed = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
         Ok(vec![

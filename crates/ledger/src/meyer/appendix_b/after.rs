@@ -10,9 +10,10 @@ use crate::agreement::joined;
 use crate::meyer::appendix_d::{
     OTHER_ANGLE, WITHOUT_THE_MINUS, along_the_slots, before_the_line, coming_in, of_the_pins,
 };
-use crate::meyer::runs::{Hypothesis, Row, interval, listing, rows};
+use crate::meyer::runs::table::{listing, rows};
 use geneva_case1973::program::Program;
 use geneva_case1973::witness::steps::Course;
+use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -89,7 +90,7 @@ fn lines() -> Vec<Claim> {
                     let motion = [("E", number(7.0)), ("S", if k % 2 == 0 { 1.0 } else { -1.0 })];
                     let speed = ["theta'", "1DX"].map(|name| (name, number(11.0)));
                     let letters = letters.into_iter().chain(motion).chain(speed);
-                    let letters = letters.map(|(name, value)| (name.to_owned(), value)).collect();
+                    let letters = reading::by_name(letters);
                     agrees(reading::value(line, &letters), reading::value(&derived, &letters))
                 });
                 Finding::new(holds, "we read both formulas and evaluated them for 20 sets of numbers")
@@ -120,7 +121,7 @@ fn angle() -> Vec<Claim> {
                 static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
                 grows(stated, &GROWING, |hypothesis, row| {
                     let program = Program { reset: hypothesis.angle(row), ..Program::of(&hypothesis.parameters(row)?) };
-                    let integrator = geneva_mimic::Parameters::new(interval(), listing().duration);
+                    let integrator = geneva_mimic::Parameters::new(listing().interval, listing().duration);
                     let lines = program.run(&integrator).ok()?.lines;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
@@ -128,7 +129,7 @@ fn angle() -> Vec<Claim> {
             .by(Evidence::Quadrature, |stated| {
                 static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
                 grows(stated, &GROWING, |hypothesis, row| {
-                    let lines = hypothesis.engagement(row)?.run(interval(), listing().duration).ok()?;
+                    let lines = hypothesis.engagement(row)?.run(listing().interval, listing().duration).ok()?;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
             })
@@ -313,13 +314,13 @@ fn end() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| {
                 let listed = printed("meyer.listing.run-length");
                 Finding::new(
-                    agrees(stated.number() + stated.pick(0.0, interval()), listed),
+                    agrees(stated.number() + stated.pick(0.0, listing().interval), listed),
                     format!("the program ends at {listed} s"),
                 )
             })
             .by(Evidence::Program, |stated| {
                 let end = last_line(listing().duration).unwrap_or(f64::NAN);
-                let said = stated.number() + stated.pick(0.0, interval());
+                let said = stated.number() + stated.pick(0.0, listing().interval);
                 Finding::new(
                     (end - said).abs() < 1e-9,
                     format!("the last line of the program's first run is at {end:.4} s"),

@@ -3,7 +3,9 @@
 use super::program::{self, by_coefficients, named as parts};
 use super::reset::{nearest_pin, reset};
 use super::*;
-use crate::meyer::runs::{Column, Hypothesis, Row, fitting_interval, interval, listing, rows};
+use crate::meyer::runs::study::fitting_interval;
+use crate::meyer::runs::table::{listing, rows};
+use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_dynamics::Pose;
 use geneva_kinematics::Mechanism;
 
@@ -155,7 +157,7 @@ fn runs() -> Vec<Claim> {
 fn nearer_from_rest(before: &Row, row: &Row) -> Option<bool> {
     let of = Hypothesis::WITHOUT_LAG;
     let engagement = of.engagement(row)?;
-    let from_rest = engagement.largest_printed(interval(), 0.0, listing().duration).ok()?;
+    let from_rest = engagement.largest_printed(listing().interval, 0.0, listing().duration).ok()?;
     let taken_over = engagement.passage(of.engagement(before)?.steady_state().ok()?.entry_speed).ok()?.fastest().speed;
     let off = |peak: f64| (peak - row.number(Column::Peak)).abs();
     Some(off(from_rest) < off(taken_over))
@@ -165,7 +167,7 @@ fn nearer_from_rest(before: &Row, row: &Row) -> Option<bool> {
 fn between_lines(by_steps: bool, stated: Stated) -> Finding {
     let fitting = fitting_interval(by_steps);
     Finding::new(
-        fitting == interval() * stated.pick(1.0, 2.0),
+        fitting == listing().interval * stated.pick(1.0, 2.0),
         format!("the peaks of the tables are reproduced best if a line is printed every {fitting} s"),
     )
 }
@@ -185,7 +187,7 @@ fn angle() -> Claim {
     };
     let value = |line: &str, mechanism: Mechanism, angle: f64| {
         let letters = [("G", mechanism.centre_distance_ratio()), ("X", angle)];
-        reading::value(parts(line).1, &letters.map(|(name, value)| (name.to_owned(), value)).into())
+        reading::value(parts(line).1, &reading::by_name(letters))
     };
     AFTER
         .statement(

@@ -1,12 +1,15 @@
 //! The equation solved for its highest derivative, and how the program knows the sign of the friction.
 
+use super::listing::parts_of;
 use super::program::{self, by_coefficients};
 use super::*;
 use crate::meyer::letters::factors;
 use crate::meyer::reading::{Letters, decide};
-use crate::meyer::runs::{self, EXPLAINED, Hypothesis, Reset, Score, deck, scores, within_one};
+use crate::meyer::runs::study::{by_deck, scores};
+use crate::meyer::runs::table::{listing, rows};
 use crate::meyer::slips::{LOST_BARS, SOLVED_WITH_BARS};
 use crate::meyer::spring::constant;
+use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, within_one};
 use geneva_dynamics::Sign;
 use geneva_dynamics::equation_proofs::InOneFormula;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
@@ -208,8 +211,8 @@ fn described() -> Vec<Claim> {
             })
             .by(Evidence::Program, |stated| {
                 let of = |reset: Reset| {
-                    let runs = deck::runs(reset).unwrap_or_default();
-                    EXPLAINED.iter().map(|column| within_one(*column, runs)).sum()
+                    let runs = by_deck(reset).unwrap_or_default();
+                    EXPLAINED.iter().map(|column| within_one(*column, rows(), runs)).sum()
                 };
                 more_cells(of(Reset::QuarterTurn), of(Reset::OfTheMechanism), stated)
             })
@@ -357,11 +360,6 @@ pub fn parts_of_the_interval(id: &str) -> Option<f64> {
     parts_of(characters(id))
 }
 
-/// The number by which these characters divide the print interval.
-pub fn parts_of(printed: &str) -> Option<f64> {
-    printed.split_once("DT/")?.1.trim_end_matches('.').parse().ok()
-}
-
 /// Whether more cells of the tables come within one unit by the program as printed than by one that is put right.
 fn more_cells(as_printed: usize, put_right: usize, stated: Stated) -> Finding {
     let (said, other) = stated.pick((as_printed, put_right), (put_right, as_printed));
@@ -380,7 +378,7 @@ fn more_cells(as_printed: usize, put_right: usize, stated: Stated) -> Finding {
 pub fn is_late_by(card: f64, said: f64) -> Finding {
     const CLOSER: f64 = 0.00001;
     let lines = || -> Option<Vec<[f64; 3]>> {
-        let delay = format!("TDL(ACCEL,{:.9},100.)", runs::interval() / card);
+        let delay = format!("TDL(ACCEL,{:.9},100.)", listing().interval / card);
         let changed = [
             ("HDR(TIME,TURNED,SPEED,ACCELERATION,FOLLOWER)", "HDR(TIME,NOW,OLD)"),
             ("OUT(T,TURNED,SPEED,ACCEL,FOLLOW)", "OUT(T,ACCEL,BEFORE)"),
@@ -396,7 +394,7 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
     };
     let lines = lines().unwrap_or_default();
     // So many lines before, with a straight line between two of them.
-    let late = runs::interval() / said / CLOSER;
+    let late = listing().interval / said / CLOSER;
     if !(late > 0.0 && late < lines.len() as f64) {
         return Finding::new(false, "the run does not go back that far");
     }
@@ -419,11 +417,12 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_case1973::deck;
 
     #[test]
     fn most_steps_of_every_run_are_longer_than_the_delay() {
-        let program = Program::new(&deck::deck(&deck::as_listed()).expect("a deck")).expect("a program");
-        for row in runs::rows() {
+        let program = Program::new(&deck::deck(&deck::as_listed(&listing())).expect("a deck")).expect("a program");
+        for row in rows() {
             let run = program.run(&deck::data(&program, row), &Choices::default()).expect("a run");
             let (longer, all) = (run.longer_than_delay, run.work.accepted);
             assert!(2 * longer > all && longer < all, "{}: {longer} of {all}", row.slug());

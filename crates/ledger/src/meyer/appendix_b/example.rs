@@ -103,7 +103,7 @@ fn first_acceleration(stated: Stated, right: f64) -> Finding {
     let letters = [("M", start["m"]), ("C", start["c"]), ("K", start["k"]), ("1DX", speed), ("X", start["x"])];
     let line = named("meyer.app-b.example.second").right_characters();
     let formula = as_formula(line.split_once('=').map_or("", |(_, formula)| formula));
-    let found = reading::value(&formula, &letters.map(|(name, value)| (name.to_owned(), value)).into());
+    let found = reading::value(&formula, &reading::by_name(letters));
     Finding::new(
         (found - right).abs() < 1e-4,
         format!("the line gives {found:.4}, and the vibration begins with {right:.4}"),
@@ -131,9 +131,8 @@ fn vibration(time: f64) -> Letters {
             .sum()
     };
     let (damping, stiffness) = (-mass * (rates[0] + rates[1]), mass * rates[0] * rates[1]);
-    [("m", mass), ("c", damping), ("k", stiffness), ("x", sum(0)), ("x'", sum(1)), ("x''", sum(2))]
-        .map(|(name, value)| (name.to_owned(), value))
-        .into()
+    let motion = [("x", sum(0)), ("x'", sum(1)), ("x''", sum(2))];
+    reading::by_name([("m", mass), ("c", damping), ("k", stiffness)].into_iter().chain(motion))
 }
 
 /// Whether a display holds for the vibration.
@@ -166,7 +165,7 @@ fn vibrates_from([speed, place]: [&str; 2], line: &str) -> Option<bool> {
         let (now, start) = (vibration(time), vibration(0.0));
         let named = [("M", now["m"]), ("C", now["c"]), ("K", now["k"]), ("X", now["x"]), ("1DX", now["x'"])];
         let rest = [("2DX", now["x''"]), ("A", start[speed]), ("B", start[place]), ("LDX", ODD)];
-        named.into_iter().chain(rest).map(|(name, value)| (name.to_owned(), value)).collect()
+        reading::by_name(named.into_iter().chain(rest))
     };
     let moving = |time: f64| {
         Moment::of(letters(time)).moving(|by, step| if by == By::Time { letters(time + step) } else { Letters::new() })

@@ -12,7 +12,8 @@ use super::reset::reset;
 use super::*;
 use crate::Vocabulary;
 use crate::agreement::joined;
-use crate::meyer::runs;
+use crate::meyer::runs::study::fitting_interval;
+use crate::meyer::runs::table::listing;
 use crate::meyer::spring::no_rate;
 use geneva_kinematics::Mechanism;
 use std::cmp::Ordering;
@@ -31,6 +32,11 @@ pub mod listed {
     pub const QUARTER_TURN: &str = "1.5708";
     /// The time at which a run ends, in s.
     pub const RUN_LENGTH: &str = ".2";
+}
+
+/// The number by which these characters divide the print interval.
+pub fn parts_of(printed: &str) -> Option<f64> {
+    printed.split_once("DT/")?.1.trim_end_matches('.').parse().ok()
 }
 
 pub fn claims() -> Vec<Claim> {
@@ -85,8 +91,8 @@ fn constants() -> Vec<Claim> {
                 "time between printed lines, a given value. With half or twice this time, the largest printed speeds \
                  would be farther from the largest speeds of the three tables together",
             )
-            .by(Evidence::Quadrature, || runs::fitting_interval(false))
-            .by(Evidence::RungeKutta, || runs::fitting_interval(true)),
+            .by(Evidence::Quadrature, || fitting_interval(false))
+            .by(Evidence::RungeKutta, || fitting_interval(true)),
         PROGRAM
             .statement(
                 "meyer.listing.delay",
@@ -136,11 +142,11 @@ fn constants() -> Vec<Claim> {
             .statement("meyer.listing.run-length", listed::RUN_LENGTH, "time at which a run ends, in seconds")
             .by(OtherPlaceInSource, |stated| {
                 let told = told_length();
-                let said = stated.number() + stated.pick(0.0, runs::interval());
+                let said = stated.number() + stated.pick(0.0, listing().interval);
                 Finding::new(agrees(told, said), format!("the text says {told} s"))
             })
             .by(Evidence::Program, |stated| {
-                let end = last_line(stated.number() + stated.pick(0.0, runs::interval())).unwrap_or(f64::NAN);
+                let end = last_line(stated.number() + stated.pick(0.0, listing().interval)).unwrap_or(f64::NAN);
                 Finding::new(
                     (end - told_length()).abs() < 1e-9,
                     format!("with it, the last line of the program's first run is at {end:.4} s"),

@@ -70,7 +70,7 @@ fn pose(mechanism: Mechanism, angle: f64, friction: f64) -> (Letters, Coefficien
     let pose = Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
     let cards =
         [("G", mechanism.centre_distance_ratio()), ("X0", angle), ("U", friction), ("IC", INERTIA_RATIO), ("IW", 1.0)];
-    let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
+    let letters = reading::by_name(cards);
     (letters, Coefficients::of_pose(&pose, &INERTIA_RATIO, &friction, &DRIVE))
 }
 

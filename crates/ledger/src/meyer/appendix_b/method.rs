@@ -331,7 +331,7 @@ fn advantages() -> Vec<Claim> {
 
 /// The value of a formula for a step of this length; none if it cannot be read.
 fn with_step(tex: &str, length: f64) -> Option<f64> {
-    let letters = [("h".to_owned(), length)].into();
+    let letters = reading::by_name([("h", length)]);
     Some(value(tex, &letters)).filter(|value| !value.is_nan())
 }
 

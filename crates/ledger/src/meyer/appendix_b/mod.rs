@@ -4,7 +4,7 @@ mod after;
 mod cards;
 mod contact;
 mod example;
-mod listing;
+pub mod listing;
 mod listing_start;
 mod method;
 mod print_out;
@@ -13,8 +13,6 @@ mod program_letters;
 mod reset;
 mod stages;
 
-pub use contact::parts_of;
-pub use listing::listed;
 pub use listing_start::start_solves;
 pub use program::{start_formula, start_line};
 pub use program_letters::holds_from_rest;

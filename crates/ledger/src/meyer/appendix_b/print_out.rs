@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::Evidence::Program as ByProgram;
-use crate::meyer::runs::choice::weakest;
-use crate::meyer::runs::{Constants, Hypothesis, Row, deck, interval, listing, rows};
-use geneva_case1973::program::Line;
+use crate::meyer::runs::table::{listing, rows};
+use geneva_case1973::deck;
+use geneva_case1973::{Constants, Hypothesis, Row, weakest};
 use geneva_dynamics::steady::Printed;
 use geneva_mimic::Work;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
@@ -45,7 +45,8 @@ type Columns = ([f64; 5], f64);
 /// The lines of all rows by the program; none for a row of which there is no run.
 fn by_program() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
-    let of = |line: &Line| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
+    let of =
+        |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
     let columns = |row: &Row| Some(Hypothesis::AS_RUN.printout(row)?.lines.iter().map(of).collect());
     RUNS.get_or_init(|| rows().iter().map(columns).collect())
 }
@@ -63,7 +64,7 @@ fn by_integrals() -> &'static [Option<Vec<Columns>>] {
     let of =
         |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
     let run = |row: &Row| {
-        let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(interval(), listing().duration).ok()?;
+        let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(listing().interval, listing().duration).ok()?;
         Some(lines.iter().map(of).collect())
     };
     RUNS.get_or_init(|| rows().iter().map(run).collect())
@@ -78,7 +79,7 @@ const WORDS: [[&str; 2]; 5] =
 /// fifth of all change, and the last is the second by the transmission ratio of the mechanism by coordinates. Where an
 /// angle is reset, the acceleration jumps.
 fn in_all_runs(words: &str, stated: Stated, runs: &[Option<Vec<Columns>>]) -> Finding {
-    let interval = interval();
+    let interval = listing().interval;
     let words: Vec<&str> = words.split(',').collect();
     let place = |quantity: usize| words.iter().position(|word| WORDS[quantity].contains(word));
     let named = |row: &Row, line: &Columns| {
@@ -139,12 +140,13 @@ fn output() -> Claim {
             };
             let same = |(row, by_deck): (&Row, &Option<Vec<Vec<f64>>>)| {
                 by_deck.as_ref().zip(translated(row)).is_some_and(|(rows, translated)| {
-                    let near = |(of, line): (&Vec<f64>, &Line)| (of[2] - line.speed).abs() < 1e-6 * (1.0 + line.speed);
+                    let near =
+                        |(of, line): (&Vec<f64>, &Printed)| (of[2] - line.speed).abs() < 1e-6 * (1.0 + line.speed);
                     let lines = translated.lines;
                     rows.len() == lines.len() && rows.iter().zip(&lines).all(near)
                 })
             };
-            Finding::for_all(weakest().zip(by_deck()), same, |same, all| {
+            Finding::for_all(weakest(rows()).zip(by_deck()), same, |same, all| {
                 format!("translated without them, the program prints the same speeds in {same} of {all} runs")
             })
         })
@@ -158,10 +160,10 @@ fn by_deck() -> &'static [Option<Vec<Vec<f64>>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Vec<f64>>>>> = OnceLock::new();
     let run = |row: &Row| {
         let angle = Hypothesis::AS_RUN.angle(row);
-        let program = Program::new(&deck::deck(&[(deck::AS_LISTED[0].0, angle)])?).ok()?;
+        let program = Program::new(&deck::deck(&[(deck::AS_LISTED[0], angle)])?).ok()?;
         Some(program.run(&deck::data(&program, row), &Choices::default()).ok()?.rows)
     };
-    RUNS.get_or_init(|| weakest().map(run).collect())
+    RUNS.get_or_init(|| weakest(rows()).map(run).collect())
 }
 
 /// The kinds of cards after FIN.

@@ -127,7 +127,7 @@ pub fn start_formula() -> &'static str {
 pub fn at(mechanism: Mechanism, x: f64) -> Letters {
     let old = Truth::at(mechanism, x).acceleration;
     let motion_of = [("N", f64::from(mechanism.slots())), ("X", x), ("1DX", SPEED), ("OLD2DX", old)];
-    motion(CARDS.into_iter().chain(motion_of).map(|(name, value)| (name.to_owned(), value)).collect())
+    motion(reading::by_name(CARDS.into_iter().chain(motion_of)))
 }
 
 /// The program's quantities at an angle, from the equation of motion.

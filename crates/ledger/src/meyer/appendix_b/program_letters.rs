@@ -94,7 +94,7 @@ fn letters(moment: &Moment) -> Letters {
     let letter = letters_of(moment);
     let square = letter("square");
     let lead = letter("phi'") / letter("theta'") * square;
-    let mut letters: Letters = [
+    let mut letters = reading::by_name([
         ("N", PI / libm::asin(letter("r") / letter("c"))),
         ("G", letter("c") / letter("r")),
         ("X", letter("theta")),
@@ -115,9 +115,7 @@ fn letters(moment: &Moment) -> Letters {
         ("2DX", letter("theta''")),
         ("OLD2DX", letter("theta''")),
         ("PHIDOT", letter("phi'")),
-    ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .into();
+    ]);
     letters.extend(["A", "B", "C", "D", "E", "F", "S", "K"].map(|name| (name.to_owned(), letter(name))));
     letters
 }

@@ -19,9 +19,10 @@ pub fn holds_in_a_step(tex: &str) -> Option<bool> {
         [(0.5, 1.25, STEP), (0.75, 0.5, 2.0 * STEP)].map(|(x, y, h)| {
             let places = places_of_mimic(*slope, x, y, h);
             let next = step_of_mimic(*slope, x, y, h);
-            let letters = [("x_n", x), ("y_n", y), ("h", h), ("y_n+1", next)].map(|(n, v)| (n.to_owned(), v));
-            let slopes = (1..).zip(places).map(|(k, (x, y))| (format!("f_{k}"), slope(x, y)));
-            Moment::of(letters.into_iter().chain(slopes).collect()).sloping(*slope)
+            let slopes = places.map(|(x, y)| slope(x, y));
+            let slopes = ["f_1", "f_2", "f_3", "f_4"].into_iter().zip(slopes);
+            let letters = [("x_n", x), ("y_n", y), ("h", h), ("y_n+1", next)].into_iter().chain(slopes);
+            Moment::of(reading::by_name(letters)).sloping(*slope)
         })
     });
     reading::holds(tex, &moments.collect::<Vec<_>>())
@@ -42,7 +43,7 @@ pub fn printed_step(slope: Slope, x: f64, y: f64, h: f64) -> Option<f64> {
 }
 
 fn printed_stages(slope: Slope, x: f64, y: f64, h: f64) -> Option<([(f64, f64); 4], Letters)> {
-    let mut letters: Letters = [("x_n", x), ("y_n", y), ("h", h)].map(|(name, value)| (name.to_owned(), value)).into();
+    let mut letters = reading::by_name([("x_n", x), ("y_n", y), ("h", h)]);
     let mut places = [(0.0, 0.0); 4];
     for (k, id) in STAGES.into_iter().enumerate() {
         let inside = right_side(id).trim().strip_prefix('f')?.trim_start_matches(r"\left").strip_prefix('(')?;

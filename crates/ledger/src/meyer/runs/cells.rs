@@ -4,10 +4,14 @@
 //! run's, under one hypothesis for all cells ([`Hypothesis::AS_RUN`]), and the resolution is one unit of the last
 //! place, for somebody read the number from a print-out. And what is right: the mechanism's own number stands beside it.
 
-use super::table::expected;
-use super::*;
+use super::table::{expected, rows};
+use super::{data, headings};
+use crate::meyer::at;
 use crate::meyer::slips::{RESET_ANGLE, SAMPLED_PEAKS, UNEXPLAINED};
+use crate::{Claim, Evidence, Verdict};
 use geneva_case1973::witness::{self, steps::cycle_of_row};
+use geneva_case1973::{Column, Hypothesis, Row, Run};
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 /// The four results of a row.
@@ -110,8 +114,7 @@ fn ideal_by_steps(row: &Row) -> [f64; 4] {
     static RUNS: Results<4> = OnceLock::new();
     among(&RUNS, row, |row| {
         let [least, time, greatest] = cycle_of_row(&Hypothesis::IDEAL, row)?;
-        let unit = headings::unit_of_speed(&Hypothesis::IDEAL, row);
-        Some([greatest * unit, least * unit, f64::NAN, time / unit])
+        Some([greatest, least, f64::NAN, time])
     })
 }
 

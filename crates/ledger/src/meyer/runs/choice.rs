@@ -1,36 +1,16 @@
-//! Which of the printed rows stand for the others where not all are shown.
+//! Which of the printed rows the book shows where not all are shown, for what the thesis prints besides.
 
-use super::{decimal, rows};
-use geneva_case1973::choice as among;
-use geneva_case1973::{Hypothesis, Row};
+use super::table::rows;
+use crate::by_id::decimal;
+use geneva_case1973::{Hypothesis, Row, rows_of, with_friction};
 use geneva_kinematics::Mechanism;
-
-/// The rows of a mechanism, in the order of its table.
-pub fn rows_of(mechanism: Mechanism) -> impl Iterator<Item = &'static Row> {
-    among::rows_of(rows(), mechanism).iter()
-}
-
-/// For each mechanism and friction the row with the weakest spring.
-pub fn weakest() -> impl Iterator<Item = &'static Row> {
-    among::weakest(rows())
-}
-
-/// For each mechanism and friction the row with the strongest spring.
-pub fn strongest() -> impl Iterator<Item = &'static Row> {
-    among::strongest(rows())
-}
-
-/// The rows of a mechanism with the least friction, by rising torque; their engagements differ longest.
-pub fn least_braked(mechanism: Mechanism) -> Option<&'static [Row]> {
-    among::least_braked(rows(), mechanism)
-}
 
 /// A friction with which all three mechanisms were run with nearly the same torques, as printed.
 const COMMON_FRICTION: &str = ".25";
 
 /// The rows of a mechanism with a friction that the others were run with too, by rising torque.
 pub fn comparable(mechanism: Mechanism) -> Option<&'static [Row]> {
-    among::with_friction(rows(), mechanism, COMMON_FRICTION)
+    with_friction(rows(), mechanism, COMMON_FRICTION)
 }
 
 /// The four-pin rows that may be the run drawn in Fig. 8, which the thesis does not name.
@@ -43,7 +23,7 @@ pub fn of_fig_8() -> Option<Vec<&'static Row>> {
 fn that_may_be_of_fig_8(hypothesis: &Hypothesis) -> Option<Vec<&'static Row>> {
     let printed = decimal("meyer.fig-8.rise")?;
     let mut fitting = Vec::new();
-    for row in rows_of(Mechanism::FOUR_PIN) {
+    for row in rows_of(rows(), Mechanism::FOUR_PIN) {
         let first = hypothesis.engagement(row)?.first_minimum().ok()??;
         if printed.is_rounding_of(first.time) {
             fitting.push(row);
@@ -54,8 +34,8 @@ fn that_may_be_of_fig_8(hypothesis: &Hypothesis) -> Option<Vec<&'static Row>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Column;
     use super::*;
+    use geneva_case1973::{Column, least_braked};
 
     #[test]
     fn two_runs_may_be_that_of_fig_8_and_the_table_gives_both_another_rise_time() {
@@ -69,9 +49,9 @@ mod tests {
 
     #[test]
     fn each_mechanism_has_its_rows_and_examples() {
-        assert_eq!(Mechanism::ALL.map(|of| rows_of(of).count()).iter().sum::<usize>(), rows().len());
+        assert_eq!(Mechanism::ALL.map(|of| rows_of(rows(), of).len()).iter().sum::<usize>(), rows().len());
         for mechanism in Mechanism::ALL {
-            for own in [least_braked(mechanism), comparable(mechanism)].map(|own| own.expect("rows")) {
+            for own in [least_braked(rows(), mechanism), comparable(mechanism)].map(|own| own.expect("rows")) {
                 assert!(own.len() > 3 && own.iter().all(|row| row.mechanism == mechanism));
             }
         }

@@ -3,12 +3,13 @@
 //! The first route is `fitted` of `geneva-case1973`, the second its witness `gauss_newton`, over the motion in steps.
 
 use super::cells::{among, leaked};
-use super::table::expected;
-use super::*;
+use super::headings::heading;
+use super::table::{expected, rows};
 use crate::Evidence::{Quadrature, RungeKutta};
-use geneva_case1973::choice::rows_of;
-use geneva_case1973::fitted;
+use crate::{Claim, Place, Verdict};
 use geneva_case1973::witness::gauss_newton;
+use geneva_case1973::{Column, Hypothesis, Row, fitted, rows_of};
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 /// The claims of a row's friction and torque.
@@ -92,13 +93,14 @@ pub fn inputs() -> impl Iterator<Item = String> {
         rows().iter().flat_map(|row| ["friction", "torque"].map(|name| format!("meyer.app-e.{}.{name}", row.slug())));
     let inertias = ["driver", "follower"].into_iter().flat_map(|member| {
         let drawn = ["10", "11"].map(|figure| format!("meyer.fig-{figure}.{member}"));
-        Mechanism::ALL.map(|mechanism| headings::heading(mechanism, member)).into_iter().chain(drawn)
+        Mechanism::ALL.map(|mechanism| heading(mechanism, member)).into_iter().chain(drawn)
     });
     of_rows.chain(inertias).chain(["meyer.listing.print-interval".to_owned()])
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::table::{UNIT, units_in_one};
     use super::*;
 
     /// The row with other characters in a column.
@@ -150,7 +152,7 @@ mod tests {
 
     #[test]
     fn the_printed_inertias_are_those_that_are_found() {
-        let millionths = headings::units_in_one(headings::UNIT);
+        let millionths = units_in_one(UNIT);
         for mechanism in Mechanism::ALL {
             let in_steps = inertias_in_steps(mechanism);
             let as_drawn = Hypothesis::WITHOUT_LAG.inertias(&rows_of(rows(), mechanism)[0]);

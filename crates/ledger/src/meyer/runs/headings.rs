@@ -3,13 +3,16 @@
 //! Inertias are data. Here they are found from all results of a table, without being known: see [`data`].
 
 use super::cells::leaked;
-use super::table::{drawn, headed};
-use super::*;
+use super::data;
+use super::table::{UNIT, drawn, headed, rows, units_in_one};
 use crate::Evidence::{Quadrature, RungeKutta};
+use crate::by_id::printed;
+use crate::meyer::at;
 use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
+use crate::{Claim, Finding, Place, Stated};
 use geneva_case1973::witness::steps::cycle_of_row;
-
-pub const UNIT: &str = "× 10^-6 in lb sec²";
+use geneva_case1973::{Column, Hypothesis, Row, slug};
+use geneva_kinematics::Mechanism;
 
 /// The members, in the order of the headings.
 const MEMBERS: [&str; 2] = ["driver", "follower"];
@@ -57,7 +60,7 @@ pub fn of_headings() -> Claim {
         .by(RungeKutta, |stated| {
             counted(&hypothesis(stated), "periods", 1e-3, |of, row| {
                 let [_, time, _] = cycle_of_row(of, row)?;
-                Some(time / unit_of_speed(of, row) - row.number(Column::Period))
+                Some(time - row.number(Column::Period))
             })
         })
         .read_as(
@@ -97,21 +100,7 @@ pub fn of_figures() -> Vec<Claim> {
     [Mechanism::FOUR_PIN, Mechanism::SIX_PIN].into_iter().filter_map(of).flatten().collect()
 }
 
-/// How many of a unit with a power of ten before it make one unit without it.
-pub fn units_in_one(unit: &str) -> f64 {
-    let power = unit.split_once("10^").and_then(|(_, behind)| behind.split(' ').next()?.parse::<i32>().ok());
-    power.map_or(f64::NAN, |power| match libm::pow(10.0, f64::from(power.abs())) {
-        size if power < 0 => size,
-        size => 1.0 / size,
-    })
-}
-
 /// The id of an inertia in the heading of a table.
 pub fn heading(mechanism: Mechanism, member: &str) -> String {
     format!("meyer.app-e.{}.{member}", slug(mechanism))
-}
-
-/// The scale of speeds of a row: √(K / I_f), in rad/s.
-pub fn unit_of_speed(hypothesis: &Hypothesis, row: &Row) -> f64 {
-    hypothesis.parameters(row).map_or(f64::NAN, |parameters| parameters.drive().sqrt())
 }

@@ -1,10 +1,9 @@
 //! What is printed of the runs: the tables of Appendix E, one string for each and a line for each run, with the verdicts on
 //! record of its columns; and the inertias of the headings and figures.
 
-use super::headings::{UNIT, units_in_one};
-use super::{Column, Given, Listing, Row};
 use crate::Verdict;
-use crate::meyer::appendix_b::{listed, parts_of};
+use crate::meyer::appendix_b::listing::{listed, parts_of};
+use geneva_case1973::{Column, Given, Listing, Row};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
@@ -53,6 +52,18 @@ pub fn listing() -> Listing {
 fn parsed(printed: &str) -> f64 {
     printed.parse().unwrap_or(f64::NAN)
 }
+
+/// How many of a unit with a power of ten before it make one unit without it.
+pub fn units_in_one(unit: &str) -> f64 {
+    let power = unit.split_once("10^").and_then(|(_, behind)| behind.split(' ').next()?.parse::<i32>().ok());
+    power.map_or(f64::NAN, |power| match libm::pow(10.0, f64::from(power.abs())) {
+        size if power < 0 => size,
+        size => 1.0 / size,
+    })
+}
+
+/// The unit of the printed inertias.
+pub const UNIT: &str = "× 10^-6 in lb sec²";
 
 /// The inertias of driver and follower above a mechanism's table.
 pub fn headed(mechanism: Mechanism) -> [&'static str; 2] {

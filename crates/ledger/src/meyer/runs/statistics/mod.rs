@@ -10,13 +10,14 @@ mod routes;
 
 pub use routes::{LITTLE, lagged, shuffled};
 
-use super::{Column, EXPLAINED, Hypothesis, Reset, Row, Weighing, delays, interval, rise_times, rows, scores};
+use super::study::{delays, explained, scores};
+use super::table::{listing, rows};
 use geneva_case1973::chance::{self, Shuffled};
-use geneva_case1973::choice::rows_of;
 use geneva_case1973::fitted::Freed;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::{densities, sampling};
+use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reset, Row, Weighing, rows_of};
 use geneva_kinematics::Mechanism;
 use routes::*;
 use std::sync::OnceLock;
@@ -276,10 +277,10 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "rise.chance",
         meaning: "rise times to be expected by chance, with the definition that gives the most",
         by: DEALS,
-        first: || greatest(rise_times::explained().iter().map(|tried| tried.as_run.by_chance)),
+        first: || greatest(explained().iter().map(|tried| tried.as_run.by_chance)),
         second: || {
             let mean_of = |times: &[f64]| mean(&sampling::rises(rows(), &[times], false, SHUFFLES));
-            greatest(rise_times::explained().iter().map(|tried| mean_of(&tried.as_run.times)))
+            greatest(explained().iter().map(|tried| mean_of(&tried.as_run.times)))
         },
         within: OF_A_MEAN,
     },
@@ -321,7 +322,7 @@ mod tests {
 
     #[test]
     fn the_best_of_all_definitions_explains_more_than_in_any_shuffle() {
-        let found = rise_times::explained().iter().map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max();
+        let found = explained().iter().map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max();
         let [anywhere, alike] = [Shuffled::InTables, Shuffled::AmongEqualTorques].map(shuffled);
         assert!(anywhere.iter().chain(alike).max() < found.as_ref());
         // Where the torque is kept, so is what all definitions have in common.

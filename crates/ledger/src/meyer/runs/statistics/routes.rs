@@ -1,10 +1,8 @@
 //! What the routes of the statistics have to count, to take the least of, or to run in the second way.
 
-use super::super::Score;
-use super::super::headings::unit_of_speed;
 use super::*;
-use geneva_case1973::Run;
 use geneva_case1973::witness::{self, gauss_newton, steps};
+use geneva_case1973::{Run, Score};
 
 /// The score of a hypothesis among those compared.
 pub fn score(hypothesis: Hypothesis) -> Option<&'static Score<'static>> {
@@ -13,7 +11,7 @@ pub fn score(hypothesis: Hypothesis) -> Option<&'static Score<'static>> {
 
 /// The score of the program as listed with its sign late by this part of a print interval.
 pub fn lagged(part: f64) -> Option<&'static Score<'static>> {
-    let found = delays().iter().find(|(delay, _)| (delay / interval() - part).abs() < 1e-9);
+    let found = delays().iter().find(|(delay, _)| (delay / listing().interval - part).abs() < 1e-9);
     found.map(|(_, score)| score)
 }
 
@@ -46,8 +44,7 @@ pub fn count_lagged(mechanisms: &[Mechanism], columns: &[Column], units: f64) ->
 pub fn count_cycles(hypothesis: Hypothesis, mechanisms: &[Mechanism], columns: &[Column], units: f64) -> Option<f64> {
     count(mechanisms, columns, units, |row| {
         let [minimum, period, peak] = steps::cycle_of_row(&hypothesis, row)?;
-        let unit = unit_of_speed(&hypothesis, row);
-        Some(Run { peak: peak * unit, minimum: minimum * unit, period: period / unit, first_minimum: f64::NAN })
+        Some(Run { peak, minimum, period, first_minimum: f64::NAN })
     })
 }
 
@@ -99,7 +96,7 @@ pub fn by_densities(score: &Score) -> Option<[f64; 2]> {
 pub fn over_a_fifth(logarithms: fn(&Score) -> Option<[f64; 2]>) -> Option<f64> {
     let listed = logarithms(lagged(0.1)?)?;
     let mut margins = Vec::new();
-    for (_, later) in delays().iter().filter(|(delay, _)| *delay > 0.19 * interval()) {
+    for (_, later) in delays().iter().filter(|(delay, _)| *delay > 0.19 * listing().interval) {
         let later = logarithms(later)?;
         margins.extend([0, 1].map(|law| listed[law] - later[law]));
     }
@@ -143,11 +140,11 @@ pub fn little_friction_in_steps(mechanism: Mechanism) -> Option<f64> {
 pub fn shuffled(shuffled: Shuffled) -> &'static [usize] {
     static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
     let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
-    let deal = || chance::shuffles_of_definitions(rows(), rise_times::explained(), shuffled, SHUFFLES);
+    let deal = || chance::shuffles_of_definitions(rows(), explained(), shuffled, SHUFFLES);
     COUNTS[own].get_or_init(deal)
 }
 
 /// The times of all definitions, of the runs and of the mechanisms.
 pub fn definitions() -> Vec<&'static [f64]> {
-    rise_times::explained().iter().flat_map(|tried| [&tried.as_run.times[..], &tried.ideal.times]).collect()
+    explained().iter().flat_map(|tried| [&tried.as_run.times[..], &tried.ideal.times]).collect()
 }

@@ -1,6 +1,6 @@
 //! Tables that are from no source: their rows are runs of the program, rounded as a source would print them.
 
-use geneva_case1973::{Column, Given, Hypothesis, Listing, Row, series};
+use geneva_case1973::{Column, Given, Hypothesis, Listing, Row, Trend, pairs_by_friction, pairs_by_torque, series};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
@@ -76,4 +76,17 @@ fn a_series_has_one_mechanism_and_one_friction() {
         assert!(own.iter().all(|row| row.mechanism == own[0].mechanism && row.friction() == own[0].friction()));
         assert!(own.windows(2).all(|pair| pair[0].torque() < pair[1].torque()));
     }
+}
+
+#[test]
+fn a_pair_differs_in_one_value_and_the_next_row_has_more_of_it() {
+    let alike = |[one, other]: &[&Row; 2], column| one.printed(column) == other.printed(column);
+    let (by_torque, by_friction) = (|| pairs_by_torque(tables()), || pairs_by_friction(tables()));
+    assert_eq!((by_torque().count(), by_friction().count()), (18, 12));
+    assert!(by_torque().all(|pair| alike(&pair, Column::Friction) && pair[0].torque() < pair[1].torque()));
+    assert!(by_friction().all(|pair| alike(&pair, Column::Torque) && pair[0].friction() < pair[1].friction()));
+    // More friction, less speed; and a stronger spring, more.
+    assert_eq!(Trend::of(Column::Minimum, by_friction()), Trend { pairs: 12, up: 0, equal: 0 });
+    assert_eq!(Trend::of(Column::Minimum, by_torque()), Trend { pairs: 18, up: 18, equal: 0 });
+    assert_eq!(Trend::of(Column::Friction, by_torque()), Trend { pairs: 18, up: 0, equal: 18 });
 }

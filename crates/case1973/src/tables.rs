@@ -1,5 +1,5 @@
-//! A printed run, and what the source gives besides its table. Both come in as arguments: no number of it is written
-//! here.
+//! The printed tables: a row for each run, which rows stand for others, and what the source gives besides its tables. All of it
+//! comes in as arguments: no number of the source is written here.
 
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Mechanism, Turn};
@@ -180,10 +180,79 @@ pub fn obeys(rows: &[Row], column: Column, power: f64) -> bool {
     low <= high
 }
 
+/// The table of a mechanism: its rows, which stand together among the rows of all tables. Empty if there is none.
+pub fn rows_of(rows: &[Row], mechanism: Mechanism) -> &[Row] {
+    let mut tables = rows.chunk_by(|one, other| one.mechanism == other.mechanism);
+    tables.find(|table| table[0].mechanism == mechanism).unwrap_or_default()
+}
+
 /// The rows of one mechanism and one friction, by rising torque, of rows in the order of their tables; nothing else
 /// changes among them.
 pub fn series(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
     rows.chunk_by(|one, other| {
         one.mechanism == other.mechanism && one.printed(Column::Friction) == other.printed(Column::Friction)
     })
+}
+
+/// For each mechanism and friction the row with the weakest spring.
+pub fn weakest(rows: &[Row]) -> impl Iterator<Item = &Row> {
+    series(rows).filter_map(<[Row]>::first)
+}
+
+/// For each mechanism and friction the row with the strongest spring.
+pub fn strongest(rows: &[Row]) -> impl Iterator<Item = &Row> {
+    series(rows).filter_map(<[Row]>::last)
+}
+
+/// The rows of a mechanism with the least friction, by rising torque; their engagements differ longest.
+pub fn least_braked(rows: &[Row], mechanism: Mechanism) -> Option<&[Row]> {
+    let own = series(rows).filter(|own| own[0].mechanism == mechanism);
+    own.min_by(|a, b| a[0].friction().total_cmp(&b[0].friction()))
+}
+
+/// The rows of a mechanism with a friction, as printed, that the others were run with too, by rising torque.
+pub fn with_friction<'a>(rows: &'a [Row], mechanism: Mechanism, friction: &str) -> Option<&'a [Row]> {
+    series(rows).find(|own| own[0].mechanism == mechanism && own[0].printed(Column::Friction) == friction)
+}
+
+/// Pairs of rows with the same mechanism and friction: a row, and the row with the next torque of the table.
+pub fn pairs_by_torque(rows: &[Row]) -> impl Iterator<Item = [&Row; 2]> {
+    series(rows).flat_map(|own| own.windows(2)).map(|pair| [&pair[0], &pair[1]])
+}
+
+/// Pairs of rows with the same mechanism and torque: a row, and the row with the next friction of the table with which there is
+/// such a row.
+pub fn pairs_by_friction<'a>(rows: &'a [Row]) -> impl Iterator<Item = [&'a Row; 2]> {
+    let next = move |row: &'a Row| {
+        let alike = |other: &&Row| {
+            other.mechanism == row.mechanism
+                && other.printed(Column::Torque) == row.printed(Column::Torque)
+                && other.friction() > row.friction()
+        };
+        let next = rows.iter().filter(alike).min_by(|a, b| a.friction().total_cmp(&b.friction()))?;
+        Some([row, next])
+    };
+    rows.iter().filter_map(next)
+}
+
+/// In how many pairs of rows a printed number goes up from the first to the second.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Trend {
+    /// How many pairs there are.
+    pub pairs: usize,
+    /// In how many the number goes up.
+    pub up: usize,
+    /// In how many it stays the same.
+    pub equal: usize,
+}
+
+impl Trend {
+    /// The trend of a column.
+    pub fn of<'a>(column: Column, pairs: impl Iterator<Item = [&'a Row; 2]>) -> Self {
+        pairs.fold(Self::default(), |all, pair| {
+            let [before, after] = pair.map(|row| row.number(column));
+            let (up, equal) = (usize::from(after > before), usize::from(after == before));
+            Self { pairs: all.pairs + 1, up: all.up + up, equal: all.equal + equal }
+        })
+    }
 }
