@@ -60,7 +60,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ),
     (
         "right_value",
-        "The right number, if the printed number is not right to all its digits or if a mistake is made in this claim.",
+        "The right number. It is given if a digit of the printed number is wrong, or if the source makes a mistake in this claim.",
     ),
     (
         "slip",

@@ -65,8 +65,9 @@ pub fn settling(own: &Parameters, parts: &[f64], run: &str) -> Result<Figure, Fi
             significant(slowest, 3)
         ),
         format!(
-            "A lighter follower shortens each engagement but needs more of them, so the time in which a small \
-             difference in the square of the speed falls to one per cent hardly changes. Shown: {run}, with only the \
+            "With a lighter follower each engagement is shorter, but the motion needs more of them to settle. So the settling time \
+             hardly changes. It is the time in which a small difference in the square of the speed falls to one per \
+             cent. Shown: {run}, with only the \
              follower's inertia changed."
         ),
     );

@@ -26,11 +26,7 @@ pub fn claims() -> Vec<Claim> {
 fn tables() -> Vec<Claim> {
     vec![
         CONTENTS
-            .statement(
-                "meyer.contents",
-                PAGES_OF_PARTS,
-                "pages of the twelve parts, from the introduction to the author's life, in order",
-            )
+            .statement("meyer.contents", PAGES_OF_PARTS, "page numbers of the twelve parts, in order")
             .missing(WITHOUT_PAGES),
         FIGURES
             .figure("meyer.list-of-figures", FIGURES_AND_PAGES, "numbers and pages of the fifteen figures")

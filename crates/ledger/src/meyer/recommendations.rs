@@ -102,7 +102,7 @@ const RISEN: usize = 8;
 
 /// Which lines are looked at: those of the print-out for its peaks, and closer ones for the peaks of the motion.
 fn looked_at(stated: Stated) -> &'static str {
-    stated.pick("lines printed as often as in the runs", "lines printed much more often")
+    stated.pick("lines printed as often as in the runs", "lines printed much more often than in the runs")
 }
 
 /// The engagements and speeds of a run's lines.
@@ -129,7 +129,7 @@ fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
         swings.len() == series(rows()).count() && least >= 1.0,
         format!(
             "with {lines_of}, the highest and the lowest peak of a run differ by {least:.2} to {most:.2} rad/s in {} \
-             groups of runs",
+             groups of runs, where the tables are exact to 1 rad/s",
             swings.len()
         ),
     )

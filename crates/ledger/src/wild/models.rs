@@ -92,8 +92,9 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "when the pin reaches the rim, its angle from the line of centres, seen from the wheel's axis, is \
-                 {place:.3} times the slot's angle, and the wheel starts at {speed:.3} times the driver's speed"
+                "when the pin reaches the rim, the wheel should start from rest with the pin in a slot. But it starts at \
+                 {speed:.3} times the driver's speed, and the pin's angle about the wheel's axis, counted from the line of \
+                 centres, is {place:.3} times the slot's"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
