@@ -96,6 +96,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.after.first", || after_repairs("first")),
     ("found.after.second", || after_repairs("second")),
     ("found.after.third", || after_repairs("third")),
+    ("found.after.sixth", || after_repairs("sixth")),
     ("found.after.new", || {
         let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
         Ok(again
