@@ -6,6 +6,7 @@
 mod book;
 mod claims;
 mod escapement;
+mod expressions;
 mod inline;
 mod joints;
 mod mechanisms;

@@ -2,7 +2,7 @@
 
 use super::mechanisms::{When, making, pin, quick_return, step, wheel};
 use super::{Harmless, Misprints, escapement, joints};
-use geneva_ledger::tex::{Display, Moment};
+use geneva_ledger::tex::{Display, Moment, value_at};
 
 /// Misprints that no state of motion shows.
 const HARMLESS: &Harmless = &[
@@ -116,6 +116,46 @@ fn every_display_holds_wherever_the_mechanism_is() {
     assert!(evaluated >= 38, "only {evaluated} displays are evaluated");
     let numbers = ["1-2", "1-3", "1-6", "1-7", "1-8", "1-13", "1-14", "1-16", "1-17", "1-18", "1-19"];
     assert!(numbers.iter().all(|number| tags.iter().any(|tag| tag == number)), "{tags:?}");
+}
+
+/// The book's letters, called as in the thesis.
+const OF_THE_THESIS: [(&str, &str); 9] = [
+    ("a", "k"),
+    ("c", "l"),
+    ("n", "N"),
+    ("r", "R"),
+    ("R", "r"),
+    ("N", "F"),
+    (r"\phi", r"\varphi"),
+    (r"\ddot\phi", r"\ddot\varphi"),
+    (r"\phi_0", r"\varphi_0"),
+];
+
+#[test]
+fn a_display_with_a_number_is_the_equation_with_this_number() {
+    let first_side =
+        |tex: &str| tex.split('=').next().unwrap_or_default().replace(r"\begin{aligned}", "").replace('&', "");
+    let mut wrong = Vec::new();
+    for printed in displays() {
+        let Some(tag) = Display::read(&printed.tex).ok().and_then(|display| display.tag) else { continue };
+        let ids: Vec<String> = match tag.as_str() {
+            // Of its lines, the chapter has the third.
+            "1-3" => vec!["meyer.angle-sum".to_owned()],
+            tag => ["", ".first-line", ".second-line"].map(|line| format!("meyer.eq-{tag}{line}")).into(),
+        };
+        let lines: Vec<&str> =
+            ids.iter().filter_map(|id| geneva_ledger::claim(id)).map(|claim| claim.right_characters()).collect();
+        let [ours, theirs] = [&printed.tex, &lines.join(" ")].map(|tex| first_side(tex));
+        let same = |state: &Moment| {
+            let there = state.clone().called(OF_THE_THESIS);
+            let [ours, theirs] = [value_at(&ours, state), value_at(&theirs, &there)];
+            (ours - theirs).abs() <= 1e-9 * ours.abs().max(1.0)
+        };
+        if !printed.states.iter().all(same) {
+            wrong.push(format!("{}: ({tag}) is about `{theirs}`, not `{ours}`", printed.chapter));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

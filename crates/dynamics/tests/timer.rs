@@ -24,6 +24,32 @@ fn mean_speed(of: &Parameters) -> f64 {
 }
 
 #[test]
+fn the_lightest_driver_has_the_highest_peaks_and_a_heavier_one_the_highest_mean_speed() {
+    // Ratio of the inertias with the highest mean speed, and the lightest driver with which the equation is well-posed.
+    for (mechanism, fastest, lightest) in
+        [(Mechanism::SIX_PIN, 3.0, 0.2), (Mechanism::FOUR_PIN, 4.0 / 3.0, 0.07), (Mechanism::THREE_PIN, 0.6, 0.07)]
+    {
+        for friction in [0.2, 0.25, 0.3, 0.35] {
+            let of = |ratio: f64| escapement(mechanism, ratio, 1.0, 1.0, friction);
+            let mean = |ratio: f64| mean_speed(&of(ratio));
+            // Within an eighth of what the chapter says.
+            let best = (0..80).map(|step| fastest * libm::exp((f64::from(step) - 40.0) / 100.0));
+            let best = best.max_by(|one, other| mean(*one).total_cmp(&mean(*other))).expect("one");
+            assert!((7.0 / 8.0..8.0 / 7.0).contains(&(best / fastest)), "{mechanism:?}, {friction}: {best}");
+            assert!(mean(lightest) < mean(fastest));
+
+            let peak = |ratio: f64| {
+                let engagement = Engagement::new(&of(ratio)).expect("an escapement");
+                let steady = engagement.steady_state().expect("steady");
+                engagement.passage(steady.entry_speed).expect("a passage").fastest().speed
+            };
+            let peaks: Vec<f64> = (0..6).map(|step| peak(lightest * libm::pow(2.0, f64::from(step)))).collect();
+            assert!(peaks.is_sorted_by(|one, other| one > other), "{mechanism:?}, {friction}: {peaks:?}");
+        }
+    }
+}
+
+#[test]
 fn a_small_change_of_each_quantity_changes_the_mean_speed_as_its_power_says() {
     for of in samples() {
         let found = Sensitivities::new(&of).expect("sensitivities");

@@ -2,7 +2,7 @@
 
 use crate::by_id::in_display;
 use crate::slugs::slugs;
-use crate::tex::{Exact, decide, holds};
+use crate::tex::{Exact, decide, decide_joined, holds};
 use crate::{
     Check, Choice, Decision, Erratum, Evidence, Finding, Number, Reading, Route, Slip, Stated, Verdict, Vocabulary,
     Work,
@@ -206,7 +206,7 @@ impl Unchecked<Decision> {
     /// right characters.
     pub fn proven_in(self, lines: &'static [&'static str], letters: Exact) -> Unwitnessed<Decision> {
         let own = self.claim.id;
-        self.decided(move |tex| decide(&in_display(lines, own, tex), letters))
+        self.decided(move |tex| decide_joined(&in_display(lines, own, tex), letters))
     }
 
     /// Decides on the equation by a function that proves or refutes characters in the place of the printed ones.

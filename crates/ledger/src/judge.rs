@@ -4,7 +4,7 @@ use crate::tex::places_changed;
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
 use crate::{
     Check, Choice, Claim, Consequence, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Truth,
-    Verdict,
+    Verdict, units,
 };
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -128,6 +128,7 @@ fn derived(claim: &'static Claim) -> Judged {
         judged.verdict = Verdict::NotReproduced;
         judged.faults.push(format!("{form}, it cannot be evaluated: {}", finding.how));
     }
+    judged.faults.extend(units::fault(claim));
     match (&claim.erratum, judged.verdict.needs_erratum()) {
         (None, true) => judged.faults.push(format!("{} without an erratum", judged.verdict)),
         (Some(_), false) => judged.faults.push(format!("an erratum is on record, but the claim is {}", judged.verdict)),

@@ -23,6 +23,7 @@ mod slugs;
 mod stated;
 mod tolerance;
 mod triangle;
+mod units;
 mod verdict;
 mod vocabulary;
 mod work;

@@ -58,8 +58,8 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
          zero.",
         "The gap between the crescent and the tip of the horn behind the slot. The curves cover the crank angles, past \
          the line of centres, at which this tip is inside the circle of the locking disc. Where the gap is below zero, \
-         the disc bites into the horn. That happens with an arc of the rim's radius whose centre is on the wheel's \
-         axis in mid-index. For the horn in front of the slot, the curves are mirrored about the line of centres. \
+         the disc bites into the horn. That happens if the crescent is an arc with the radius of the wheel's rim, drawn about the wheel's \
+         axis as it is in mid-index. For the horn in front of the slot, the curves are mirrored about the line of centres. \
          Rigid parts, pin in the middle of its slot.",
     );
     let columns = [("theta", "deg"), ("gap about axis", "mm"), ("gap", "mm")];

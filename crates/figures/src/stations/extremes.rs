@@ -72,8 +72,8 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
              the three, least. {}",
             crossing(&wheels)
         ),
-        "More stations make the motion gentler. The wheel's peak speed is divided by the driver's speed, which is \
-         constant. The peak acceleration and the jump in acceleration at entry are divided by the square of the \
+        "More stations make the motion gentler. The curves show the wheel's peak speed over the driver's speed, which is \
+         constant, and the peak acceleration and the jump in acceleration at entry over the square of the \
          driver's speed. The number of stations is an integer, so the dashed lines only join the marks.",
     );
     Chart::new([panel]).figure(words, series)

@@ -32,6 +32,8 @@ pub const PARTS_BY_DEGREES: Vocabulary = Vocabulary::new(parts_by_degrees, Limit
 pub const ENTRY_AND_EXIT: Vocabulary = Vocabulary::new(entry_and_exit, LimitCase, parts_in_numbers);
 /// Where the acceleration is greatest in size, on both sides of the line of centres.
 pub const PEAK: Vocabulary = Vocabulary::new(peak, AutomaticDerivative, peak_in_numbers);
+/// Both roots of the condition for it.
+pub const ROOTS: Vocabulary = Vocabulary::new(peak, AutomaticDerivative, roots_in_numbers);
 /// Where the acceleration is greatest in size, for the sign of γ's root that belongs to an angle.
 pub const PEAK_ANGLE: Vocabulary = Vocabulary::new(peak_angle, AutomaticDerivative, peak_in_numbers);
 /// γ, from the derivative of the acceleration.
@@ -333,6 +335,20 @@ fn peak_in_numbers() -> &'static [Moment] {
             })
         };
         NUMBERS.into_iter().flat_map(peaks).collect()
+    })
+}
+
+/// The peaks, and the other root of the condition: the two roots have the product −2, so no angle has the other one.
+fn roots_in_numbers() -> &'static [Moment] {
+    static FOUND: OnceLock<Vec<Moment>> = OnceLock::new();
+    FOUND.get_or_init(|| {
+        let other = |peak: &Moment| {
+            let letters = peak.letters();
+            Moment::default()
+                .with([(r"\gamma", letters["gamma"])])
+                .replacing(r"\cos\theta", -2.0 / libm::cos(letters["theta"]))
+        };
+        peak_in_numbers().iter().flat_map(|peak| [peak.clone(), other(peak)]).collect()
     })
 }
 

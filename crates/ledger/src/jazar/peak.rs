@@ -1,6 +1,6 @@
 //! The worked example, part (e): where the acceleration is greatest, and how great.
 
-use super::letters::{ANY, COEFFICIENT, PEAK, condition, quadratic};
+use super::letters::{ANY, COEFFICIENT, PEAK, ROOTS, condition, quadratic};
 use super::*;
 use crate::tex::{By, Letters, Moment, by_name, decide_multiple, holds, value};
 use geneva_kinematics::indexing::Indexing;
@@ -91,7 +91,7 @@ fn steps() -> Vec<Claim> {
                 r"\cos\theta = \frac{-\gamma \pm \sqrt{\gamma^2 + 8}}{2}",
                 "roots of the quadratic",
             )
-            .in_letters(PEAK),
+            .in_letters(ROOTS),
     ]
 }
 

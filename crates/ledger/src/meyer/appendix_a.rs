@@ -1,7 +1,9 @@
 //! Appendix A: the sizes of the three escapements for their drawings, figures 12 to 14.
 
-use super::hand_over_letters::{self, UNIT};
+use super::hand_over_letters::{self, RIGHT_TRIANGLE, UNIT};
 use super::*;
+use crate::Vocabulary;
+use crate::tex::decide;
 use geneva_kinematics::indexing::Indexing;
 
 /// What the appendix prints for one mechanism; each with its id.
@@ -107,13 +109,30 @@ fn six_slots() -> [Claim; 6] {
     })
 }
 
+/// The sides in letters, which hold at every size. With the numbers of one mechanism some letters are equal, and one for another
+/// goes unnoticed.
+fn without_numbers(tex: &str) -> &str {
+    tex.rsplit_once('=').map_or(tex, |(letters, _)| letters)
+}
+
+fn holds_with(tex: &str, vocabulary: Vocabulary) -> Option<bool> {
+    reading::holds(tex, (vocabulary.numbers)())
+}
+
 /// The six claims of one mechanism, in the order of its four lines.
 fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
     let value = |[id, printed]: [&'static str; 2], meaning, unit, computed: fn() -> f64, witness: fn() -> f64| {
         at(is.locator).value(id, printed, unit, meaning).by(ClosedForm, computed).by(Vectors, witness)
     };
     let equation = |[id, printed]: [&'static str; 2], meaning| {
-        at(is.locator).equation(id, printed, meaning).in_letters(hand_over_letters::drawn::<SLOTS>())
+        let [drawn, any] = [hand_over_letters::drawn::<SLOTS>(), RIGHT_TRIANGLE];
+        at(is.locator)
+            .equation(id, printed, meaning)
+            .decided(move |tex| decide(tex, drawn.exact).and(decide(without_numbers(tex), any.exact)))
+            .read(Vectors, move |tex| {
+                let letters = without_numbers(tex);
+                Some(holds_with(tex, drawn)? && (!letters.contains('=') || holds_with(letters, any)?))
+            })
     };
     [
         value(

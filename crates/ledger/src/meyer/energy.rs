@@ -1,6 +1,6 @@
 //! The kinetic energy and its derivatives: Eq. (1-16), and the displays before Eq. (1-17).
 
-use super::instants::{self, holds, instants, miscopied};
+use super::instants::{self, holds, instants, joined_hold, miscopied};
 use super::letters::{mechanism, proven_of};
 use super::reading::decide;
 use super::slips::{DRIVER_INDEX, PHI_AS_THETA};
@@ -135,7 +135,7 @@ fn by_quotient() -> Vec<Claim> {
                 "the numerator of the fraction differentiated",
             )
             .proven_in(&QUOTIENT, mechanism)
-            .read_in(ClosedForm, &QUOTIENT, holds),
+            .read_in(ClosedForm, &QUOTIENT, joined_hold),
         at("4th display after Eq. (1-16), 3rd line")
             .equation(
                 QUOTIENT[2],
@@ -146,7 +146,7 @@ fn by_quotient() -> Vec<Claim> {
                 "the denominator of the fraction differentiated",
             )
             .proven_in(&QUOTIENT, mechanism)
-            .read_in(ClosedForm, &QUOTIENT, holds)
+            .read_in(ClosedForm, &QUOTIENT, joined_hold)
             .corrected(
                 concat!(
                     r"\left. \left. - \frac{(a \cos \theta - 1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin ",
@@ -175,7 +175,7 @@ fn by_speed() -> Vec<Claim> {
                 "the part that comes from the change of the velocity ratio, with common factors cancelled",
             )
             .proven_in(&CANCELLED, mechanism)
-            .read_in(ClosedForm, &CANCELLED, holds),
+            .read_in(ClosedForm, &CANCELLED, joined_hold),
         letter_b(&FACTORED, "6th display after Eq. (1-16), 1st line", FIRST_LINE, FIRST_LINE_RIGHT),
         at("6th display after Eq. (1-16), 2nd line")
             .equation(
@@ -188,7 +188,7 @@ fn by_speed() -> Vec<Claim> {
                 "the part that comes from the change of the velocity ratio, with its factors outside the braces",
             )
             .proven_in(&FACTORED, mechanism)
-            .read_in(ClosedForm, &FACTORED, holds),
+            .read_in(ClosedForm, &FACTORED, joined_hold),
         letter_b(
             &["meyer.momentum-rate"],
             "7th display after Eq. (1-16)",
@@ -295,7 +295,7 @@ fn letter_b(
             "contribution of the driver's acceleration to the rate of the derivative with respect to the speed",
         )
         .proven_in(lines, mechanism)
-        .read_in(ClosedForm, lines, holds)
+        .read_in(ClosedForm, lines, joined_hold)
         .corrected(corrected, DRIVER_INDEX)
 }
 

@@ -148,6 +148,11 @@ pub fn holds(tex: &str) -> Option<bool> {
     reading::holds(tex, moments())
 }
 
+/// Whether an equation of joined lines holds at all instants; none if it cannot be read.
+pub fn joined_hold(tex: &str) -> Option<bool> {
+    reading::joined_holds(tex, moments())
+}
+
 /// Whether an equation holds at all instants, and the expression after the last of these operators is this one.
 pub fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
     let Some((_, of)) = tex.rsplit_once(operator) else { return holds(tex) };

@@ -1,6 +1,6 @@
 //! The equation of motion put together, and its five factors: Eqs. (1-17) to (1-19).
 
-use super::instants::{holds, miscopied};
+use super::instants::{holds, joined_hold, miscopied};
 use super::letters::mechanism;
 use super::slips::{ARC, LOST_BARS, MISSING_SQUARE};
 use super::*;
@@ -71,7 +71,7 @@ fn together() -> Vec<Claim> {
                 "left side of the equation of motion",
             )
             .proven_in(&PARTS_PUT_IN, mechanism)
-            .read_in(ClosedForm, &PARTS_PUT_IN, holds)
+            .read_in(ClosedForm, &PARTS_PUT_IN, joined_hold)
             .corrected(
                 concat!(
                     r"\left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] ",
@@ -91,7 +91,7 @@ fn together() -> Vec<Claim> {
                 "right side of the equation of motion",
             )
             .proven_in(&PARTS_PUT_IN, mechanism)
-            .read_in(ClosedForm, &PARTS_PUT_IN, holds)
+            .read_in(ClosedForm, &PARTS_PUT_IN, joined_hold)
             .corrected(
                 concat!(
                     r"= K - a \mu I_f \left| \frac{a \sin^2 \theta (1 - a^2) \dot{\theta}^2}{(1 + a^2 - ",
@@ -112,7 +112,7 @@ fn together() -> Vec<Claim> {
                 "equation of motion divided by the follower's inertia, without friction",
             )
             .proven_in(&EQUATION_OF_MOTION, mechanism)
-            .read_in(ClosedForm, &EQUATION_OF_MOTION, holds),
+            .read_in(ClosedForm, &EQUATION_OF_MOTION, joined_hold),
         at("Eq. (1-18), 2nd line")
             .equation(
                 EQUATION_OF_MOTION[1],
@@ -124,7 +124,7 @@ fn together() -> Vec<Claim> {
                 "the friction and the drive in the equation of motion",
             )
             .proven_in(&EQUATION_OF_MOTION, mechanism)
-            .read_in(ClosedForm, &EQUATION_OF_MOTION, holds)
+            .read_in(ClosedForm, &EQUATION_OF_MOTION, joined_hold)
             .corrected(
                 concat!(
                     r"+ a \mu \left| \frac{a \sin^2 \theta (1 - a^2)}{(1 + a^2 - 2a \cos \theta)^3} ",

@@ -69,8 +69,9 @@ fn shape() -> Claim {
             "will, with the exception of the driving torque, change the shape of the curve",
             Slip {
                 id: "",
-                reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, change the curve's shape: the minimum and the speed at entry, both relative to the peak. They even \
-                         change how often the curve goes up and down in an engagement. With six pins the speed dips \
+                reason: "The torque changes the scales of the curve and nothing else. Friction and the ratio of the \
+                         inertias, however, change the curve's shape: the minimum and the speed at entry, both \
+                         relative to the peak. They even change how often the curve goes up and down in an engagement. With six pins the speed dips \
                          shortly before the hand-over and rises again until just after it. With little friction this \
                          second rise is too small to show in the whole numbers of the tables, but with more friction \
                          it shows. Even in the tables, the curves are not scaled copies of each other: with four pins, \
@@ -79,7 +80,8 @@ fn shape() -> Claim {
                 witness: "We computed the motions in small steps of the driver's angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
-                changes: "Two speed curves are scaled copies of each other only if nothing but the torque differs.",
+                changes: "Two speed curves of a mechanism are scaled copies of each other only with the same friction and the \
+                          same ratio of the inertias.",
             },
         )
 }

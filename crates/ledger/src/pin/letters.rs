@@ -60,7 +60,8 @@ fn speeds(_: i64) -> Moment<Expression> {
     let part = |at: usize| velocities[at].dot(&along[at]);
     Moment::default()
         .with([("R", triangle.crank_radius), ("r", triangle.slot_radius), ("l", triangle.distance)])
-        .with([("v_P", part(0)), ("v_{P'}", part(1)), ("v_{P/S}", part(2)), ("v_D", driver), ("v_S", -wheel)])
+        .with([("v_P", part(0)), ("v_{P'}", part(1)), ("v_{P/S}", part(2))])
+        .with([(r"\mathrm{v}_D", driver), (r"\mathrm{v}_S", -wheel)])
         .with_angles([(r"\theta", angle(&triangle.theta)), ("b", angle(&triangle.phi))])
         .with_angles([("g", [pin.dot(&inwards), pin.dot(&across)])])
         .requiring([0, 1, 2].map(|at| velocities[at].perp(&along[at])))
@@ -68,7 +69,7 @@ fn speeds(_: i64) -> Moment<Expression> {
 
 fn velocities(_: i64) -> Moment<Expression> {
     let Moving { velocities: [pin, point, sliding], .. } = Moving::new();
-    Moment::default().with([("v_P", pin), ("v_{P'}", point), ("v_{P/S}", sliding)])
+    Moment::default().with([(r"\text{v}_P", pin), (r"\text{v}_{P'}", point), (r"\text{v}_{P/S}", sliding)])
 }
 
 /// The sine of 30° is one half. Variables: tangent of b/2, l.
@@ -118,7 +119,7 @@ fn state(crank: &Crank) -> Moment {
     Moment::default()
         .with([("R", crank.radius), ("l", crank.ground), ("r", distance), ("b", slot), (r"\theta", PI - crank.angle)])
         .with([("v_P", pin.norm()), ("v_{P'}", point.norm()), ("v_{P/S}", sliding.abs()), ("g", velocity_angle)])
-        .with([("v_D", crank.speed), ("v_S", turning.abs())])
+        .with([(r"\mathrm{v}_D", crank.speed), (r"\mathrm{v}_S", turning.abs())])
 }
 
 fn speeds_in_numbers() -> &'static [Moment] {
@@ -132,9 +133,9 @@ fn velocities_in_numbers() -> &'static [Moment] {
         let [[_, sliding, _], [slot, ..]] = crank.polar();
         let relative = Turn::from_radians(slot).direction() * sliding;
         Moment::default().with([
-            ("v_P", crank.pin_motion()[1]),
-            ("v_{P'}", crank.point_motion()[1]),
-            ("v_{P/S}", relative),
+            (r"\text{v}_P", crank.pin_motion()[1]),
+            (r"\text{v}_{P'}", crank.point_motion()[1]),
+            (r"\text{v}_{P/S}", relative),
         ])
     };
     STATES.get_or_init(|| cranks().map(velocities).collect())

@@ -244,7 +244,7 @@ fn found() -> Vec<Claim> {
                 "the sense of the lever's angular acceleration, of which only the magnitude is given",
             )
             .missing(
-                "The source gives magnitudes only. The lever slows down if the pin slides inwards. In the mirror \
+                "The source gives magnitudes only. At this place the lever slows down if the pin slides inwards. In the mirror \
                  image, which has the same printed numbers, the pin slides outwards and the lever speeds up",
             ),
     ]

@@ -22,7 +22,7 @@ pub const COMPONENTS: Vocabulary = Vocabulary::new(components, AutomaticDerivati
 pub const FRAME: Vocabulary = Vocabulary::new(frame, AutomaticDerivative, frame_in_numbers);
 /// The point at the frame's origin, through which it moves.
 pub const AT_THE_ORIGIN: Vocabulary = Vocabulary::new(at_the_origin, AutomaticDerivative, origin_in_numbers);
-/// Units of rotation and of time, and those that they are made of.
+/// Units of rotation and of time. Each may have any size, so what a conversion leaves of them is what its characters leave.
 pub const UNITS: Vocabulary = Vocabulary::new(units, Vectors, units_in_numbers);
 
 /// Sizes are the parts of vectors in the directions of the source, and nothing is left across these. Towards the pivot the
@@ -207,12 +207,16 @@ fn at_the_origin(_: i64) -> Moment<Expression> {
     )
 }
 
-/// A turn is two half turns, and a minute has sixty seconds. Variables: π, the radian, the second.
+/// The speed of one turn a minute, in radians and seconds.
+pub const TURN_A_MINUTE: &str = r"\text{turn a minute}";
+
+/// A turn is two half turns, and a minute has sixty seconds. Variables: π, the radian, the second, the turn, the minute.
 fn units(_: i64) -> Moment<Expression> {
-    let [half_turn, radian, second] = from_fn(Expression::variable);
+    let [half_turn, radian, second, turn, minute] = from_fn(Expression::variable);
     Moment::default()
         .with([(r"\pi", half_turn), (r"\text{rad}", radian), (r"\text{s}", second)])
-        .with([(r"\text{rev}", (half_turn + half_turn) * radian), (r"\text{min}", 60 * second)])
+        .with([(r"\text{rev}", turn), (r"\text{min}", minute)])
+        .with([(TURN_A_MINUTE, (half_turn + half_turn) * radian / (60 * second))])
 }
 
 /// Ground, crank over it, crank angle in degrees, angular velocity.
@@ -297,12 +301,12 @@ fn units_in_numbers() -> &'static [Moment] {
     static FOUND: OnceLock<[Moment; 1]> = OnceLock::new();
     FOUND.get_or_init(|| {
         let (radian, second) = (3.0, 5.0);
-        let turn = 4.0 * libm::atan2(1.0, 0.0) * radian;
         [Moment::default().with([
-            (r"\text{rev}", turn),
+            (r"\text{rev}", 7.0),
             (r"\text{rad}", radian),
-            (r"\text{min}", 60.0 * second),
+            (r"\text{min}", 11.0),
             (r"\text{s}", second),
+            (TURN_A_MINUTE, 4.0 * libm::atan2(1.0, 0.0) * radian / (60.0 * second)),
         ])]
     })
 }

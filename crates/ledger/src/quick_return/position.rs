@@ -1,6 +1,6 @@
 //! The position: a triangle of ground, crank and lever.
 
-use super::letters::{SIZES, UNITS};
+use super::letters::{SIZES, TURN_A_MINUTE, UNITS};
 use super::*;
 use crate::vocabulary::{equal_to, filled};
 
@@ -122,7 +122,7 @@ pub fn claims() -> Vec<Claim> {
                 ),
                 "revolutions per minute to radians per second",
             )
-            .rewritten_and_proven(UNITS, equal_to(r"\frac{\text{rev}}{\text{min}}"))
+            .rewritten_and_proven(UNITS, equal_to(TURN_A_MINUTE))
             .also_by(OtherPlaceInSource, || {
                 let circumference = 2.0 * PI * printed("quick-return.crank");
                 let turns = printed("quick-return.pin-speed") * 60.0 / circumference;

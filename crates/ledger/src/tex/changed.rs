@@ -3,6 +3,7 @@
 //! A misprint makes no difference where the part that it changes has the same value as before. So it is asked whether an
 //! equation of the two parts holds, by whoever reads the formula.
 
+use super::reader::UPRIGHT;
 use super::tree::{By, Function, Joint, Node};
 use super::{Display, GREEK};
 
@@ -10,7 +11,7 @@ use super::{Display, GREEK};
 /// differentiated counts by its derivative. None if the formulas are the same, if one of them cannot be read, or if the part
 /// cannot be written.
 pub fn changed_part(was: &str, is: &str) -> Option<String> {
-    let [was, is] = [was, is].map(|tex| Display::read_line(tex).ok());
+    let [was, is] = [was, is].map(|tex| Display::read_part(tex).ok());
     let sides = |display: Display| display.chains.into_iter().flatten().collect::<Vec<Node>>();
     let (was, is) = (sides(was?), sides(is?));
     let differing: Vec<_> = was.iter().zip(&is).filter(|(was, is)| was != is).collect();
@@ -77,6 +78,7 @@ fn name_written(name: &str) -> Option<String> {
     let greek = format!(r"\{base}");
     let mut tex = match base {
         "pi" => greek,
+        _ if base.starts_with(UPRIGHT) => format!(r"\mathrm{{{}}}", base.trim_start_matches(UPRIGHT)),
         _ if GREEK.contains(&greek.as_str()) => greek,
         _ if base.chars().count() == 1 => base.to_owned(),
         _ if base.chars().all(char::is_alphabetic) => format!(r"\text{{{base}}}"),

@@ -6,7 +6,7 @@
 
 use super::number::Number;
 use super::tree::Function;
-use super::{Display, Moment};
+use super::{Display, Illegible, Moment};
 use crate::Finding;
 use geneva_kinematics::{Expression, Field, Identity, IdentityWithRoot, prove, prove_with_root};
 use std::collections::{HashMap, HashSet};
@@ -49,11 +49,20 @@ const VARIABLES: usize = 14;
 /// What cannot be read or evaluated is neither right nor wrong: characters that make no formula, a name that stands for
 /// nothing, a division by zero. It must not pass for a slip of the source, so the finding says that it was not evaluated.
 pub fn decide(tex: &str, letters: Exact) -> Finding {
+    decided(Display::read(tex).and_then(Display::without_number), letters)
+}
+
+/// Proves or refutes an equation of joined lines, as [`decide`] does a whole one.
+pub fn decide_joined(tex: &str, letters: Exact) -> Finding {
+    decided(Display::read_joined(tex).and_then(Display::without_number), letters)
+}
+
+fn decided(display: Result<Display, Illegible>, letters: Exact) -> Finding {
     let (mut parts, mut conditions) = (Vec::new(), Vec::new());
     let mut root = None;
     for sign in [1, -1] {
         let moment = letters(sign);
-        match Display::read_line(tex).and_then(|display| display.differences(&moment, sign)) {
+        match display.as_ref().map_err(Clone::clone).and_then(|display| display.differences(&moment, sign)) {
             Ok(differences) => parts.extend(differences),
             Err(illegible) => return Finding::not_evaluated(illegible.to_string()),
         }
@@ -67,8 +76,12 @@ pub fn decide(tex: &str, letters: Exact) -> Finding {
 /// zero. Of a chain, some sides may be equal everywhere, but not all.
 pub fn decide_multiple(tex: &str, letters: fn() -> (Moment<Expression>, Expression, Expression)) -> Finding {
     let (moment, factor, vanishing) = letters();
-    let differences = match Display::read_line(tex).and_then(|display| display.differences(&moment, 1)) {
-        Ok(differences) => differences,
+    let differences = |display: Display| {
+        let signs = if display.has_double_sign() { &[1, -1][..] } else { &[1] };
+        signs.iter().map(|sign| display.differences(&moment, *sign)).collect::<Result<Vec<_>, _>>()
+    };
+    let differences = match Display::read(tex).and_then(Display::without_number).and_then(differences) {
+        Ok(differences) => differences.concat(),
         Err(illegible) => return Finding::not_evaluated(illegible.to_string()),
     };
     let (equal, apart): (Vec<_>, Vec<_>) =

@@ -20,7 +20,7 @@ pub struct Misprint {
 /// The kinds of misprints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
-    /// Plus for minus, minus for plus, or a minus before a side that has no sign.
+    /// Plus for minus, minus for plus, both for one of them, or a minus before a side that has no sign.
     Sign,
     /// One function for another.
     Function,
@@ -116,8 +116,13 @@ impl Made<'_> {
         let rest = &self.tex[end..];
         // A command ends where no letter follows.
         let command = with.starts_with('\\') && with.ends_with(|c: char| c.is_ascii_alphabetic());
-        let gap = if command && rest.starts_with(|c: char| c.is_ascii_alphabetic()) { " " } else { "" };
-        let tex = format!("{}{with}{gap}{rest}", &self.tex[..start]);
+        let letter = |tex: &str| tex.starts_with(|c: char| c.is_ascii_alphabetic());
+        let gap = if command && letter(rest) { " " } else { "" };
+        let before = &self.tex[..start];
+        let open = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        let follows = open.ends_with('\\') && open.len() < before.len();
+        let parted = if follows && letter(if with.is_empty() { rest } else { with }) { " " } else { "" };
+        let tex = format!("{before}{parted}{with}{gap}{rest}");
         self.found.push(Misprint { tex, class, change: format!("piece {from}: {change}") });
     }
 
@@ -128,8 +133,10 @@ impl Made<'_> {
 
     fn of_signs(&mut self, at: usize) {
         match self.text(at) {
-            "+" => self.replace(Class::Sign, at, "-"),
-            "-" => self.replace(Class::Sign, at, "+"),
+            sign @ ("+" | "-") => {
+                self.replace(Class::Sign, at, if sign == "+" { "-" } else { "+" });
+                self.replace(Class::Sign, at, r"\pm");
+            }
             "<" => self.replace(Class::Relation, at, ">"),
             ">" => self.replace(Class::Relation, at, "<"),
             r"\leq" => self.replace(Class::Relation, at, r"\geq"),
@@ -301,7 +308,7 @@ mod tests {
 
     #[test]
     fn every_class_is_made_and_what_is_not_changed_stays_as_it_is() {
-        makes("a = b - c", Class::Sign, &["-a = b - c", "a = -b - c", "a = b + c"]);
+        makes("a = b - c", Class::Sign, &["-a = b - c", "a = -b - c", "a = b + c", r"a = b \pm c"]);
         makes(r"\sin x + \tan y", Class::Function, &[r"\cos x + \tan y", r"\sin x + \sin y"]);
         makes(r"\dot{x} + \ddot\theta a", Class::Dot, &[r"{x} + \ddot\theta a", r"\ddot{x} + \ddot\theta a"]);
         makes(r"\dot{x} + \ddot\theta a", Class::Dot, &[r"\dot{x} + \dot\theta a", r"\dot{x} + \ddot\theta \dot{a}"]);
@@ -314,5 +321,6 @@ mod tests {
         makes(r"\frac{a}{b} n/m", Class::Fraction, &[r"\frac{b}{a} n/m", r"\frac{a}{b} m / n "]);
         makes(r"|a| + \left| b \right|", Class::Bars, &[r"(a) + \left| b \right|", r"|a| + \left( b \right)"]);
         makes(r"a \leq b", Class::Relation, &[r"a \geq b"]);
+        makes(r"a = \cos\theta", Class::Letter, &[r"a = \cos a"]);
     }
 }

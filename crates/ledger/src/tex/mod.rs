@@ -18,7 +18,7 @@ mod tree;
 mod value;
 
 pub use changed::changed_part;
-pub use exact::{Exact, decide, decide_multiple};
+pub use exact::{Exact, decide, decide_joined, decide_multiple};
 pub use misprints::{Class, Misprint, misprints};
 pub use moment::{Letters, Moment, by_name};
 pub use number::Number;
@@ -28,6 +28,7 @@ pub use tree::By;
 pub use value::Value;
 
 use crate::tolerance::{DIFFERENCES, ROUTES};
+use reader::Brackets;
 use std::collections::BTreeSet;
 use tree::{Function, Node};
 
@@ -66,48 +67,85 @@ impl Display {
     ///
     /// If something in it has no meaning here.
     pub fn read(tex: &str) -> Result<Self, Illegible> {
-        reader::read(tex, false)
+        reader::read(tex, Brackets::Matched)
     }
 
-    /// Reads what may be a line of a longer display: brackets that are left open at the end of a side are closed there,
+    /// Reads a display in which any kind of bracket closes any other, as lines of a source do that are printed apart.
+    ///
+    /// # Errors
+    ///
+    /// If something in it has no meaning here.
+    pub fn read_joined(tex: &str) -> Result<Self, Illegible> {
+        reader::read(tex, Brackets::OfAnyKind)
+    }
+
+    /// Reads what may be a part of a longer display: brackets that are left open at the end of a side are closed there,
     /// those closed too often are passed over, and any kind closes any other.
     ///
     /// # Errors
     ///
     /// If something in it has no meaning here.
-    pub fn read_line(tex: &str) -> Result<Self, Illegible> {
-        reader::read(tex, true)
+    pub fn read_part(tex: &str) -> Result<Self, Illegible> {
+        reader::read(tex, Brackets::Cut)
     }
 
-    /// Whether all its chains hold at all of these instants; where a double sign stands, for one of the signs.
+    /// Whether all its chains hold at all of these instants; where a double sign stands, for one of the signs, and each sign
+    /// must be needed at one of the instants.
     ///
     /// # Errors
     ///
     /// If it equates nothing, or if a name stands for nothing.
     pub fn holds<'a, N: Number>(&self, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Result<bool, Illegible> {
-        if self.chains.is_empty() || self.chains.iter().any(|chain| chain.len() < 2) {
-            return Err(Illegible("it equates nothing".to_owned()));
-        }
+        self.equates()?;
         let any = |is: fn(&Node) -> bool| self.chains.iter().flatten().any(|side| side.contains(is));
         let differs = any(|node| matches!(node, Node::Of(Function::Rate(_), _)));
         let allowed = if differs { DIFFERENCES } else { ROUTES }.relative;
-        let signs = if any(|node| matches!(node, Node::Of(Function::PlusMinus, _))) { &[1, -1][..] } else { &[1] };
+        let is_double = self.has_double_sign();
+        let signs = if is_double { &[1, -1][..] } else { &[1] };
+        // Of each sign, whether it is the only one at an instant.
+        let mut needed = [false; 2];
         for moment in moments {
             for chain in &self.chains {
                 let agrees = |sign: &i64| Ok(moment.misfit(chain, *sign)? <= allowed);
-                if !signs.iter().map(agrees).collect::<Result<Vec<bool>, Illegible>>()?.contains(&true) {
-                    return Ok(false);
+                match signs.iter().map(agrees).collect::<Result<Vec<bool>, Illegible>>()?[..] {
+                    [true, false] => needed[0] = true,
+                    [false, true] => needed[1] = true,
+                    [true] | [true, true] => {}
+                    _ => return Ok(false),
                 }
             }
         }
-        Ok(true)
+        Ok(!is_double || needed == [true; 2])
+    }
+
+    /// Whether a double sign is in it.
+    fn has_double_sign(&self) -> bool {
+        let is_double = |node: &Node| matches!(node, Node::Of(Function::PlusMinus, _));
+        self.chains.iter().flatten().any(|side| side.contains(is_double))
+    }
+
+    /// The display, if no number is at its side: that of a claim's equation is in its locator.
+    fn without_number(self) -> Result<Self, Illegible> {
+        match self.tag {
+            Some(tag) => Err(Illegible(format!("the number {tag} in an equation, which belongs to its locator"))),
+            None => Ok(self),
+        }
+    }
+
+    /// Makes sure that it says something: that each of its chains has two sides, and none is equated with itself.
+    fn equates(&self) -> Result<(), Illegible> {
+        if self.chains.is_empty() || self.chains.iter().any(|chain| chain.len() < 2) {
+            return Err(Illegible("it equates nothing".to_owned()));
+        }
+        if self.chains.iter().flat_map(|chain| chain.windows(2)).any(|pair| pair[0] == pair[1]) {
+            return Err(Illegible("it equates something with itself".to_owned()));
+        }
+        Ok(())
     }
 
     /// Each side of an equation minus the next, with this sign for those that stand for both.
     fn differences<N: Number>(&self, moment: &Moment<N>, sign: i64) -> Result<Vec<N>, Illegible> {
-        if self.chains.is_empty() || self.chains.iter().any(|chain| chain.len() < 2) {
-            return Err(Illegible("it is no equation".to_owned()));
-        }
+        self.equates()?;
         let pairs = self.chains.iter().flat_map(|chain| chain.windows(2));
         let apart = pairs.map(|pair| moment.apart([&pair[0], &pair[1]], sign));
         Ok(apart.collect::<Result<Vec<_>, _>>()?.concat())
@@ -124,7 +162,12 @@ impl Display {
 
 /// Whether an equation holds at all of these instants; none if it cannot be read.
 pub fn holds<'a, N: Number>(tex: &str, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Option<bool> {
-    Display::read_line(tex).and_then(|display| display.holds(moments)).ok()
+    Display::read(tex).and_then(Display::without_number).and_then(|display| display.holds(moments)).ok()
+}
+
+/// Whether an equation of joined lines holds at all of these instants; none if it cannot be read.
+pub fn joined_holds<'a, N: Number>(tex: &str, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Option<bool> {
+    Display::read_joined(tex).and_then(Display::without_number).and_then(|display| display.holds(moments)).ok()
 }
 
 /// The value of a formula without an equals sign; not a number if it cannot be read or a letter has no value.
@@ -134,14 +177,14 @@ pub fn value(formula: &str, letters: &Letters) -> f64 {
 
 /// The value of a formula without an equals sign at an instant; not a number if it cannot be read or a letter has no value.
 pub fn value_at(formula: &str, moment: &Moment) -> f64 {
-    let display = Display::read_line(formula).ok();
+    let display = Display::read(formula).and_then(Display::without_number).ok();
     display.and_then(|display| moment.number(display.alone()?).ok()).unwrap_or(f64::NAN)
 }
 
 /// The letters that a formula needs; none if it cannot be read.
 pub fn letters_in(formula: &str) -> BTreeSet<String> {
     let mut letters = BTreeSet::new();
-    if let Ok(display) = Display::read_line(formula) {
+    if let Ok(display) = Display::read_part(formula) {
         for side in display.chains.iter().flatten() {
             side.visit(&mut |node| {
                 if let Node::Name(name) = node {

@@ -14,17 +14,30 @@ type Read<T> = Result<T, Illegible>;
 const WRAPPERS: [&str; 6] = [r"\mathrm", r"\text", r"\dot", r"\ddot", r"\vec", r"\overrightarrow"];
 /// Pieces that say only how a name looks.
 const FACES: [&str; 5] = ["{", "}", r"\mathrm", r"\text", r"\rm"];
+/// What the name of a single letter begins with that is set upright.
+pub const UPRIGHT: &str = "upright ";
 /// What closes a bracket that is no bar.
 const CLOSING: [&str; 3] = [")", "]", r"\}"];
 /// Pieces behind a whole formula, where another may begin.
 const ENDS: [&str; 5] = [",", ".", r"\qquad", r"\quad", r"\tag"];
 
-/// Reads a display. One that is cut out of a longer one may have brackets that are not its own: those left open at the
-/// end of a side are closed there, those closed too often are passed over, and any kind closes any other.
-pub fn read(tex: &str, is_cut: bool) -> Read<Display> {
+/// How brackets must match.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Brackets {
+    /// Each is closed once, by its own kind.
+    Matched,
+    /// Each is closed once, by any kind.
+    OfAnyKind,
+    /// Of what is cut out of a longer formula: those left open at the end of a side are closed there, those closed too often
+    /// are passed over, and any kind closes any other.
+    Cut,
+}
+
+/// Reads a display.
+pub fn read(tex: &str, brackets: Brackets) -> Read<Display> {
     let pieces = without_layout(tex);
     let pieces: Vec<&str> = pieces.iter().map(String::as_str).collect();
-    let mut reader = Reader { pieces: &pieces, at: 0, bars: 0, is_cut };
+    let mut reader = Reader { pieces: &pieces, at: 0, bars: 0, brackets };
     let mut display = Display { tag: None, chains: Vec::new() };
     while let Some(piece) = reader.next() {
         match piece {
@@ -103,8 +116,7 @@ struct Reader<'a> {
     at: usize,
     /// How many plain bars are open.
     bars: usize,
-    /// Whether brackets may be open at the end, closed too often, or closed by another kind.
-    is_cut: bool,
+    brackets: Brackets,
 }
 
 impl<'a> Reader<'a> {
@@ -121,8 +133,10 @@ impl<'a> Reader<'a> {
     fn needs(&mut self, piece: &str) -> Read<()> {
         match self.next() {
             _ if self.takes(piece) => Ok(()),
-            None | Some("=") if self.is_cut => Ok(()),
-            Some(other) if self.is_cut && [other, piece].iter().all(|piece| CLOSING.contains(piece)) => {
+            None | Some("=") if self.brackets == Brackets::Cut => Ok(()),
+            Some(other)
+                if self.brackets != Brackets::Matched && [other, piece].iter().all(|piece| CLOSING.contains(piece)) =>
+            {
                 self.at += 1;
                 Ok(())
             }
@@ -149,7 +163,7 @@ impl<'a> Reader<'a> {
 
     /// What all of these pieces say.
     fn inside<T>(pieces: &'a [&'a str], read: impl Fn(&mut Self) -> Read<T>) -> Read<T> {
-        let mut reader = Self { pieces, at: 0, bars: 0, is_cut: false };
+        let mut reader = Self { pieces, at: 0, bars: 0, brackets: Brackets::Matched };
         let found = read(&mut reader)?;
         match reader.next() {
             None => Ok(found),
@@ -159,7 +173,9 @@ impl<'a> Reader<'a> {
 
     fn side(&mut self) -> Read<Node> {
         let side = self.sum()?;
-        while self.is_cut && self.next().is_some_and(|piece| piece == r"\right|" || CLOSING.contains(&piece)) {
+        while self.brackets == Brackets::Cut
+            && self.next().is_some_and(|piece| piece == r"\right|" || CLOSING.contains(&piece))
+        {
             self.at += 1;
         }
         Ok(side)
@@ -328,6 +344,8 @@ impl<'a> Reader<'a> {
             [r"\vec" | r"\overrightarrow", of @ ..] => format!("vec {}", plain(of)),
             // A small step of what follows.
             [r"\delta"] => format!("delta {}", name_of(self.group()?)?),
+            // A letter that is set upright is another letter than the same in italics.
+            [r"\mathrm" | r"\text", "{", piece, "}"] if piece.chars().count() == 1 => format!("{UPRIGHT}{piece}"),
             [r"\mathrm" | r"\text", ..] => plain(letter),
             [piece] if *piece == r"\pi" || GREEK.contains(piece) || piece.chars().all(char::is_alphabetic) => {
                 plain(letter)

@@ -27,7 +27,6 @@ fn formulas_are_read_as_they_are_meant() {
         // Signs.
         r"-a^2 + x = -7",
         r"1 - 2 - 3 = -4",
-        r"a = x \pm 1 = 3",
         // Powers, of letters, numbers and functions.
         r"y_{n+1}^{1/2} = \sqrt{13}",
         r"\sin^2 \theta + \cos^{2}\theta a - 2\cos \theta \cos\theta = 1",
@@ -68,7 +67,7 @@ fn formulas_are_read_as_they_are_meant() {
 }
 
 #[test]
-fn a_line_of_a_display_may_lack_brackets() {
+fn a_part_of_a_display_may_lack_brackets() {
     for (tex, expected) in [
         (r"\left. \left[ a \right. \\ & \left. + x", 5.0),
         (r"x[a + 2 ( a", 18.0),
@@ -76,10 +75,47 @@ fn a_line_of_a_display_may_lack_brackets() {
         (r"\left| -a", 3.0),
         (r"\left[ a + x \right\}", 5.0),
     ] {
-        assert_eq!(value(tex, moment().letters()), expected, "{tex}");
+        let part = Display::read_part(tex).expect(tex);
+        assert_eq!(moment().number(part.alone().expect(tex)), Ok(expected), "{tex}");
         assert!(Display::read(tex).is_err(), "{tex}");
+        assert!(value(tex, moment().letters()).is_nan(), "{tex}");
     }
-    assert_eq!(holds(r"\left[ a = x + 1 \right]", [&moment()]), Some(true));
+    for tex in [r"\left[ a = x + 1 \right]", "(a = x + 1", "a = x + 1)", "a = (x + 1]"] {
+        assert_eq!(holds(tex, [&moment()]), None, "{tex}");
+    }
+    assert_eq!(joined_holds("a = (x + 1]", [&moment()]), Some(true));
+    assert_eq!(joined_holds("a = (x + 1", [&moment()]), None);
+}
+
+#[test]
+fn a_double_sign_stands_for_both() {
+    // Once a number more and once a number less than another.
+    let [more, less] = [3.0, 1.0].map(|a| moment().with([("a", a)]));
+    let both = |tex: &str| holds(tex, [&more, &less]);
+    assert_eq!(both(r"a = x \pm 1"), Some(true));
+    assert_eq!(both(r"x = a \pm 1"), Some(true));
+    assert_eq!(both(r"x^2 \pm 0 = 4"), Some(false));
+    assert_eq!(both(r"a = x \pm 2"), Some(false));
+    // One sign is enough, so the double one says too much.
+    assert_eq!(holds(r"a = x \pm 1", [&more]), Some(false));
+    assert_eq!(holds(r"a = x + 1", [&more]), Some(true));
+}
+
+#[test]
+fn what_says_nothing_is_no_equation() {
+    for tex in ["a = a", "x + 1 = a = (a)", r"a = x + 1, \quad x = x", r"\frac{a}{x} = \frac{(a)}{x}"] {
+        let found = Display::read(tex).and_then(|display| display.holds([&moment()]));
+        assert!(found.is_err_and(|error| error.to_string().contains("with itself")), "{tex}");
+    }
+    // The number of an equation is said by its locator.
+    assert_eq!(holds(r"a = x + 1 \tag{1-2}", [&moment()]), None);
+}
+
+#[test]
+fn an_upright_letter_is_another_letter() {
+    let moment = moment().with([(r"\mathrm{a}_P", 31.0), ("a_P", 37.0)]);
+    assert_eq!(holds(r"\text{a}_P = 31 = a_P - 6", [&moment]), Some(true));
+    assert_eq!(holds(r"\mathrm{x} = 2", [&moment]), None);
 }
 
 #[test]

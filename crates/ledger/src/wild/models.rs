@@ -92,8 +92,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "seen from the wheel's axis, the pin comes to the rim at {place:.3} times the slot's angle from the \
-                 line of centres, and the wheel starts at {speed:.3} times the driver's speed"
+                "when the pin reaches the rim, its angle from the line of centres, seen from the wheel's axis, is \
+                 {place:.3} times the slot's angle, and the wheel starts at {speed:.3} times the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)

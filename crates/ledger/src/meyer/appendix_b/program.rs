@@ -4,6 +4,7 @@ use super::*;
 use crate::meyer::reading::{self, Letters};
 use geneva_dynamics::{Coefficients, Pose, Sign};
 use geneva_kinematics::Mechanism;
+use geneva_mimic::language::{Deck, Layout, Problem};
 use std::sync::OnceLock;
 
 // What the lines say, in the letters of mathematics; the names are the program's.
@@ -52,7 +53,7 @@ pub fn as_formula(card: &str) -> String {
         match word.as_str() {
             "SIN" | "COS" => formula += &format!(r"\{}", word.to_lowercase()),
             "ABS" => is_size = true,
-            _ if is_name => formula += &format!(r"\text{{{word}}}"),
+            _ if is_name && word.len() > 1 => formula += &format!(r"\text{{{word}}}"),
             _ => formula += &word,
         }
         word.clear();
@@ -70,12 +71,22 @@ pub fn as_formula(card: &str) -> String {
 }
 
 /// What a card says as an equation in the letters of mathematics: the name before its first blank equals the formula after it.
-/// What is an equation stays as it is.
+/// What is an equation stays as it is, and so does what the language refuses, which equates nothing then.
 pub fn as_equation(card: &str) -> String {
     match card.split_once(' ') {
-        Some((name, formula)) if !card.contains('=') => format!("{} = {}", as_formula(name), as_formula(formula)),
+        Some((name, formula)) if !card.contains('=') && is_card(card) => {
+            format!("{} = {}", as_formula(name), as_formula(formula))
+        }
         _ => card.to_owned(),
     }
+}
+
+/// Whether the language reads a card, in a deck where other cards define its names. A blank keeps the name C from making it a
+/// comment.
+fn is_card(card: &str) -> bool {
+    let faults = Deck::read(&format!(" {card}\n END"), Layout::Free).map_or_else(|faults| faults.0, |_| Vec::new());
+    let of_card = faults.into_iter().filter(|fault| fault.card == 1);
+    of_card.map(|fault| fault.problem).all(|problem| matches!(problem, Problem::UnknownName { .. }))
 }
 
 /// Evaluates a line, and adds what it computes to the letters.
@@ -158,4 +169,18 @@ pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64
     });
     let how = if holds { "agrees with the mechanism at each" } else { "differs from the mechanism at some" };
     Finding::new(holds, format!("the program {how} of 19 angles, with all three mechanisms"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_card_is_an_equation_if_the_language_reads_it() {
+        let read = as_equation("C 2.*(I*U)/L");
+        assert_eq!(read.split_whitespace().collect::<Vec<_>>(), ["C", "=", "2.(IU)/L"]);
+        for card in ["C 2.(I*U)/L", "C 2.*I(*U)/L", "C 2.*(I*)U/L", "C 2.*(I*U)/L,", "C 2.*(I*U/L", "C I+*U"] {
+            assert_eq!(as_equation(card), card);
+        }
+    }
 }

@@ -47,6 +47,7 @@ fn printed_stages(slope: Slope, x: f64, y: f64, h: f64) -> Option<([(f64, f64); 
     let mut places = [(0.0, 0.0); 4];
     for (k, id) in STAGES.into_iter().enumerate() {
         let inside = right_side(id).trim().strip_prefix('f')?.trim_start_matches(r"\left").strip_prefix('(')?;
+        let inside = inside.strip_suffix(')')?.trim_end_matches(r"\right");
         let (first, second) = inside.split_once(';')?;
         places[k] = (value(first, &letters), value(second, &letters));
         letters.insert(format!("f_{}", k + 1), slope(places[k].0, places[k].1));
