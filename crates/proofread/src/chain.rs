@@ -2,6 +2,7 @@
 
 use crate::join::joined;
 use crate::token::{Kind, Span, Token, has_number, span_of, trimmed};
+use crate::unit::{is_percent, unit};
 
 /// How a side relates to the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +34,7 @@ pub enum Parted {
     Not,
     /// By a comma or a point.
     ByMark,
-    /// By such a mark behind numbers that are in no chain: `1, 2, 3 = 6`.
+    /// By such a mark, an arrow or the word *of* behind numbers that are in no chain: `1, 2, 3 = 6`.
     FromNumbers,
 }
 
@@ -207,11 +208,30 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     splitter.side.push(token.clone());
                     continue;
                 }
+                let is_of = token.word() == Some("of");
+                let percent = splitter.last().and_then(Token::word).is_some_and(is_percent);
+                if is_of && percent && is(next) {
+                    splitter.side.push(Token::new(Kind::Operator('×'), token.span));
+                    continue;
+                }
+                // A change of state, or a part of what follows.
+                let named = |token: &Token| match &token.kind {
+                    Kind::Name(_) => true,
+                    Kind::Word(word) => unit(word).is_none(),
+                    _ => false,
+                };
+                let joins = (token.is_one_of("→↔") || is_of)
+                    && next.is_some_and(|next| !matches!(next.kind, Kind::Name(_) | Kind::Word(_)))
+                    && splitter.sides.is_empty()
+                    && has_number(&splitter.side)
+                    && !splitter.side.iter().any(named);
                 let words = splitter.side.iter().any(|token| matches!(token.kind, Kind::Word(_) | Kind::Name(_)));
                 let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
                 splitter.end_chain(token.is('?'), false);
                 splitter.listed = token.is(',');
-                if token.is_one_of(",.") {
+                if joins {
+                    splitter.parted = Parted::FromNumbers;
+                } else if token.is_one_of(",.") {
                     splitter.parted = if numbers { Parted::FromNumbers } else { Parted::ByMark };
                 }
                 // A sum that goes on in the next row behind a comma: its terms are not all here.

@@ -4,8 +4,13 @@
 //! argument, and single digits that equal something else. None of these signs knows what was misread.
 
 use crate::chain::{Chain, Parted, Side};
+use crate::evaluate::Evaluator;
+use crate::printed::Mode;
 use crate::reader::{Formula, Written};
-use crate::token::{Kind, Span, Token};
+use crate::reading::Reading;
+use crate::surroundings;
+use crate::token::{Kind, Span, Token, any};
+use crate::unit::unit;
 use crate::value::{Literal, Value};
 use crate::verdict::{Judgement, Verdict};
 
@@ -21,9 +26,10 @@ const LONGEST: usize = 1000;
 /// Why a difference is set aside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Doubt {
-    /// A side begins or ends in the middle of something.
+    /// A side begins or ends in the middle of something, or a unit that is not known may stand behind it.
     Cut,
-    /// The sides stand in an argument of something, beside what is not known, or in a line that is no formula.
+    /// The sides stand in an argument of something, beside what is not known, or in a line that is no formula, or `g` may not be
+    /// grams.
     Unknown,
     /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
     /// a bare number or its own size.
@@ -65,8 +71,14 @@ impl Place<'_> {
         if self.is_fragment(judgement) {
             return Some(Doubt::Fragment);
         }
+        if self.lacks_unit_behind(judgement) {
+            return Some(Doubt::Cut);
+        }
         // Each pair looks at the whole formula, which takes too long if both are many.
         let short = self.formula.tokens.len() <= LONGEST;
+        if judgement.verdict == Verdict::Dimensions && self.is_free_fall() {
+            return Some(Doubt::Unknown);
+        }
         let unknown = short && (self.is_in_argument() || self.is_beside_unknown());
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
@@ -117,6 +129,33 @@ impl Place<'_> {
         let end = self.right.span.end as usize;
         let (behind, far) = (at(Some(end)), at(Some(end + 1)));
         self.ends_chain() && mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far))
+    }
+
+    /// Whether a quantity equals a bare number at the end of the formula, behind which a unit may stand that is not known.
+    fn lacks_unit_behind(&self, judgement: &Judgement) -> bool {
+        let Some((left, right)) = &judgement.values else { return false };
+        let bare = right.literal == Literal::Number && !right.has_unit && right.angle.is_none();
+        let between = self.text.get(self.right.span.end as usize..self.formula.span.end as usize);
+        let ends = between.is_some_and(|between| between.trim_matches(['$', ' ', '\\', ')']).is_empty());
+        let quantity = left.has_unit || left.angle.is_some();
+        let written = self.formula.written == Written::Formula;
+        quantity && bare && ends && written && surroundings::may_be_unit_behind(self.text, self.formula.span)
+    }
+
+    /// Whether the dimensions agree if `g` is the acceleration of free fall, and not grams.
+    fn is_free_fall(&self) -> bool {
+        let has_g = |side: &Side| any(&side.tokens, &|kind| matches!(kind, Kind::Word(word) if word == "g"));
+        let sides = [(self.left, self.right), (self.right, self.left)];
+        let (Some(metre), Some(second), Some(gram)) = (unit("m"), unit("s"), unit("g")) else { return false };
+        let fall = metre.dimension.times(second.dimension, -2.0).times(gram.dimension, -1.0);
+        // In 10/3 m/s² the unit is that of the quotient.
+        sides.into_iter().filter(|(side, _)| has_g(side)).any(|(side, other)| {
+            [Reading::USUAL, Reading::QUOTIENT].into_iter().any(|reading| {
+                let value = |side: &Side| Evaluator::new(Mode::Point, reading, None).side(&side.tokens);
+                let dimensions = value(side).ok().zip(value(other).ok());
+                dimensions.is_some_and(|(side, other)| side.dimension.times(fall, 1.0) == other.dimension)
+            })
+        })
     }
 
     fn is_fragment(&self, judgement: &Judgement) -> bool {

@@ -386,9 +386,12 @@ impl<'b> Evaluator<'b> {
             && ends
             && value.literal == Literal::Number
         {
-            // A count with its share.
-            *cursor = ahead;
-            return Ok(true);
+            // A count with its share, or a factor before a percentage.
+            self.noticed.note(Reading::SHARE);
+            if !self.chosen(Reading::SHARE) {
+                *cursor = ahead;
+                return Ok(true);
+            }
         }
         if ends && core.iter().any(|token| token.word() == Some("%")) {
             let (noticed, used) = (self.noticed, self.used.len());

@@ -41,6 +41,8 @@ impl Reading {
     pub const CYCLES: Self = Self(1 << 15);
     /// A stroke ends the argument of a logarithm: `ln 2/5` is one fifth of ln 2.
     pub const LOGARITHM_ABOVE: Self = Self(1 << 16);
+    /// A percentage is a factor: also where it stands in brackets behind a number, and where no other unit counts.
+    pub const SHARE: Self = Self(1 << 17);
 
     /// Whether all choices of another set are in this one.
     pub fn has(self, other: Self) -> bool {
@@ -77,7 +79,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 16] = [
+        const WORDS: [(Reading, &str); 17] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -94,6 +96,7 @@ impl Reading {
             (Reading::CYCLES, "a hertz as a turn in a second"),
             (Reading::LOGARITHM_ABOVE, "the logarithm above the stroke"),
             (Reading::PERCENT, "a percentage of what stands before it"),
+            (Reading::SHARE, "a percentage as a factor"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()
     }

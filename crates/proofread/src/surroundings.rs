@@ -1,7 +1,7 @@
 //! What the text around a formula says about it.
 
 use crate::join::joined;
-use crate::reader::running;
+use crate::reader::{is_noun, running};
 use crate::token::{Kind, Span, Token};
 use crate::unit::unit;
 
@@ -101,13 +101,73 @@ fn behind(text: &str, span: Span) -> &str {
     text.get(start..end).unwrap_or_default()
 }
 
+fn behind_space(text: &str) -> &str {
+    text.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}', '\u{2009}']).trim_start_matches("\\,")
+}
+
+/// Commands of TeX that make one sign of a unit.
+const SIGNS: [(&str, char); 10] = [
+    ("\\textohm", 'Ω'),
+    ("\\Omega", 'Ω'),
+    ("\\Ohm", 'Ω'),
+    ("\\ohm", 'Ω'),
+    ("\\textmu", 'μ'),
+    ("\\micro", 'μ'),
+    ("\\mu", 'μ'),
+    ("\\textdegree", '°'),
+    ("\\degree", '°'),
+    ("\\%", '%'),
+];
+
+/// The first word of a text with commands for signs of units as these signs: `k\Ohm` and `k$\Omega$` as kΩ.
+fn spelled(text: &str) -> String {
+    let word = text.split(char::is_whitespace).next().unwrap_or_default();
+    let mut out = String::new();
+    let mut rest = word;
+    while let Some(next) = rest.chars().next() {
+        let inner = rest.strip_prefix('$').unwrap_or(rest);
+        let command = SIGNS.iter().find_map(|(command, sign)| {
+            let behind = inner.strip_prefix(command)?;
+            let ends = *sign == '%' || !behind.starts_with(|c: char| c.is_ascii_alphabetic());
+            ends.then_some((*sign, behind))
+        });
+        match command {
+            Some((sign, behind)) => {
+                out.push(sign);
+                let closed =
+                    if inner.len() < rest.len() { behind.strip_prefix('$') } else { behind.strip_prefix("{}") };
+                rest = closed.unwrap_or(behind);
+            }
+            None => {
+                out.push(next);
+                rest = &rest[next.len_utf8()..];
+            }
+        }
+    }
+    out
+}
+
+/// Whether what stands directly behind a formula may be a unit that is not known: a noun, or a prefix that touches a command.
+pub(crate) fn may_be_unit_behind(text: &str, span: Span) -> bool {
+    let rest = behind_space(behind(text, span));
+    let word = rest.split(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    let is_command = |text: &str| text.strip_prefix('\\').is_some_and(|name| name.starts_with(char::is_alphabetic));
+    let prefixed = word.chars().count() == 1 && is_command(&rest[word.len()..]);
+    prefixed || (is_noun(word) && word.starts_with(char::is_lowercase) && unit(word).is_none())
+}
+
 /// The unit in running text directly behind a formula, as tokens; none if there is none.
 pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
     let rest = behind(text, span);
-    let rest = rest.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}', '\u{2009}']).trim_start_matches("\\,");
+    let rest = spelled(behind_space(rest));
     let end = rest.find(|c: char| c.is_whitespace() || ",;:<$\\".contains(c)).unwrap_or(rest.len());
     let word = rest[..end].trim_end_matches(['.', ')', '!', '?', '"', '*', '_']);
     let mut tokens = joined(&running(word, span.end as usize));
+    for token in &mut tokens {
+        if token.word().is_some_and(|word| matches!(word, "turn" | "turns")) {
+            token.kind = Kind::Word("revolution".to_owned());
+        }
+    }
     let is_unit = |token: &Token| match &token.kind {
         Kind::Word(word) => unit(word).is_some() || ["thousand", "million", "billion"].contains(&word.as_str()),
         Kind::Power(_) | Kind::Operator('/' | '·') => true,

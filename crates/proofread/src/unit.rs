@@ -291,6 +291,11 @@ pub(crate) fn is_ambiguous(word: &str) -> bool {
     listed(AMBIGUOUS, word)
 }
 
+/// Whether a word is the sign of a percentage.
+pub(crate) fn is_percent(word: &str) -> bool {
+    matches!(word, "%" | "percent")
+}
+
 /// The unit without its prefix, if the word is one of those that take a prefix and has one.
 pub(crate) fn without_prefix(word: &str) -> Option<&str> {
     let first = word.chars().next().filter(|first| PREFIXES.iter().any(|(prefix, _)| prefix == first))?;

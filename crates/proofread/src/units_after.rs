@@ -5,7 +5,7 @@ use crate::evaluate::{Cursor, Evaluator};
 use crate::interval::Interval;
 use crate::reading::Reading;
 use crate::token::{Kind, Token};
-use crate::unit::{Dimension, Unit, is_ambiguous, unit};
+use crate::unit::{Dimension, Unit, is_ambiguous, is_percent, unit};
 use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
 use std::f64::consts::PI;
 
@@ -128,7 +128,13 @@ impl Evaluator<'_> {
             _ => {}
         }
         if self.chosen(Reading::NUMBERS) && word != "°" {
-            one.factor = 1.0;
+            let percent = is_percent(word);
+            if percent {
+                self.noticed.note(Reading::SHARE);
+            }
+            if !(percent && self.chosen(Reading::SHARE)) {
+                one.factor = 1.0;
+            }
         }
         one
     }

@@ -46,6 +46,39 @@ fn a_side_that_may_go_on_is_a_doubt() {
 }
 
 #[test]
+fn a_unit_that_is_not_known_may_stand_behind_the_formula() {
+    aside(
+        Doubt::Cut,
+        &[r"$15\,\text{V}/100\,\mu\text{A} = 150$\,k\unheard", r"$15\,\text{V}/100\,\mu\text{A} = 150$ kiloohmings"],
+    );
+    counts(&[
+        r"$15\,\text{V}/100\,\mu\text{A} = 150$ and more",
+        r"$15\,\text{V}/100\,\mu\text{A} = 160\,\text{k}\Omega$ resistors",
+        r"$2.5 + 1.5 = 5$ apples",
+    ]);
+}
+
+#[test]
+fn numbers_that_an_arrow_or_a_word_joins_are_a_doubt() {
+    aside(
+        Doubt::Cut,
+        &[
+            "4.6 -> 1.8 = 2.8 eV\n",
+            "4.6 --> 1.85 = 2.8 eV\n",
+            r"$4.6 \to 1.8 = 2.8\,\text{eV}$",
+            "(1/3) of 163.62 = 54.54 cm\n",
+        ],
+    );
+    counts(&["Then 2.5 - 1.5 = 3\n", r"$x \to 2.5 + 1.5 = 3$", "A mean of 2.5 + 1.5 = 3\n"]);
+}
+
+#[test]
+fn grams_that_may_be_free_fall_are_a_doubt() {
+    aside(Doubt::Unknown, &["a = (1/3)g = 10/3 m/s²\n", r"$0.5\,\text{g} = 4.9\,\text{m/s}^2$"]);
+    counts(&["m = (1/4) g = 0.35 g\n", r"$0.5\,\text{g} = 4.9\,\text{m/s}$"]);
+}
+
+#[test]
 fn a_number_that_may_be_a_part_is_a_doubt() {
     aside(
         Doubt::Fragment,

@@ -62,6 +62,40 @@ fn a_unit_directly_behind_the_formula_belongs_to_it() {
 }
 
 #[test]
+fn a_percentage_may_be_a_factor() {
+    all(&[
+        (r"3(0.50\%) = 1.50\%", &["consistent"]),
+        (r"3(0.50\%) = 4.90\%", &["inconsistent"]),
+        (r"36(15\%) = 36", &["consistent"]),
+        (r"7.5\% \times 8.00 = 0.60\,\text{g}\,\text{cm}^{-3}", &["units"]),
+        (r"7.5\% \times 8.00 = 0.70\,\text{g}\,\text{cm}^{-3}", &["dimensions"]),
+        (r"12/200 \times 100 = 6.0\%", &["consistent"]),
+    ]);
+    assert_eq!(lists("It is 1.6% of 163.62 = 2.6 and 20% of 45 = 9.\n"), [("agreeing", "consistent"); 2]);
+    assert_eq!(lists("It is 1.6% of 163.62 = 2.9.\n"), [("numbers", "inconsistent")]);
+}
+
+#[test]
+fn a_unit_behind_the_formula_may_be_a_command_or_a_turn() {
+    for text in [
+        r"$15\,\text{V}/100\,\mu\text{A} = 150$\,k\Ohm.",
+        r"$15\,\text{V}/100\,\mu\text{A} = 150$ k$\Omega$, so",
+        r"$15\,\text{V}/3\,\text{A} = 5$~\ohm{}",
+        r"$3/200 = 1.5$\%",
+        r"$2\pi\,\text{rad} = 1$ turn",
+        r"$6\pi\,\text{rad} = 3$ turns.",
+    ] {
+        let found = lists(text);
+        assert!(!found.is_empty() && found.iter().all(|(list, _)| *list == "agreeing"), "{text}: {found:?}");
+    }
+    for text in [r"$15\,\text{V}/100\,\mu\text{A} = 160$\,k\Ohm.", r"$2\pi\,\text{rad} = 2$ turns", r"$3/200 = 1.9$\%"]
+    {
+        let found = lists(text);
+        assert!(found.iter().any(|(list, _)| *list == "numbers"), "{text}: {found:?}");
+    }
+}
+
+#[test]
 fn words_may_say_the_sign() {
     for text in [
         r"$-7\ \mathsf{N} = 7\ \mathsf{N}\ \mathsf{\textit{to the left}}$",

@@ -81,10 +81,22 @@ pub const NUMBERS: &[(&str, Number)] = &[
         Ok(first_of("fifth")?.iter().filter(|flag| flag.judgement == Judgement::Rounding).count().to_string())
     }),
     ("found.fifth.all", || all_of("fifth")),
+    ("found.sixth.texts", || texts("sixth")),
+    ("found.sixth.flags", || Ok(round("sixth")?.len().to_string())),
+    ("found.sixth.real", || Ok(right(&round("sixth")?).to_string())),
+    ("found.sixth.precision", || share(&round("sixth")?)),
+    ("found.sixth.faults", || Ok(faults("sixth")?.to_string())),
+    ("found.sixth.with-fault", || with_fault("sixth")),
+    ("found.sixth.most", || most_flags("sixth")),
+    ("found.sixth.rest", || rest("sixth")),
+    ("found.sixth.misread", || {
+        Ok(round("sixth")?.iter().filter(|flag| flag.judgement == Judgement::Ours).count().to_string())
+    }),
     ("found.after.fourth", || after_repairs("fourth")),
     ("found.after.first", || after_repairs("first")),
     ("found.after.second", || after_repairs("second")),
     ("found.after.third", || after_repairs("third")),
+    ("found.after.sixth", || after_repairs("sixth")),
     ("found.after.new", || {
         let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
         Ok(again
@@ -272,10 +284,20 @@ fn with_fault(name: &str) -> anyhow::Result<String> {
     Ok(texts.len().to_string())
 }
 
+/// The run with the most flags of a round.
+fn richest(name: &str) -> anyhow::Result<Option<Run>> {
+    Ok(of_run(name)?.into_iter().max_by_key(|run| run.flags))
+}
+
+/// How many flags the text of a round has that has the most.
+fn most_flags(name: &str) -> anyhow::Result<String> {
+    Ok(richest(name)?.map_or(0, |run| run.flags).to_string())
+}
+
 /// The confirmed flags of a round among all, without the text that has the most flags.
 fn rest(name: &str) -> anyhow::Result<String> {
     let mut flags = round(name)?;
-    let most = runs()?.into_iter().filter(|run| run.run == name).max_by_key(|run| run.flags);
+    let most = richest(name)?;
     flags.retain(|flag| most.as_ref().is_none_or(|most| flag.text != most.text));
     Ok(format!("{} of {}, {}", right(&flags), flags.len(), precision(right(&flags), flags.len())))
 }

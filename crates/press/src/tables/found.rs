@@ -4,7 +4,7 @@ use super::chain::{chain, words};
 use crate::found::{Answer, Contact, Judgement, Run, contacts, flags, runs, unit_flags};
 use crate::html::{Cells, Table, escape, table};
 
-/// The texts that nobody had looked at, with what became of their flags: the third and fourth round by text, the others in one row each.
+/// The texts that nobody had looked at, with what became of their flags: the later rounds by text, the first two in one row each.
 pub fn texts() -> anyhow::Result<Table> {
     let contacts = contacts()?;
     let runs = runs()?;
@@ -28,12 +28,14 @@ pub fn texts() -> anyhow::Result<Table> {
         let of = of_round(name);
         rows.push(row(format!("{words}, {} texts", of.len()), name, "several", &of));
     }
-    for name in ["third", "fourth"] {
+    // The records call the last text of the fourth round "fifth", and the fifth round "sixth".
+    for (name, words) in [("third", "third"), ("fourth", "fourth"), ("fifth", ""), ("sixth", "fifth")] {
         let (with, without): (Vec<&Run>, Vec<&Run>) = of_round(name).into_iter().partition(|run| run.flags > 0);
         rows.extend(with.iter().map(|run| row(run.text.clone(), name, &run.format, &[run])));
-        rows.push(row(format!("{} more texts of the {name} round", without.len()), name, "several", &without));
+        if !without.is_empty() {
+            rows.push(row(format!("{} more texts of the {words} round", without.len()), name, "several", &without));
+        }
     }
-    rows.extend(of_round("fifth").iter().map(|run| row(run.text.clone(), "fifth", &run.format, &[run])));
     table(
         "All flags on a number in texts that we had not looked at before. From the third round on, the texts are in \
          the order in which we ran them",

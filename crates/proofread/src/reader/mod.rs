@@ -152,6 +152,8 @@ pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
     formulas(text, format, each)
 }
 
+pub(crate) use plain::is_noun;
+
 /// The tokens of running text that starts `base` bytes into the document.
 pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {
     let mut out = Vec::new();

@@ -3,7 +3,7 @@
 use super::words::words;
 use super::{Formula, Found, Written};
 use crate::token::{Function, Kind, Span, Token, signs};
-use crate::unit::unit;
+use crate::unit::{is_percent, unit};
 use std::ops::Range;
 
 /// Longest line that is read, in bytes.
@@ -106,7 +106,8 @@ const BEHIND: &str = " a after also an and are as at because before but by can d
     what when where which while will with without wrong would yet you correct incorrect false approximately about means shows \
     yields holds ";
 
-fn is_noun(word: &str) -> bool {
+/// Whether a word may be what is counted, and not one of those that go on with a sentence.
+pub(crate) fn is_noun(word: &str) -> bool {
     word.len() > 2 && !BEHIND.split_whitespace().any(|known| known.eq_ignore_ascii_case(word))
 }
 
@@ -117,6 +118,11 @@ fn lost_its_exponent(out: &[Token]) -> bool {
         Some(Token { kind: Kind::Word(word), .. }) => unit(word).is_some(),
         _ => false,
     }
+}
+
+/// Whether what follows a minus sign makes an arrow of it.
+fn is_arrow(mut rest: impl Iterator<Item = Token>) -> bool {
+    rest.find(|token| !token.is('-')).is_some_and(|token| token.is('>'))
 }
 
 /// Makes letters, exponents, products and separators of what running text writes with words and signs.
@@ -212,6 +218,10 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     }
                     _ => false,
                 };
+                // 2 % of 50
+                let counted = before.is_some_and(|before| before.number().is_some() || before.is(')'));
+                let percent = before.and_then(Token::word).is_some_and(is_percent);
+                let of_numbers = (counted || percent) && before_number;
                 let power_of_e = word == "e" && rest.peek().is_some_and(|next| next.is('^'));
                 let named = letter || ((before_equals || calls) && !follows_unit);
                 let kind = if power_of_e {
@@ -229,6 +239,8 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     Kind::Word(word)
                 } else if named {
                     Kind::Name(word)
+                } else if word == "of" && of_numbers {
+                    Kind::Word(word)
                 } else if word == "mod" {
                     Kind::Unknown(word)
                 } else if before.is_some_and(|before| before.number().is_some()) && is_noun(&word) {
@@ -239,6 +251,12 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     Kind::Operator(';')
                 };
                 out.push(Token::new(kind, span));
+            }
+            // An arrow between two states: 4.6 -> 1.8.
+            Kind::Operator('-') if is_arrow(rest.clone()) => {
+                while rest.next_if(|next| next.is('-')).is_some() {}
+                rest.next();
+                out.push(Token::new(Kind::Operator('→'), span));
             }
             // Exponents that are not raised any more: 10-3 and s-1.
             Kind::Operator('-')
