@@ -45,7 +45,7 @@ impl Doubt {
     pub fn words(self) -> &'static str {
         match self {
             Self::Cut => "a side may begin or end elsewhere",
-            Self::Unknown => "something beside the numbers is not known",
+            Self::Unknown => "something next to the numbers is not understood",
             Self::Fragment => "a number may be part of something else",
             Self::Truncated => "a truncated result is seldom meant to be rounded",
             Self::Habit => "other formulas of the document differ by the same factor",
