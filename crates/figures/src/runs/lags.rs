@@ -66,7 +66,7 @@ pub fn lags(all: &[Lag], listed: f64, of: usize) -> Figure {
             said.collect::<Vec<_>>().join("; ")
         ),
         "Both laws of the errors prefer small lags: the normal law prefers none, and the exponential law prefers the \
-         lag that the thesis lists (dashed line). From twice this lag on, the tables are far less likely, and fewer \
+         lag that the thesis lists (dashed line). At twice this lag or more, the tables are far less likely, and fewer \
          peaks agree. The runs of all three mechanisms are computed by the program as listed, except for the lag.",
     );
     let columns = [("lag", "ms"), ("ln L normal", "1"), ("ln L exponential", "1"), ("peaks", "1")];

@@ -46,8 +46,8 @@ pub fn reset_angle(scans: &[Scan]) -> Figure {
         ),
         format!(
             "How many peaks, minima and periods of Appendix E are reproduced to within one unit if the program \
-             resets at another angle? Computed with the true peaks and, for 6 pins, the inertias of the thesis's Fig. \
-             11: {}.",
+             resets at another angle? The greatest counts: {}. Computed with the true peaks and, for 6 pins, the \
+             inertias of the thesis's Fig. 11.",
             best.join("; ")
         ),
     );
@@ -70,7 +70,7 @@ fn best_angles(scan: &Scan) -> String {
     let most = scan.counts.iter().map(|(_, count)| *count).max().unwrap_or_default();
     let angles = scan.counts.iter().filter(|(_, count)| *count == most).map(|(at, _)| format!("{at}°"));
     let angles = angles.collect::<Vec<_>>().join(" and ");
-    format!("with {} pins most agree, {most} of {}, at {angles}", scan.mechanism.pins(), scan.cells)
+    format!("{most} of {} with {} pins, at {angles}", scan.cells, scan.mechanism.pins())
 }
 
 /// The tens from one number to another.
@@ -92,10 +92,10 @@ mod tests {
         };
         let figure = reset_angle(&[scan(Mechanism::SIX_PIN, 70), scan(Mechanism::THREE_PIN, 90)]);
         sound(&figure);
-        assert!(figure.caption.contains("with 6 pins most agree, 40 of 48, at 70°"), "{}", figure.caption);
+        assert!(figure.caption.contains("40 of 48 with 6 pins, at 70°"), "{}", figure.caption);
         // Two angles that do equally well are both told.
         let tie = Scan { mechanism: Mechanism::SIX_PIN, cells: 48, counts: vec![(89.5, 47), (90.0, 47), (90.5, 44)] };
-        assert_eq!(best_angles(&tie), "with 6 pins most agree, 47 of 48, at 89.5° and 90°");
+        assert_eq!(best_angles(&tie), "47 of 48 with 6 pins, at 89.5° and 90°");
         assert_eq!(figure.series.rows[30], [90.0, 20.0, 40.0]);
     }
 }
