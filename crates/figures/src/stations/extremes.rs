@@ -72,9 +72,10 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
              the three, least. {}",
             crossing(&wheels)
         ),
-        "More stations make the motion gentler. The curves show the wheel's peak speed over the driver's speed, which is \
-         constant, and the peak acceleration and the jump in acceleration at entry over the square of the \
-         driver's speed. The number of stations is an integer, so the dashed lines only join the marks.",
+        "More stations make the motion gentler. The curves show the wheel's peak speed, divided by the \
+         driver's constant speed, and its peak acceleration and the jump of its acceleration at entry, both divided \
+         by the square of the driver's speed. The number of stations is an integer, so the dashed lines only join \
+         the marks.",
     );
     Chart::new([panel]).figure(words, series)
 }
