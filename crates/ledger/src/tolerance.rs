@@ -40,9 +40,9 @@ pub const DIFFERENCES: Tolerance = Tolerance {
 pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
     relative: 1e-12,
-    reason: "if two equal numbers of the order of 1 are each computed with an error of some units in the last \
-             place, their difference is not zero, but it is some thousand times smaller than this tolerance. A wrong \
-             formula, however, leaves a difference that is a considerable fraction of these numbers",
+    reason: "if two equal numbers of the order of 1 are each computed with an error of a few units in the last \
+             place, their difference is not zero, but it is about a thousand times smaller than this tolerance. A \
+             wrong formula, however, leaves a difference that is a considerable fraction of these numbers",
 };
 
 /// For a number that a step-by-step integration gives a second time.

@@ -58,8 +58,9 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
          zero.",
         "The gap between the crescent and the tip of the horn behind the slot. The curves cover the crank angles, past \
          the line of centres, at which this tip is inside the circle of the locking disc. Where the gap is below zero, \
-         the disc bites into the horn. That happens if the crescent is an arc with the radius of the wheel's rim, drawn about the wheel's \
-         axis as it is in mid-index. For the horn in front of the slot, the curves are mirrored about the line of centres. \
+         the disc bites into the horn. That happens if the crescent is an arc whose radius is the radius of the \
+         wheel's rim plus the gap of the locking disc, and whose centre is on the wheel's axis in mid-index. For the \
+         horn in front of the slot, the curves are mirrored about the line of centres. \
          Rigid parts, pin in the middle of its slot.",
     );
     let columns = [("theta", "deg"), ("gap about axis", "mm"), ("gap", "mm")];

@@ -14,9 +14,9 @@ const MOVING_PART: Slip = Slip {
              between two slots. The dwell takes the rest of the turn. But the printed formula gives the part of the \
              cycle in which the wheel moves, and the printed numbers follow from this formula.",
     witness: "The caption of Fig. 5.28 says that the four-station wheel is locked for three quarters of the cycle, as \
-              the corrected formula gives. For six stations, the corrected fraction follows from the crank angle at \
-              which the wheel comes to rest, which we found with power series. It also follows from the crank angle at \
-              which the wheel in this book's code changes from indexing to dwell.",
+              the corrected formula gives. For six stations, power series gave us the crank angle at which the \
+              wheel comes to rest, and the corrected fraction follows from this angle. It also follows from the crank \
+              angle at which the wheel in this book's code changes from indexing to dwell.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "Part (c) asks how long the output stands still, but the printed answer is the time for which it moves, \

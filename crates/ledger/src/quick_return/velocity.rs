@@ -79,7 +79,7 @@ const OTHER_ANGLE: Slip = Slip {
     reason: "The pin's velocity v(P2) is at right angles to the crank, and its part v(P4) across the lever is at right \
              angles to the lever. So the angle between these two velocities is the angle between crank and lever. That \
              angle is β, at the pin. The printed angle is the angle between the crank and the line of centres. \
-             Because the solution itself computes the printed angle and has it in two equations, we do not think that \
+             Because the solution itself computes the printed angle and uses it in two equations, we do not think that \
              this mistake comes from our copy.",
     witness: "The printed speeds alone show the mistake. Divided by the speed of the pin, they are the cosine and the \
               sine of an angle, and to the printed digits this angle is β.",
