@@ -128,8 +128,8 @@ fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
     Finding::new(
         swings.len() == series(rows()).count() && least >= 1.0,
         format!(
-            "with {lines_of}, the highest and the lowest peak of a run differ by {least:.2} to {most:.2} rad/s in {} \
-             groups of runs, where the tables are exact to 1 rad/s",
+            "with {lines_of}, the highest and the lowest peak differ by {least:.2} to {most:.2} rad/s, depending on \
+             which of {} groups the run is from. A significant oscillation needs 1 rad/s or more",
             swings.len()
         ),
     )

@@ -165,8 +165,8 @@ pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
     reason: "The print-out has one line for each print interval, so the true peak falls between two lines, sometimes \
              nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak, and the \
-             more of its height the lines miss. The true peaks of the steady motion are all equal, and they grow as \
-             the square root of the torque.",
+             more of its height the lines miss. In the steady motion of a run, the true peaks are all equal, and with \
+             more torque all of them grow as its square root.",
     witness: "If the program prints far more often, with everything else as in the listing, the peaks that it prints \
               are equal.",
     origin: Origin::Concept,

@@ -42,7 +42,7 @@ fn solved() -> Vec<Claim> {
                 let Finding { holds, how, .. } = all_proven(&Sign::BOTH.map(InOneFormula));
                 Finding::new(
                     holds == stated.pick(true, false),
-                    format!("one formula with bars gives the solution for either sign: {how}"),
+                    format!("one formula with bars gives the solution for either sign, because {how}"),
                 )
             })
             .by(Vectors, |stated| {
@@ -58,7 +58,7 @@ fn solved() -> Vec<Claim> {
                 Finding::new(
                     single.len() > 30 && (solved == single.len()) == stated.pick(true, false),
                     format!(
-                        "one formula gives the acceleration that Newton's laws require at {solved} of {} instants",
+                        "at {solved} of {} instants, one formula gives the acceleration that Newton's laws require",
                         single.len()
                     ),
                 )
