@@ -38,8 +38,8 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("expected", "The verdict on record. We write it down by hand, and a test compares it with the derived one."),
     (
         "holds",
-        "Whether the derived verdict is the one on record and nothing contradicts it. It is true for every claim in a \
-         released version.",
+        "True if the derived verdict is the verdict on record and nothing contradicts it. In a released version, this \
+         is so for every claim.",
     ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
     (

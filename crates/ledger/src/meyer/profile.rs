@@ -201,7 +201,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
     let each: Vec<String> = Mechanism::ALL
         .iter()
         .zip(&counts)
-        .map(|(at, own)| format!("{} times with {} pins", times(own), at.pins()))
+        .map(|(at, own)| format!("{} times in the runs with {} pins", times(own), at.pins()))
         .collect();
     Finding::new(
         counts.iter().all(same),

@@ -153,8 +153,8 @@ pub const UNEXPLAINED: Slip = Slip {
              exceeds the printed peak by more than one and a half units of the last digit. The mechanism's own peak, \
              which we give as the right one, exceeds the printed peak by more than two and a half units. The minimum \
              and the period in the same row do agree. We do not know how the printed peak came about.",
-    witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both give a higher \
-              peak.",
+    witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both results have a \
+              higher peak than the printed one.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
     changes: "The printed peak is too low by more than one per cent.",

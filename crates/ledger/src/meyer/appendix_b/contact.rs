@@ -227,8 +227,8 @@ fn described() -> Vec<Claim> {
                 "seven control cards come first, and data cards come at the end",
             )
             .missing(
-                "The program in the copy we had has seven lines before its first equation, if five comments count as \
-                 cards, and it ends without data. The thesis does not say whether these are the seven cards that it \
+                "The program in the copy we had has seven lines before its first equation, if we count five comments, \
+                 and it ends without data. The thesis does not say whether these are the seven cards that it \
                  means, and the data cards are missing",
             ),
         constant("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant"),
