@@ -38,8 +38,8 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("expected", "The verdict on record. We write it down by hand, and a test compares it with the derived one."),
     (
         "holds",
-        "Whether the derived verdict is the one on record and nothing contradicts it. It is true for every claim in a \
-         released version.",
+        "True if the derived verdict is the verdict on record and nothing contradicts it. In a released version, this \
+         is so for every claim.",
     ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
     (
@@ -74,12 +74,12 @@ pub const OF_A_CLAIM: &[Field] = &[
     (
         "neighbour",
         "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. \
-         Null if the printed statement is wrong, because then this statement is itself the near miss.",
+         Null if the printed statement is wrong, because then the printed statement is itself the near miss.",
     ),
     ("missing", "What is missing, if we could not decide the claim."),
     ("erratum", "What should be printed instead. Null if no mistake reaches the claim."),
     ("erratum.printed", "The printed characters again."),
-    ("erratum.corrected", "What should stand in their place."),
+    ("erratum.corrected", "The characters that should be printed instead."),
     ("erratum.reason", "Why the printed characters are wrong."),
     ("erratum.witness", "The second, independent reason."),
     (
@@ -99,16 +99,16 @@ pub const OF_A_SLIP: &[Field] = &[
     ("locator", "Where the mistake is made."),
     ("meaning", "What the source says there, in our words."),
     ("consequence", "What the mistake changes, as in claims.json."),
-    ("origin", "How it came about, as far as we can tell: `copy`, `misprint`, `arithmetic` or `concept`."),
+    ("origin", "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic` or `concept`."),
     ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
     ("printed", "The characters that the source prints, formulas in TeX."),
-    ("corrected", "What should stand in their place."),
+    ("corrected", "The characters that should be printed instead."),
     ("unit", "The unit of measurement of the number, as printed and as corrected. Empty if there is none."),
     ("reason", "Why the printed characters are wrong."),
     ("witness", "The second, independent reason."),
     ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),
-    ("wrong_numbers", "How many printed numbers are wrong because of it."),
-    ("greatest_change", "The largest relative deviation of these wrong numbers from the right ones."),
+    ("wrong_numbers", "How many printed numbers are wrong because of the mistake."),
+    ("greatest_change", "The largest relative deviation of the wrong numbers from the right ones."),
 ];
 
 /// What the fields of an entry in a line say.

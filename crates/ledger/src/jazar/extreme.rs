@@ -62,7 +62,7 @@ fn alpha_range() -> Claim {
             });
             let but = outside.map_or_else(
                 || "every number of stations from 3 to 1000 is in the range".to_owned(),
-                |stations| format!("α is outside the range with {stations} stations"),
+                |stations| format!("with {stations} stations, α is outside the range"),
             );
             // An end that belongs to the range is reached.
             let missed = closed && !(3..=1000).any(|stations| alpha(stations) == end);
@@ -79,7 +79,7 @@ fn alpha_range() -> Claim {
             Finding::new(
                 holds,
                 format!(
-                    "α is largest with three stations, {greatest:.4}°, and the range {} this angle",
+                    "the largest α, with three stations, is {greatest:.4}°, and the range {} this angle",
                     if holds { "includes" } else { "does not include" }
                 ),
             )

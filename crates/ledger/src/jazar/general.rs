@@ -34,7 +34,7 @@ fn sizes() -> Vec<Claim> {
                         let (Some(radii), Some(said)) = (radii(stated), ratio(stated, alpha)) else { return false };
                         agrees(f64::from(radii) * radius, said)
                     },
-                    "the rim is where the pin enters",
+                    "this form puts the rim where the pin enters",
                 )
             })
             .by(ExactIdentity, |stated| match radii(stated) {

@@ -135,9 +135,9 @@ fn extremes(stated: Stated, found: Vec<Middle>, count: usize) -> Finding {
     Finding::new(
         holds && found.len() == count,
         format!(
-            "the driver is slowest {:.2} to {:.2}° before the line of centres, and its speed on the line is within 1 \
-             rad/s of this minimum in {} of {count} runs. The follower is fastest {:.1} to {:.1}° past the line, and \
-             its speed on the line is within 1 rad/s of this maximum in {} of {count} runs",
+            "the driver is slowest {:.2} to {:.2}° before the line of centres, and on the line the driver's speed is \
+             within 1 rad/s of this minimum in {} of {count} runs. The follower is fastest {:.1} to {:.1}° past the \
+             line, and on the line the follower's speed is within 1 rad/s of this maximum in {} of {count} runs",
             before[0],
             before[1],
             there(0),

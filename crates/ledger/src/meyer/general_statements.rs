@@ -77,8 +77,9 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series(rows()).count(),
                 format!(
-                    "from one million to four million times the torque in the tables, the rise time varies as the \
-                     torque to the power {:.6}, with every mechanism at every friction value of the runs",
+                    "with every mechanism at every friction value of the runs, from one million to four million times \
+                     the torque in the tables, the rise time varies as the torque to the power {:.6}, so more torque \
+                     still shortens the rise",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
@@ -196,7 +197,15 @@ fn start(row: &Row) -> Option<Start> {
 
 /// Whether κ² times the torque only makes all speeds κ^p times as large, and all times shorter by as much.
 fn scaling(power: i32) -> Finding {
-    all_proven(&Sign::BOTH.map(|sign| Scaled { power, sign }))
+    let found = all_proven(&Sign::BOTH.map(|sign| Scaled { power, sign }));
+    let times = ["the same times", "all times divided by κ", "all times divided by κ²"];
+    let times = usize::try_from(power).ok().and_then(|power| times.get(power)).unwrap_or(&"other times");
+    let how = format!(
+        "with κ² times the torque and {times}, both sides of Eq. (1-19) should be multiplied by κ². For this \
+         condition, {}",
+        found.how
+    );
+    Finding { how, ..found }
 }
 
 /// Eq. (1-19) with the torque κ² E, speeds κ^p θ' and accelerations κ^2p θ'', less κ² times Eq. (1-19).

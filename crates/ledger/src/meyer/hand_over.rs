@@ -242,9 +242,10 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     let working = pairs().filter(|&(pins, slots)| works(pins, slots)).count();
     let other = pairs().find(|&(pins, slots)| works(pins, slots) != said(pins, slots));
     let resting = pairs().filter(|(pins, slots)| 2 * (pins + slots) == pins * slots).count();
-    let but = other.map_or(String::new(), |(pins, slots)| {
+    let as_said = || "; this form includes exactly those that work".to_owned();
+    let but = other.map_or_else(as_said, |(pins, slots)| {
         let [do_they, says] = if works(pins, slots) { ["work", "excludes"] } else { ["do not work", "includes"] };
-        format!("; for example, {pins} pins with {slots} slots {do_they}, although the claim {says} them")
+        format!("; for example, {pins} pins with {slots} slots {do_they}, although this form {says} them")
     });
     Finding::new(
         other.is_none(),

@@ -23,13 +23,13 @@ const PEAKS_AT_ENTRY: Slip = Slip {
              friction μ, the inertias I_D of the driver and I_f of the follower, the driver's speed θ', and the centre \
              distance a in crank radii. This acceleration is zero at one speed only, and no run has that speed at \
              entry in its steady motion. How far the peak is from the entry depends on the ratio of the inertias. In \
-             the runs with six pins the driver is heavy. The peak follows so soon after the entry that it exceeds the \
-             speed at entry by at most 1 rad/s, the unit of the tables. In the runs with four and three pins the \
-             driver is light. While the leaving pin still bears on the trailing flank, the torque of friction already \
-             exceeds the spring's torque, so the peak comes before the pin leaves. If driver and follower are equal \
-             discs, as in the thesis's own estimate of the inertias, the drivers of all three mechanisms are fastest \
-             within three degrees past the entry. At the entry they already have 98 per cent of their greatest speed \
-             or more, so for these drivers the sentence is nearly right.",
+             the runs with six pins the driver is heavy. The peak follows so soon after the entry that the peak speed \
+             exceeds the speed at entry by at most 1 rad/s, the unit of the tables. In the runs with four and three \
+             pins the driver is light. While the leaving pin still bears on the trailing flank, the torque of friction \
+             already exceeds the spring's torque, so the peak comes before the pin leaves. If driver and follower are \
+             equal discs, as in the thesis's own estimate of the inertias, the drivers of all three mechanisms are \
+             fastest within three degrees past the entry. At the entry they already have 98 per cent of their greatest \
+             speed or more, so for these drivers the sentence is nearly right.",
     witness: "For every mechanism at every friction value, we computed the motion in small steps of the driver's \
               angle.",
     origin: Origin::Concept,
@@ -305,7 +305,7 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
     Finding::new(
         holds,
         format!(
-            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs with six pins, \
+            "the driver's speed at entry is below its peak by at most {six_most:.2} rad/s in the runs with six pins, \
              and by {least:.0} to {most:.0} rad/s in the runs with four and three pins, where the peak is {:.2} to \
              {:.2}° before the hand-over",
             before[0], before[1]

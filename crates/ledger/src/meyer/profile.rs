@@ -184,8 +184,9 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         return Finding::new(
             complete && most <= crate::tolerance::STEPS.relative && least >= VISIBLE,
             format!(
-                "changing any other parameter by a tenth changes the minimum or the speed at entry, relative to the \
-                 peak, by {:.2} per cent or more in all groups; changing the torque by a tenth changes neither",
+                "relative to the peak, neither the minimum nor the speed at entry changes if the torque changes by a \
+                 tenth. But if any other parameter changes by a tenth, one of the two changes by {:.2} per cent or \
+                 more in all groups",
                 100.0 * least
             ),
         );
@@ -200,7 +201,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
     let each: Vec<String> = Mechanism::ALL
         .iter()
         .zip(&counts)
-        .map(|(at, own)| format!("{} times with {} pins", times(own), at.pins()))
+        .map(|(at, own)| format!("{} times in the runs with {} pins", times(own), at.pins()))
         .collect();
     Finding::new(
         counts.iter().all(same),

@@ -84,8 +84,8 @@ fn cyclic_oscillations() -> Claim {
              times the greatest torque that the tables have for the group. We call an oscillation “significant” if, \
              once the rise is over, the highest and the lowest peak differ by 1 rad/s or more, because the tables give \
              peaks in whole rad/s. By this measure, the printed velocities oscillate in every group if the torque is \
-             about five times that greatest torque or more. At three times the greatest torque, there are groups in \
-             which they do not oscillate.",
+             about five times that greatest torque or more. At three times the greatest torque, the velocities of \
+             some groups do not oscillate.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \
@@ -128,8 +128,8 @@ fn swinging(lines_of: &str, lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
     Finding::new(
         swings.len() == series(rows()).count() && least >= 1.0,
         format!(
-            "with {lines_of}, the highest and the lowest peak of a run differ by {least:.2} to {most:.2} rad/s in {} \
-             groups of runs, where the tables are exact to 1 rad/s",
+            "with {lines_of}, the highest and the lowest peak differ by {least:.2} to {most:.2} rad/s, depending on \
+             which of {} groups the run is from. A significant oscillation needs 1 rad/s or more",
             swings.len()
         ),
     )

@@ -153,8 +153,8 @@ pub const UNEXPLAINED: Slip = Slip {
              exceeds the printed peak by more than one and a half units of the last digit. The mechanism's own peak, \
              which we give as the right one, exceeds the printed peak by more than two and a half units. The minimum \
              and the period in the same row do agree. We do not know how the printed peak came about.",
-    witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both give a higher \
-              peak.",
+    witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both results have a \
+              higher peak than the printed one.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
     changes: "The printed peak is too low by more than one per cent.",
@@ -165,8 +165,8 @@ pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
     reason: "The print-out has one line for each print interval, so the true peak falls between two lines, sometimes \
              nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak, and the \
-             more of its height the lines miss. The true peaks of the steady motion are all equal, and they grow as \
-             the square root of the torque.",
+             more of its height the lines miss. In the steady motion of a run, the true peaks are all equal, and with \
+             more torque all of them grow as its square root.",
     witness: "If the program prints far more often, with everything else as in the listing, the peaks that it prints \
               are equal.",
     origin: Origin::Concept,

@@ -68,7 +68,7 @@ pub fn of_parameters() -> Vec<Claim> {
                 let exactly = ends.map(f64::round) == [*bounds.start(), *bounds.end()];
                 let holds = times.len() == 5 && stated.pick(exactly, ends.iter().all(|times| bounds.contains(times)));
                 let each: Vec<String> = times.iter().map(|times| format!("{times:.0}")).collect();
-                Finding::new(holds, format!("the inertias of the runs divided by the estimate are {}", joined(&each)))
+                Finding::new(holds, format!("the inertias of the runs are {} times the estimate", joined(&each)))
             })
             .by(Quadrature, |stated| {
                 let (bounds, times) = (factors(stated), over_estimate_by_periods());

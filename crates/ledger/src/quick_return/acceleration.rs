@@ -244,8 +244,9 @@ fn found() -> Vec<Claim> {
                 "the sense of the lever's angular acceleration, of which only the magnitude is given",
             )
             .missing(
-                "The source gives magnitudes only. At this place the lever slows down if the pin slides inwards. In the mirror \
-                 image, which has the same printed numbers, the pin slides outwards and the lever speeds up",
+                "The source gives magnitudes only. In the given position the lever slows down if the pin slides \
+                 inwards. In the mirror image, which has the same printed numbers, the pin slides outwards and the \
+                 lever speeds up",
             ),
     ]
 }

@@ -99,7 +99,7 @@ fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {
     Finding::new(
         holds,
         format!(
-            "the printed speeds need an angle between {:.2}° and {:.2}° (β is {beta}°, and the printed angle is \
+            "the printed speeds fit only an angle between {:.2}° and {:.2}° (β is {beta}°, and the printed angle is \
              {other}°)",
             allowed.start, allowed.end
         ),

@@ -285,8 +285,8 @@ fn rests(gaps: [f64; 2]) -> Finding {
     Finding::new(
         gaps.iter().all(|gap| agrees(*gap, tolerance)),
         format!(
-            "the gap between disc and arc is up to {crank:.2} mm with the example's crank radius and {rim:.2} mm with \
-             the example's wheel radius, and the tolerance is {tolerance} mm"
+            "the gap between disc and arc should be the tolerance, {tolerance} mm, and it is up to {crank:.2} mm with \
+             the example's crank radius and up to {rim:.2} mm with the example's wheel radius"
         ),
     )
 }

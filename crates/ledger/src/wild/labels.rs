@@ -95,7 +95,7 @@ fn pin_diameter() -> Claim {
             let left = p + t - stated.pick(1.0, 0.5) * p;
             Finding::new(
                 vanishes(left - t),
-                format!("the slot leaves {left:.2} on either side of the pin, and the tolerance is {t:.2}"),
+                format!("the tolerance is {t:.2}, and by this form the slot leaves {left:.2} on each side of the pin"),
             )
         })
         .corrected(
@@ -173,7 +173,9 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             let left = stated.pick(1.0, 0.5) * (p + t) - p;
             Finding::new(
                 vanishes(left - t),
-                format!("half the stated slot width less the pin's radius is {left:.2}, and the tolerance is {t:.2}"),
+                format!(
+                    "half the stated slot width less the pin's radius should be the tolerance, {t:.2}, and is {left:.2}"
+                ),
             )
         })
         .read_as(reading)
@@ -204,7 +206,7 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
             let extent = stated.pick(across.x, across.y);
             Finding::new(
                 agrees(extent, s),
-                format!("s is {s:.2}, and the slot is drawn {extent:.2} {}", stated.pick("long", "wide")),
+                format!("the slot is drawn {extent:.2} {}, and this form says {s:.2}", stated.pick("long", "wide")),
             )
         })
         .by(ClosedForm, move |stated| {

@@ -92,9 +92,9 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "when the pin reaches the rim, the wheel should start from rest with the pin in a slot. But it starts at \
-                 {speed:.3} times the driver's speed, and the pin's angle about the wheel's axis, counted from the line of \
-                 centres, is {place:.3} times the slot's"
+                "when the pin reaches the rim, the wheel's speed should be zero, and it is {speed:.3} times the \
+                 driver's speed. Seen from the wheel's axis, the pin should then be at the slot, and its angle from \
+                 the line of centres is {place:.3} times the slot's angle from this line"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -274,7 +274,7 @@ fn sdfx() -> Claim {
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
                 "The program computes the crank radius from the wheel radius, so for any wheel radius the pin \
-                 meets the mouth of the slot. But it moves along the slot there only with the right wheel radius.",
+                 meets the mouth of the slot. But the pin moves along the slot there only with the right wheel radius.",
                 TWICE,
                 "An ideal pin, without thickness or play, starts the wheel with a jump in speed. In the second example \
                  of the program, with ten slots, the pin first pushes the wheel back.",
@@ -339,7 +339,8 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "the cam keeps an arc of {arc:.1}°, which ends {past:.0}° past the line of centres as the pin enters"
+                "as the pin enters, the cam's arc should end on the line of centres, and its {arc:.1}° end \
+                 {past:.0}° past this line"
             ),
         )
     };
@@ -422,8 +423,8 @@ fn found_a_slot(stated: Stated, leaves: f64) -> Finding {
     Finding::new(
         vanishes(nearest),
         format!(
-            "the pin leaves at {:.0} degrees from the line of centres, and the nearest slot is {:.0} degrees from the \
-             pin",
+            "the pin leaves at {:.0} degrees from the line of centres, where a slot should be, and the nearest slot is \
+             {:.0} degrees from there",
             leaves.to_degrees(),
             nearest.to_degrees()
         ),

@@ -128,7 +128,8 @@ fn formulas() -> Vec<Claim> {
             slip(
                 "The wheel's speed is the pin's speed across the slot over the pin's distance from the wheel's axis. \
                  Both this speed and this distance depend on the cosine of the driver's angle from the line of \
-                 centres. The printed ratio must be a different quantity, because it is not zero where the pin enters.",
+                 centres. The printed ratio cannot be the ratio of the speeds, because it is not zero where the pin \
+                 enters.",
                 TWICE,
                 "On the line of centres, the printed formula gives too small a ratio: less than one half with six \
                  slots, although the true ratio is one. At entry the printed ratio is not zero, as if the pin struck \

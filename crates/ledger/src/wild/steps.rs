@@ -179,7 +179,7 @@ fn steps(stated: Stated, by: fn(u32) -> Fit, most: impl Fn(u32) -> Option<u32>) 
     let turn = stated.pick("wheel", "driver");
     Finding::new(
         stated.numbers() == [least, most].map(f64::from),
-        format!("there are {least} to {most} steps in a turn of the {turn}"),
+        format!("there are {least} to {most} steps in a turn of the {turn}, and this form says {first} to {last}"),
     )
 }
 

@@ -264,8 +264,8 @@ fn fractions() -> Vec<Claim> {
                 origin: Origin::Misprint,
                 ..slip(
                     "The page divides the time of a move by the angle through which the driver turns during a rest. \
-                     The page must mean the time of the rest, because the right side is the ratio of the two angles, \
-                     and the two times have the same ratio.",
+                     The page must mean the time of the rest, because the right side is the ratio of the driver's \
+                     angles in move and rest, and the times of move and rest have the same ratio.",
                     TWICE,
                     "Nothing changes, because the formulas for the two times, which follow on the page, are right.",
                 )

@@ -37,7 +37,7 @@ fn forms(judged: &Judged) -> Vec<String> {
     let mut sentences = match (printed, corrected) {
         (Some(printed), Some(corrected)) if printed.how == corrected.how => {
             vec![format!(
-                "The printed form {} and the corrected form {}{first}: {}",
+                "One result{first} shows that the printed form {} and the corrected form {}: {}",
                 says(printed),
                 says(corrected),
                 printed.how
@@ -56,7 +56,7 @@ fn forms(judged: &Judged) -> Vec<String> {
             format!("A second way{second} gives the same result")
         }
         Some(refused) if refused.how == again.how => format!(
-            "Checked in a second way{second}, the printed form {} and the corrected form {}: {}",
+            "In a second way{second}, one result shows that the printed form {} and the corrected form {}: {}",
             says(refused),
             says(again),
             again.how

@@ -42,7 +42,7 @@ fn solved() -> Vec<Claim> {
                 let Finding { holds, how, .. } = all_proven(&Sign::BOTH.map(InOneFormula));
                 Finding::new(
                     holds == stated.pick(true, false),
-                    format!("one formula with bars gives the solution for either sign: {how}"),
+                    format!("one formula with bars gives the solution for either sign, because {how}"),
                 )
             })
             .by(Vectors, |stated| {
@@ -58,7 +58,7 @@ fn solved() -> Vec<Claim> {
                 Finding::new(
                     single.len() > 30 && (solved == single.len()) == stated.pick(true, false),
                     format!(
-                        "one formula gives the acceleration that Newton's laws require at {solved} of {} instants",
+                        "at {solved} of {} instants, one formula gives the acceleration that Newton's laws require",
                         single.len()
                     ),
                 )
@@ -227,8 +227,8 @@ fn described() -> Vec<Claim> {
                 "seven control cards come first, and data cards come at the end",
             )
             .missing(
-                "The program in the copy we had has seven lines before its first equation, if five comments count as \
-                 cards, and it ends without data. The thesis does not say whether these are the seven cards that it \
+                "The program in the copy we had has seven lines before its first equation, if we count five comments, \
+                 and it ends without data. The thesis does not say whether these are the seven cards that it \
                  means, and the data cards are missing",
             ),
         constant("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant"),

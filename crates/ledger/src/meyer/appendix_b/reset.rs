@@ -31,8 +31,8 @@ pub fn reset(
             Finding::new(
                 pins.len() == all.len(),
                 format!(
-                    "the angle in the slot, reset as this form says, is the angle of the pin nearest to the follower's \
-                     axis {only}with {} pins",
+                    "{only}with {} pins, the angle in the slot, reset as this form says, is the angle of the pin \
+                     nearest to the follower's axis",
                     joined(&pins)
                 ),
             )
@@ -73,7 +73,7 @@ fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
     let how = if ends.is_empty() {
         "the angle in the slot runs from entry to exit for each of the three mechanisms".to_owned()
     } else {
-        format!("the angle in the slot runs {}", joined(&ends))
+        format!("the angle in the slot does not run from entry to exit, but {}", joined(&ends))
     };
     Finding::new(ends.is_empty(), how)
 }
