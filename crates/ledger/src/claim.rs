@@ -334,7 +334,7 @@ impl Claim {
             (found @ None, _) | (found, None) => Finding::of_reading(found),
             (Some(right), Some(_)) => Finding::new(
                 right && holds(self.printed) != Some(true),
-                "we put values that must satisfy the equation into both forms, and they satisfy only the corrected one",
+                "values that must satisfy the equation satisfy only its corrected form",
             ),
         };
         match also {
