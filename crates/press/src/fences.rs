@@ -6,8 +6,16 @@ use crate::html::escape;
 use crate::maths::{apply, line};
 
 /// The crates that a chapter may use.
-pub const CRATES: [&str; 7] =
-    ["geneva_kinematics", "geneva_dynamics", "geneva_mimic", "geneva_ledger", "geneva_figures", "approx", "nalgebra"];
+pub const CRATES: [&str; 8] = [
+    "geneva_kinematics",
+    "geneva_dynamics",
+    "geneva_mimic",
+    "geneva_case1973",
+    "geneva_ledger",
+    "geneva_figures",
+    "approx",
+    "nalgebra",
+];
 
 /// Names `crates` on the first line of each Rust block that will be compiled.
 ///
