@@ -97,8 +97,8 @@ pub(super) fn at_instants(escapement: &Escapement, instants: [(f64, f64); 2]) ->
         ),
         format!(
             "The pin in its slot, enlarged, seen from the follower, whose axis O is far to the left. In panel 1 the \
-             pin drives the follower, and in panel 2 it holds the follower back. Seen from the follower, the pin turns \
-             clockwise, and at the flank its surface slides more slowly than its centre moves. F and μ|F| act on the \
+             pin drives the follower, and in panel 2 it holds the follower back. Seen from the follower, the pin spins clockwise about its own centre, so its surface slides \
+             more slowly at the flank than its centre moves. F and μ|F| act on the \
              follower; these two arrows show directions only. Lengths are in crank radii. Shown: {} pins, ρ = {}, μ = \
              {}, steady state.",
             parameters.mechanism().pins(),

@@ -250,8 +250,8 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     Finding::new(
         other.is_none(),
         format!(
-            "of the configurations with up to {most} pins and {most} slots, {working} work, and {resting} have the \
-             follower at rest at the hand-over{but}"
+            "of the configurations with up to {most} pins and {most} slots, {working} work, and {resting} of all have \
+             the follower at rest at the hand-over{but}"
         ),
     )
 }

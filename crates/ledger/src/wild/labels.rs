@@ -174,7 +174,8 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             Finding::new(
                 vanishes(left - t),
                 format!(
-                    "half the stated slot width less the pin's radius should be the tolerance, {t:.2}, and is {left:.2}"
+                    "if we subtract the pin's radius from half of the slot width, we should get the tolerance, {t:.2}, and \
+                     we get {left:.2}"
                 ),
             )
         })

@@ -93,8 +93,8 @@ impl Drawn {
         } else {
             format!(
                 "when the pin reaches the rim, the wheel's speed should be zero, and it is {speed:.3} times the \
-                 driver's speed. Seen from the wheel's axis, the pin should then be at the slot, and its angle from \
-                 the line of centres is {place:.3} times the slot's angle from this line"
+                 driver's speed. The pin should then be at the slot. As seen from the wheel's axis, its angle from the line of \
+                 centres is {place:.3} times the slot's angle from this line"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)

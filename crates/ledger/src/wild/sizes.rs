@@ -107,8 +107,8 @@ fn wrong() -> Vec<Claim> {
         )
         .read_as(
             "The page says that the pin sits at the driver's radius. We check this with the right centre distance. \
-             With the page's own formula for the centre distance, the pin's distance is right for six slots only, and \
-             even then the wheel's radius does not fit.",
+             With the page's own formula for the centre distance, the pin's distance from the driver's axis is \
+             right for six slots only, and even then the wheel's radius does not fit.",
         )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",

@@ -127,7 +127,7 @@ fn star() -> Vec<Claim> {
         .in_error(slip(
             TURNED,
             TWICE,
-            "The rest is longer than the page says, and the move takes only half the time that the page gives. So a \
+            "The dwell is longer than the page says, and the move takes only half the time that the page gives. So a \
              wheel with three slots is quick and rough.",
         )),
     ]
