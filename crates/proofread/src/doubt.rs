@@ -74,11 +74,11 @@ impl Place<'_> {
         if self.lacks_unit_behind(judgement) {
             return Some(Doubt::Cut);
         }
-        // Each pair looks at the whole formula, which takes too long if both are many.
-        let short = self.formula.tokens.len() <= LONGEST;
         if judgement.verdict == Verdict::Dimensions && self.is_free_fall() {
             return Some(Doubt::Unknown);
         }
+        // Each pair looks at the whole formula, which takes too long if both are many.
+        let short = self.formula.tokens.len() <= LONGEST;
         let unknown = short && (self.is_in_argument() || self.is_beside_unknown());
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
