@@ -52,9 +52,9 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
             fixed(most, 2)
         ),
         "How far the wheel can turn to each side in the dwell. In the middle of the dwell, the ends of the locking arc \
-         stop the wheel in both directions. Near the ends of the dwell, one direction is blocked only by a pin that is \
-         near enough to stop the wheel, or by the edge of the disc's opening, which is then close to the line of \
-         centres. Rigid parts with the play of this chapter's design.",
+         stop the wheel in both directions. Near the ends of the dwell, one direction is blocked only by the edge \
+         of the disc's opening, close to the line of centres, or, even nearer to the ends, by a pin. Rigid parts with \
+         the play of this chapter's design.",
     );
     let columns = [("crank", "deg"), ("forwards", "deg"), ("backwards", "deg")];
     Chart::new([panel]).figure(words, Series::new(columns, rows))
