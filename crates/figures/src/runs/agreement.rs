@@ -74,8 +74,8 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
              a minimum of the driver's speed, or a period, in one of the 49 runs of Appendix E.",
             &format!("A unit is {units}. The shaded band extends one unit either way."),
             "Above: the real mechanisms, each with its own reset angle and its true peaks. Below: the program as \
-             listed, which resets the angle after 90° for all three mechanisms. Its peaks are the largest speeds on \
-             its print-out.",
+             listed, which resets the driver's angle after 90° for all three mechanisms. Its peaks are the largest \
+             speeds on its print-out.",
             beyond,
             others,
         ]

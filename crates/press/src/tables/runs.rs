@@ -86,10 +86,10 @@ pub fn weighings() -> anyhow::Result<Table> {
         "Another reset or <br>inertias, exponential",
     ];
     let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
-                the other combinations. Each of the last two lines adds a condition to those of the line above it. For \
-                the last line we formed several sets of rows, each with one row from every group: the rows with the \
-                weakest springs, those with the next stronger ones, and so on. The line shows the smallest difference \
-                of all sets";
+                the other combinations. Each of the last two lines keeps the conditions of the line above it and adds \
+                one. For the last line we formed several sets of rows, each with one row from every group: the rows \
+                with the weakest springs, those with the next stronger ones, and so on. The line shows the smallest \
+                difference of all sets";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 
