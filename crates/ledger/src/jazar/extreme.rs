@@ -29,7 +29,7 @@ fn root_choice() -> Claim {
                     sizes && (least..=most).contains(&this.abs()) && other.abs() > most
                 },
                 &format!(
-                    "the size of a cosine is between {least} and {most}, as it is for one root but not for the other"
+                    "the size of one root is between {least} and {most}, as a cosine's must be, but the other's is not"
                 ),
             )
         })

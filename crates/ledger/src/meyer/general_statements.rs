@@ -39,8 +39,8 @@ fn more_torque() -> Claim {
             let printed = Trend::of(Column::Rise, pairs_by_torque(rows()));
             Finding::for_all(pairs_by_torque(rows()), goes, |right, all| {
                 format!(
-                    "this holds for {right} of {all} pairs of neighbouring rows; of the rise times that Appendix E \
-                     prints, {} of {} go up with the torque and {} stay the same",
+                    "as computed, this holds for {right} of {all} pairs of neighbouring rows, but of the rise times \
+                     that Appendix E prints, {} of {} go up with the torque and {} stay the same",
                     printed.up, printed.pairs, printed.equal
                 )
             })
@@ -95,7 +95,7 @@ fn least_rise_time() -> Claim {
                          torque, Eq. (1-19) stays the same. So all times are proportional to √(I_f/K), where I_f is \
                          the follower's inertia and K the torque. As K grows, this square root becomes as small as we \
                          like, so there is no minimum.",
-                witness: "We proved that the equation obeys the law of similarity, and showed that the equation no \
+                witness: "We proved that the equation obeys this law of similarity, and showed that the equation no \
                           longer holds if the torque grows while all times stay the same.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,

@@ -250,8 +250,8 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     Finding::new(
         other.is_none(),
         format!(
-            "of the configurations with up to {most} pins and {most} slots, {working} work, and {resting} of all have \
-             the follower at rest at the hand-over{but}"
+            "of the configurations with up to {most} pins and {most} slots, {working} work, and in {resting} of \
+             them the follower is at rest at the hand-over{but}"
         ),
     )
 }
@@ -341,7 +341,7 @@ fn named_work(stated: Stated, works: fn(u32, u32) -> bool) -> Finding {
     Finding::new(
         working == 3 && pairs.len() == 3,
         format!(
-            "of {}, {working} work",
+            "{working} of these work: {}",
             joined(pairs.iter().map(|(pins, slots)| format!("{pins} pins with {slots} slots")))
         ),
     )

@@ -166,7 +166,10 @@ fn vector_sum() -> Claim {
                 letter("I_D") * letter("theta''") + letter("I_f") * letter("phi''") * letter("phi'") / letter("theta'");
             vanishes((force - asked) / force.abs().max(asked.abs()).max(1.0))
         });
-        Finding::new(holds, "with a torque on the follower, we computed it from the forces between pin and slot")
+        Finding::new(
+            holds,
+            "with a torque on the follower, we computed the generalised force from the forces between pin and slot",
+        )
     })
     .by(Evidence::Quadrature, |stated| {
         for_each(

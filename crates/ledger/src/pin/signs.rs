@@ -249,10 +249,7 @@ pub(crate) fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], st
         return Finding::new(false, "a letter is printed, which points nowhere");
     };
     let holds = fitting == [arrow];
-    Finding::new(
-        holds,
-        format!("the directions are {pointing} from the right, and {} of eight arrows fits", fitting.len()),
-    )
+    Finding::new(holds, format!("{} of eight arrows fits {pointing} from the right", fitting.len()))
 }
 
 /// Whether the wheel turns in the stated sense, by an angular velocity that is positive counter-clockwise.

@@ -174,7 +174,7 @@ fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
     let gap = choices.map(|choice| sum(choice).norm() / longest).fold(f64::INFINITY, f64::min);
     let closes = vanishes(gap);
     let gap = if closes { 0.0 } else { gap };
-    Finding::new(closes, format!("the best choice of {count} terms adds up to {gap:.2} of the longest"))
+    Finding::new(closes, format!("the {count} terms whose sum is smallest add up to {gap:.2} times the longest"))
 }
 
 /// Whether so many terms stand in the printed equation.

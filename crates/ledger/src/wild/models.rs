@@ -92,9 +92,9 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "when the pin reaches the rim, the wheel's speed should be zero, and it is {speed:.3} times the \
-                 driver's speed. The pin should then be at the slot. As seen from the wheel's axis, its angle from the line of \
-                 centres is {place:.3} times the slot's angle from this line"
+                "when the pin reaches the rim, the wheel should be at rest and the pin at the slot. The wheel's speed \
+                 is then {speed:.3} times the driver's speed. As seen from the wheel's axis, the pin's angle from the \
+                 line of centres is {place:.3} times the slot's angle from this line"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -339,7 +339,7 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "as the pin enters, the cam's arc should end on the line of centres, and its {arc:.1}° end \
+                "as the pin enters, the cam's arc of {arc:.1}° should end on the line of centres, and it ends \
                  {past:.0}° past this line"
             ),
         )

@@ -32,7 +32,7 @@ fn solved() -> Vec<Claim> {
             .read(ClosedForm, holds)
             .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS)
             .in_places(5),
-        at("Appendix B, line after Eq. (1-19) repeated")
+        at("Appendix B, line after the repeated Eq. (1-19)")
             .statement(
                 "meyer.app-b.cannot-be-solved",
                 "cannot be solved",
