@@ -183,9 +183,10 @@ const APART: &str = "(async () => { const found = []; const shown = f.querySelec
 #[test]
 fn drawing_numbers_and_the_control_in_use_share_a_screen() {
     let Some(mut browser) = browser() else { return };
-    for window in [[390, 844], [1280, 800]] {
+    // The last is a phone whose browser shows its own bars: too low for the many numbers of one figure.
+    for window in [[390, 844], [1280, 800], [390, 664]] {
         browser.show_in(window, Medium::Light);
-        for (name, page) in PAGES {
+        for (name, page) in PAGES.into_iter().filter(|(name, _)| window[1] > 700 || *name != "design") {
             open(&mut browser, page, "");
             let apart = of(&mut browser, name, &format!("await {APART}"));
             assert_eq!(apart, json!([]), "{name} at {window:?}");

@@ -281,8 +281,16 @@
             drawing.addEventListener('pointermove', event => drawing.hasPointerCapture(event.pointerId) && follow(event));
         }
 
+        // The drawing stays in sight if there is room below it for a control, or for nothing where the controls are beside it.
+        const shows = figure.querySelector('.shown');
+        const fit = () => {
+            const room = getComputedStyle(form).display === 'contents' ? 60 : 140;
+            figure.classList.toggle('stays', shows.offsetHeight + room <= document.documentElement.clientHeight);
+        };
         new IntersectionObserver(([entry]) => seen = entry.isIntersecting).observe(figure);
         form.hidden = false;
+        addEventListener('resize', fit);
+        document.fonts.ready.then(fit);
         const linked = () => {
             const [id, values] = location.hash.slice(1).split('?');
             if (id === figure.id && values) {

@@ -1,4 +1,5 @@
-//! Does a drawing that stays in view while the controls scroll by hide what a reader has scrolled to?
+//! Does a drawing that stays in view while the controls scroll by hide what a reader has scrolled to, or a control wherever
+//! the reader scrolls?
 
 use super::{PAGES, browser, of, open};
 use crate::browser::devtools::{Browser, Medium};
@@ -20,6 +21,32 @@ fn a_drawing_that_stays_leaves_its_caption_in_sight() {
         open(&mut browser, page, "");
         let covered = of(&mut browser, name, &format!("await {COVERED}"));
         assert_eq!(covered, json!([]), "{name}");
+    }
+}
+
+/// Pixels of scrolling over which a control must be within reach.
+const REACH: u32 = 96;
+
+/// The fields, buttons and links of a figure whose middle is hit over less scrolling than that, with the pixels over which it is.
+const OUT_OF_REACH: &str = "(async () => { const found = []; for (const of of g.querySelectorAll('input, select, button, a')) { \
+     const { top, height } = of.getBoundingClientRect(), middle = top + scrollY + height / 2; let reach = 0; \
+     for (let at = Math.max(0, middle - innerHeight); at < middle; at += 8) { scrollTo({ top: at, behavior: 'instant' }); \
+     const { left, right, top, bottom } = of.getBoundingClientRect(); const hit = document.elementFromPoint((left + right) / 2, \
+     (top + bottom) / 2); if (hit && of.contains(hit)) { reach += 8 } } \
+     if (reach < least) { found.push(`${of.name || of.dataset.box || of.textContent}: ${reach}`) } } return found })()";
+
+#[test]
+fn every_control_can_be_reached_on_a_low_screen() {
+    let Some(mut browser) = browser() else { return };
+    // Phones upright, with a browser's bars and with a keyboard; a phone on its side; a low window with controls beside the drawing.
+    for window in [[390, 664], [390, 560], [375, 553], [390, 400], [844, 390], [1024, 600]] {
+        browser.show_in(window, Medium::Light);
+        for (name, page) in PAGES {
+            open(&mut browser, page, "");
+            let hidden =
+                of(&mut browser, name, &format!("(() => {{ const least = {REACH}; return {OUT_OF_REACH} }})()"));
+            assert_eq!(hidden, json!([]), "{name} at {window:?}");
+        }
     }
 }
 

@@ -109,10 +109,10 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
         ""
     };
     Ok(format!(
-        "<div class=\"moving\">\n<div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\" \
+        "<div class=\"moving\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\" \
          aria-live=\"polite\">{}</dl>\n<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
          hidden>There are no numbers{no_file} for this setting. The drawing still shows the last setting that was \
-         possible.</p></div>\n</div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
+         possible.</p></div>\n</div></div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
          class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
          data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}\n</div>",
         answer.figure.svg.trim_end(),
