@@ -4,6 +4,7 @@
 mod addresses;
 mod covered;
 pub(crate) mod module;
+mod presets;
 
 use crate::browser::devtools::{Browser, Medium};
 use geneva_live::LIVE;

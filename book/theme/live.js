@@ -144,7 +144,9 @@
         };
         const set = values => {
             for (const [name, value] of new URLSearchParams(values)) {
-                put(inputs.find(input => input.name === name), value);
+                const input = inputs.find(input => input.name === name);
+                // `*2` is twice what it is.
+                put(input, value[0] === '*' ? Number((shown(input) * value.slice(1)).toPrecision(12)) : value);
             }
             moved();
         };

@@ -136,7 +136,7 @@ pub enum Kind {
 pub struct Preset {
     /// What it is called.
     pub name: &'static str,
-    /// Its arguments; those left out keep their values.
+    /// Its arguments; those left out keep their values, and `*2` makes a value twice what it is.
     pub arguments: &'static str,
 }
 

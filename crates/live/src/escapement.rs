@@ -19,8 +19,8 @@ pub const LIVE: Live = Live {
     name: "escapement",
     figure: "live-escapement",
     hint: "Reduce the friction bit by bit: the start takes longer and longer, and without friction there is no steady \
-           speed. Add friction until the mechanism jams. Double the torque: the mechanism runs √2 times as fast, and \
-           nothing else changes.",
+           speed. Add friction until the mechanism jams. Press “twice the torque”: the mechanism runs √2 times as fast, \
+           and only speeds and times change.",
     controls: &[
         Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
@@ -31,8 +31,8 @@ pub const LIVE: Live = Live {
     ],
     presets: &[
         Preset { name: "hardly any friction", arguments: "friction=0.02" },
-        Preset { name: "twice the torque", arguments: "torque=0.6" },
-        Preset { name: "jammed", arguments: "friction=0.9" },
+        Preset { name: "twice the torque", arguments: "torque=*2" },
+        Preset { name: "four pins, jammed", arguments: "mechanism=1&ratio=0.1&friction=0.9" },
     ],
     given: &["follower"],
     quantities: &[
@@ -82,7 +82,13 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     };
     let engagement = Engagement::new(&parameters).map_err(words)?;
     let steady = engagement.steady_state().map_err(words)?;
-    let figure = escapement::running(&engagement, share).map_err(|error| error.to_string())?;
+    let mut figure = escapement::running(&engagement, share).map_err(|error| error.to_string())?;
+    // The speeds depend on these two as well.
+    figure.caption += &format!(
+        " The torque is {} in lb, and the follower's moment of inertia is always {} · 10⁻⁶ in lb s².",
+        shown(torque),
+        shown(1e6 * follower)
+    );
     let engagements = match engagement.engagements_to_settle_within(REACHED, MOST_ENGAGEMENTS) {
         Err(Error::TooMany { .. }) => Number {
             text: format!("more than {MOST_ENGAGEMENTS}"),
