@@ -325,7 +325,7 @@ const WORKS: &[Work] = &[
         year: "",
         address: "https://en.wikipedia.org/wiki/Verge_escapement",
         read: "Copies of the page at https://wikimili.com/wiki/Verge_escapement and, on the accuracy of early clocks, \
-               https://wikisum.wiki/wiki/Verge_and_foliot",
+               https://wikisum.wiki/wiki/Verge_and_foliot; on the fusee, https://liquisearch.com/verge_escapement/decline",
     },
 ];
 
