@@ -1,5 +1,6 @@
 //! Of the chapter on the timer's accuracy: seconds a day, powers, oil, accelerations, averages.
 
+use super::runs::own_reading;
 use super::{Number, least, most, over};
 use crate::asked::value;
 use crate::numbers::{fixed, signed};
@@ -48,6 +49,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     // Friction takes a fifth of its torque.
     ("timer.runaway-friction", || Ok(fixed(-value("runaway --friction-share 0.2", "friction_rate_min_a_day")?, 1))),
     ("timer.pin-bias", pin_bias),
+    ("timer.rise.profile", || Ok(fixed(longest_rise(0)?, 0))),
+    ("timer.rise.average", || Ok(format!("{}&nbsp;ms", fixed(longest_rise(1)?, 0)))),
     ("timer.rise.most", || Ok(format!("{}&nbsp;%", fixed(100.0 * most(&rise_changes()?), 1)))),
     ("timer.rise.runs", || {
         let changes = rise_changes()?;
@@ -137,6 +140,11 @@ fn pin_bias() -> anyhow::Result<String> {
     };
     let all = Mechanism::ALL.into_iter().map(of).collect::<anyhow::Result<Vec<f64>>>()?;
     Ok(over(&all, 0)? + "&nbsp;%")
+}
+
+/// The longest rise of the thesis's runs as the mechanisms are, by a reading of its own definition, in ms.
+fn longest_rise(reading: usize) -> anyhow::Result<f64> {
+    Ok(1e3 * most(&own_reading(reading)?.ideal.times))
 }
 
 const PER_CENT: f64 = 0.01;
