@@ -37,8 +37,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.reported.verge", || Ok(REPORTED[1].to_owned())),
     ("timer.reported.pendulum", || Ok(REPORTED[2].to_owned())),
     ("timer.reported.chronometer", || Ok(REPORTED[3].to_owned())),
-    ("timer.oil.least", || Ok(fixed(100.0 * least(&numbers(weakest(rows()), HALF)?), 0))),
-    ("timer.oil.most", || Ok(format!("{}&nbsp;%", fixed(100.0 * most(&numbers(weakest(rows()), HALF)?), 0)))),
     ("timer.settling.least", || Ok(fixed(1e3 * least(&settling_times()?), 0))),
     ("timer.settling.most", || Ok(format!("{}&nbsp;ms", fixed(1e3 * most(&settling_times()?), 0)))),
     ("timer.lighter.gain", || Ok(format!("{}&nbsp;%", fixed(100.0 * (1.0 - least(&lighter_times()?)), 0)))),
@@ -97,9 +95,6 @@ fn hours_from_mineral_oil(other: usize) -> anyhow::Result<Vec<f64>> {
     let of = |mechanism| number_with(weakest_of(least_braked(rows(), mechanism))?, &frictions, "gain_h_a_day");
     Mechanism::ALL.into_iter().map(of).collect()
 }
-
-/// How much faster each is with half the friction.
-const HALF: &str = "half_friction_gain";
 
 /// Minutes a day that one per cent more friction costs each of these rows.
 fn lost_by<'a>(rows: impl Iterator<Item = &'a Row>) -> anyhow::Result<Vec<f64>> {
