@@ -79,17 +79,16 @@ fn claims(truth: Truth, by: fn(Option<Consequence>) -> bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::computed::by_name;
 
     #[test]
     fn one_line_makes_more_wrong_claims_than_any_other_mistake_and_than_all_others_together() {
         let own = of_one_line(|_| true);
-        let [numbers, statements] = [Kind::Value, Kind::Statement].map(|of| {
-            let name = if of == Kind::Value { "claims.of-one-line.numbers" } else { "claims.of-one-line.statements" };
-            crate::computed::by_name(name).expect("a number").parse::<usize>().expect("a count")
-        });
+        let count = |name: &str| by_name(name).expect("a number").parse::<usize>().expect("a count");
+        let [numbers, statements] = ["claims.of-one-line.numbers", "claims.of-one-line.statements"].map(count);
         assert_eq!(numbers + statements, own);
         // One more number is reproduced in error: a peak that the print-out missed.
-        assert_eq!(crate::computed::by_name("runs.in-error").expect("a number"), (numbers + 1).to_string());
+        assert_eq!(count("runs.in-error"), numbers + 1);
         let most = GRAVE.into_iter().flat_map(slips_of).map(|places| places.claims.len()).max();
         assert_eq!(most, Some(own));
         let wrong = claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy)).parse::<usize>().expect("a count");
