@@ -64,8 +64,8 @@ pub fn torque() -> Figure {
             crate::number::significant(-MINUTES * gained(to - 1.0, ROOT), 2)
         ),
         "As the spring runs down, the Geneva escapement loses time, because its rate goes as the square root of the \
-         torque, whatever its pins and inertias. (We assume a constant coefficient of friction, and no drag that is \
-         constant or viscous.) The same law holds for a runaway escapement in which blows take all the work. If a drag \
+         torque, whatever its pins and inertias. (We assume a constant coefficient of friction and no constant or \
+         viscous drag.) The same law holds for a runaway escapement in which blows take all the work. If a drag \
          proportional to the speed brakes a verge and foliot, the rate is somewhere in the shaded area, between the \
          cube root and the first power of the torque. A pendulum with a dead-beat escapement, or a balance and spring \
          with a detached one, nearly keeps its period, and its error is too small to be seen on this scale. The lower \
