@@ -300,7 +300,7 @@ const WORKS: &[Work] = &[
         key: "sjx",
         short: "Watches by SJX",
         authors: "Watches by SJX",
-        title: "Explaining the Ups and Downs of Constant Force Mechanisms in Mechanical Movements",
+        title: "Monday Lessons: Explaining the Ups and Downs of Constant Force Mechanisms in Mechanical Movements",
         published: "a page of the magazine",
         year: "2015",
         address: "https://watchesbysjx.com/2015/08/10",
