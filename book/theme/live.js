@@ -286,7 +286,7 @@
         // The drawing stays in sight if there is room below it for a control, or for nothing where the controls are beside it.
         const shows = figure.querySelector('.shown');
         const fit = () => {
-            const room = getComputedStyle(form).display === 'contents' ? 60 : 140;
+            const room = getComputedStyle(form).display === 'contents' ? 52 : 140;
             figure.classList.toggle('stays', shows.offsetHeight + room <= document.documentElement.clientHeight);
         };
         new IntersectionObserver(([entry]) => seen = entry.isIntersecting).observe(figure);

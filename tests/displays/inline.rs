@@ -53,7 +53,6 @@ const UNDER_CONDITIONS: &[Condition] = &[
 const NOT_EVALUATED: &[(&str, &str, &str)] = &[
     ("pin", r"l = OB = \sqrt{2}\,R", TWO_POINTS),
     ("pin", "r = OP", TWO_POINTS),
-    ("quick-return", "k = l/R", NO_LETTER),
     ("quick-return", r"a_4^\mathrm{t} = a_2^\mathrm{n}\sin\beta + a_\mathrm{Cor}", "it is of the fast stroke"),
     ("escapement", r"dr/d\theta = l\sin\varphi", "a derivative on one line is not read"),
     ("escapement", r"\dot T = K\dot\theta - \mu\,|F|\,|\dot r|", NO_LETTER),

@@ -73,7 +73,7 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     Moment::default()
         .with([(r"\dot r", rates.sliding * distance), (r"\ddot r", rates.sliding_rate * distance)])
         .with([(r"\dot\theta", speed), (r"\dot\varphi", turning), (r"\ddot\varphi", rates.angular_acceleration)])
-        .with([("l", ground), ("R", crank), ("r", position.pin_distance), (r"\varphi", lever)])
+        .with([("k", linkage.ratio()), ("l", ground), ("R", crank), ("r", position.pin_distance), (r"\varphi", lever)])
         .with([(r"\theta", position.crank.radians() - PI), (r"\beta", position.angle_at_pin())])
         .with([("v_2", velocities.pin_velocity.norm())])
         .with([("v_4", velocities.slot_point_velocity.norm()), (r"v_\mathrm{rel}", velocities.sliding_velocity.norm())])

@@ -29,6 +29,7 @@ pub const LIVE: Live = Live {
         Quantity::new("velocity", "velocity ratio"),
         Quantity::new("acceleration", "acceleration ratio"),
         Quantity::new("jerk", "jerk ratio"),
+        Quantity::new("sliding", "sliding over pin speed, inwards"),
         Quantity::new("angle", "wheel angle φ"),
         Quantity::new("index", "turn of the wheel for each pin"),
     ],
@@ -53,6 +54,8 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     })?;
     let figure = stations::running(&misplaced, crank).map_err(|error| error.to_string())?;
     let motion = misplaced.at(crank).map_err(|error| error.to_string())?;
+    // As in the chapter on the pin, towards the wheel's axis.
+    let sliding = misplaced.sliding_ratio(crank).map_err(|error| error.to_string())?;
     let numbers = [
         Number::new("blow", misplaced.entry_velocity_ratio(), 4, ""),
         Number::new("velocity", motion.velocity, 4, ""),
@@ -61,5 +64,27 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         Number::new("angle", motion.angle.to_degrees(), 2, "°"),
         Number::new("index", misplaced.index_angle().to_degrees(), 2, "°"),
     ];
-    Ok(Answer::new(figure, numbers))
+    let sliding = sliding.map(|outwards| Number::new("sliding", -outwards, 4, ""));
+    Ok(Answer::new(figure, numbers.into_iter().chain(sliding)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LIVE;
+    use crate::Arguments;
+
+    fn sliding(crank: &str) -> Option<f64> {
+        let arguments = Arguments::of([("crank", crank.to_owned())]);
+        let answer = LIVE.answer(&arguments).expect("an answer");
+        answer.numbers.iter().find(|number| number.name == "sliding").map(|number| number.value)
+    }
+
+    #[test]
+    fn the_pin_slides_in_before_the_line_of_centres_and_out_after_it() {
+        // √2 sin 20° / √(3 − 2 √2 cos 20°) by hand.
+        let at_twenty = sliding("-20").expect("a pin");
+        assert!((at_twenty - 0.826_912).abs() < 1e-6, "{at_twenty}");
+        assert_eq!(sliding("20"), Some(-at_twenty));
+        assert_eq!((sliding("0"), sliding("-60")), (Some(0.0), None));
+    }
 }

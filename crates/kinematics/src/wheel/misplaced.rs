@@ -7,7 +7,7 @@ use super::{Wheel, acceleration_ratio, jerk_ratio};
 use crate::Turn;
 use crate::error::KinematicsError;
 use crate::indexing::{Indexing, Motion, Phase};
-use crate::pin_slot::{pin_from_pivot, velocity_ratio};
+use crate::pin_slot::{pin_from_pivot, sliding_product, velocity_ratio};
 
 /// A wheel and its driver at a given distance of their axes.
 ///
@@ -100,9 +100,7 @@ impl Misplaced {
         if self.error == 0.0 {
             return Ok(right);
         }
-        let pitch = std::f64::consts::TAU / f64::from(self.wheel.pins());
-        let pin = libm::round(crank / pitch);
-        let crank = crank - pin * pitch;
+        let crank = self.from_nearest_pin(crank);
         let stations = right.stations;
         if crank.abs() > self.half {
             let angle = (self.index_angle() / 2.0).copysign(crank);
@@ -118,5 +116,35 @@ impl Misplaced {
             acceleration: acceleration_ratio(&self.ratio, &turn),
             jerk: jerk_ratio(&self.ratio, &turn),
         })
+    }
+
+    /// Velocity of the pin along its slot over the pin's speed on the crank circle, dimensionless, at a crank angle from −π to
+    /// π radians: k sin θ / √(1 + k² − 2 k cos θ). Negative while the pin goes in; none between two pins.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Misplaced, Wheel};
+    ///
+    /// // With six stations, k = 2. The pin goes in at 60° with its full speed, and at 30° with 1 / √(5 − 2 √3) of it.
+    /// let right = Misplaced::new(&Wheel::new(6)?, 0.0)?;
+    /// let sliding = right.sliding_ratio(-30_f64.to_radians())?.ok_or("no pin")?;
+    /// assert!((sliding + (5.0 - 2.0 * 3_f64.sqrt()).sqrt().recip()).abs() < 1e-15);
+    /// assert_eq!(right.sliding_ratio(-70_f64.to_radians())?, None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
+    pub fn sliding_ratio(&self, crank: f64) -> Result<Option<f64>, KinematicsError> {
+        let is_engaged = self.at(crank)?.phase == Phase::Advance;
+        let turn = Turn::from_radians(self.from_nearest_pin(crank));
+        let pin = pin_from_pivot(&self.ratio, &turn);
+        Ok(is_engaged.then(|| sliding_product(&self.ratio, &turn) / libm::hypot(pin.x, pin.y)))
+    }
+
+    /// The crank angle in radians, counted from where the nearest pin is on the line of centres.
+    fn from_nearest_pin(&self, crank: f64) -> f64 {
+        let pitch = std::f64::consts::TAU / f64::from(self.wheel.pins());
+        crank - libm::round(crank / pitch) * pitch
     }
 }

@@ -17,6 +17,31 @@ fn at_the_right_distance_it_is_the_wheel() {
 }
 
 #[test]
+fn at_the_right_distance_the_pin_slides_as_in_the_wheel_and_at_any_other_as_its_distance_changes() {
+    for (stations, pins) in [(3, 1), (4, 2), (8, 1), (24, 2)] {
+        let wheel = Wheel::with_pins(stations, pins).expect("possible");
+        for error in [-0.02, 0.0, 0.03] {
+            let misplaced = Misplaced::new(&wheel, error).expect("possible");
+            let (half, pitch) = (misplaced.engagement_half_angle(), std::f64::consts::TAU / f64::from(pins));
+            let distance =
+                |crank: f64| libm::hypot(misplaced.centre_distance_ratio() - libm::cos(crank), libm::sin(crank));
+            for part in -9..=9 {
+                let crank = 0.1 * f64::from(part) * half;
+                let sliding = misplaced.sliding_ratio(crank).expect("an angle").expect("a pin");
+                let numeric = (distance(crank + 1e-6) - distance(crank - 1e-6)) / 2e-6;
+                approx::assert_abs_diff_eq!(sliding, numeric, epsilon = 1e-8);
+                if error == 0.0 {
+                    let of_wheel = wheel.pin_in_slot(crank).expect("inside").sliding;
+                    approx::assert_abs_diff_eq!(sliding, of_wheel, epsilon = 1e-12);
+                }
+            }
+            assert_eq!(misplaced.sliding_ratio(pitch / 2.0), Ok(None));
+            assert!(misplaced.sliding_ratio(4.0).is_err());
+        }
+    }
+}
+
+#[test]
 fn next_to_the_right_distance_the_motion_is_next_to_the_right_one() {
     for (stations, pins) in [(3, 1), (4, 2), (8, 1), (24, 2)] {
         let wheel = Wheel::with_pins(stations, pins).expect("possible");
