@@ -272,6 +272,51 @@ fn pin_and_play_follow_the_library_until_they_are_moved() {
 }
 
 #[test]
+fn the_crank_follows_the_lever_and_the_lever_follows_the_crank() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "quick-return", "");
+    let state = "[...['crank', 'lever'].map(name => Number(g.querySelector(`[data-box=${name}]`).value)), \
+                 g.elements.branch.value, f.querySelector('output[name=lever-acceleration]').value, \
+                 g.querySelector('[data-do=link]').hash]";
+    let first = of(&mut browser, "polygon", state);
+    for (name, value) in [("ground", "0.28"), ("radius", "0.12"), ("rpm", "60"), ("lever", "18")] {
+        of(&mut browser, "polygon", &typed(name, value));
+    }
+    let far = of(&mut browser, "polygon", state);
+    // θ = φ + β − 180°, with β = asin(l sin φ / R).
+    let beta = (0.28 * 18_f64.to_radians().sin() / 0.12).asin().to_degrees();
+    let crank = |told: &Value| told[0].as_f64().expect("an angle");
+    approx::assert_abs_diff_eq!(crank(&far), 18.0 + beta - 180.0, epsilon = 1e-4);
+    assert_eq!([&far[1], &far[2], &far[3]], [&json!(18), &json!("0"), &json!("−5.123 rad/s²")]);
+    assert!(far[4].as_str().is_some_and(|hash| hash.contains("crank=&lever=18&branch=0&ground=0.28")), "{far}");
+    of(
+        &mut browser,
+        "polygon",
+        "(g.elements.branch.value = 1, g.elements.branch.dispatchEvent(new Event('input', { bubbles: true })))",
+    );
+    let near = of(&mut browser, "polygon", state);
+    assert_eq!([&near[1], &near[2], &near[3]], [&json!(18), &json!("1"), &json!("−35.59 rad/s²")]);
+    approx::assert_abs_diff_eq!(crank(&near), 18.0 - beta, epsilon = 1e-4);
+    // The link opens the same setting, from which the crank takes over.
+    open(&mut browser, "about", "");
+    open(&mut browser, "quick-return", near[4].as_str().expect("a link"));
+    assert_eq!(of(&mut browser, "polygon", state), near);
+    of(&mut browser, "polygon", &typed("crank", "-90"));
+    let turned = of(&mut browser, "polygon", state);
+    let lever = (0.12_f64 / 0.28).atan().to_degrees();
+    approx::assert_abs_diff_eq!(turned[1].as_f64().expect("an angle"), lever, epsilon = 1e-4);
+    assert_eq!(turned[2], json!("0"));
+    assert!(turned[4].as_str().is_some_and(|hash| hash.contains("crank=-90&lever=&branch=&")), "{turned}");
+    of(&mut browser, "polygon", "g.querySelector('[data-do=reset]').click()");
+    let reset = of(&mut browser, "polygon", state);
+    // All but the link, which the page begins without a setting.
+    for k in 0..4 {
+        assert_eq!(reset[k], first[k]);
+    }
+}
+
+#[test]
 fn a_link_carries_the_setting_and_the_pointer_turns_the_crank() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);

@@ -30,7 +30,7 @@
         const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => figure.querySelector(`.${name}`));
         const outputs = figure.querySelectorAll('output'), files = form.querySelectorAll('[data-file]');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
-        const follows = input => input.dataset.follows !== undefined;
+        const follows = input => input.dataset.follows !== undefined || input.dataset.side === 'second';
         const shown = input => (box(input) ?? input).value;
         const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : shown(input)]));
         // Those that nobody has moved and that stand where the answer has them; values that a slider cannot stand at.
@@ -125,11 +125,19 @@
         };
 
         const put = (input, value) => {
-            if (value === '' && follows(input)) {
+            if (value === '' && (follows(input) || input.dataset.side)) {
                 followers.add(input);
                 return;
             }
             followers.delete(input);
+            // What is on the other side follows now; what is on this side stays as it is shown.
+            for (const other of input.dataset.side ? inputs.filter(other => other !== input && other.dataset.side) : []) {
+                if (other.dataset.side !== input.dataset.side) {
+                    followers.add(other);
+                } else if (followers.delete(other) && box(other)) {
+                    exact.set(other, shown(other));
+                }
+            }
             write(input, value);
             // A number beside the slider's is asked for all the same, and the answer says what is possible.
             if (Number(input.value) === Number(value)) {
@@ -153,12 +161,14 @@
         // An address is anybody's: a value is taken if it is a number that can be typed in its control's box, or one of its
         // choices. It is not told what the address says instead.
         const isPossible = (input, value) => {
+            if (value === '') {
+                return follows(input) || Boolean(input.dataset.side);
+            }
             if (input.options) {
                 return [...input.options].some(option => option.value === value);
             }
             const { min, max } = box(input);
-            return value === '' ? follows(input)
-                : /^-?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(value) && Number(value) >= min && Number(value) <= max;
+            return /^-?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(value) && Number(value) >= min && Number(value) <= max;
         };
         const address = values => {
             const pairs = [...new URLSearchParams(values)], wrong = new Set();

@@ -67,7 +67,7 @@ fn a_module_that_traps_or_never_ends_is_replaced_and_the_figure_says_so() {
         ));
         let (refused, after) = (&shown[0], &shown[2]);
         assert!(refused[0].as_str().is_some_and(|told| told.contains(why)), "{shown}");
-        assert_eq!([&refused[1], &refused[2]], [&json!(false), &json!("––––––")], "{shown}");
+        assert_eq!([&refused[1], &refused[2]], [&json!(false), &json!("–––––––")], "{shown}");
         assert!(shown[1].as_u64().is_some_and(|frames| frames > 1), "the page stood still: {shown}");
         assert_eq!([&after[0], &after[1], &shown[3]], [&json!(""), &json!(true), &json!(2)], "{shown}");
         assert!(after[2].as_str().is_some_and(|numbers| numbers.contains('°')), "{shown}");

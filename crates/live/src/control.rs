@@ -54,6 +54,8 @@ pub struct Control {
     pub preset: f64,
     /// How it is moved.
     pub kind: Kind,
+    /// On which of two sides it is, if those of one side follow from those of the other.
+    pub side: Option<Side>,
 }
 
 impl Control {
@@ -66,7 +68,7 @@ impl Control {
         step: f64,
         preset: f64,
     ) -> Self {
-        Self { name, label, unit, least, most, range: [least, most], step, preset, kind: Kind::Slider }
+        Self { name, label, unit, least, most, range: [least, most], step, preset, kind: Kind::Slider, side: None }
     }
 
     /// The control with a wider range for numbers that are typed, in its unit.
@@ -90,6 +92,11 @@ impl Control {
         Self { kind: Kind::Player(rate), ..self }
     }
 
+    /// The control on one of the two sides, of which the reader moves one and the answer tells the other.
+    pub const fn on_side(self, side: Side) -> Self {
+        Self { side: Some(side), ..self }
+    }
+
     /// One of several, by its number from 0.
     pub const fn choice(
         name: &'static str,
@@ -99,7 +106,18 @@ impl Control {
     ) -> Self {
         let most = (choices.len() - 1) as f64;
         let kind = Kind::Choice(choices);
-        Self { name, label, unit: "", least: 0.0, most, range: [0.0, most], step: 1.0, preset: preset as f64, kind }
+        Self {
+            name,
+            label,
+            unit: "",
+            least: 0.0,
+            most,
+            range: [0.0, most],
+            step: 1.0,
+            preset: preset as f64,
+            kind,
+            side: None,
+        }
     }
 
     /// A number within the range.
@@ -129,6 +147,15 @@ pub enum Kind {
     Follower,
     /// One of several, by its number from 0.
     Choice(&'static [&'static str]),
+}
+
+/// Two ways to say the same, such as by the crank's angle or by the lever's: what is moved last counts, and the rest follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// What counts at first.
+    First,
+    /// What follows at first.
+    Second,
 }
 
 /// A setting worth a look.
@@ -236,7 +263,7 @@ impl Settings<'_> {
         self.arguments.text(name).map_or(Ok(control.preset), |text| control.read(text))
     }
 
-    /// The value of a control that follows the others, in its unit; none until it is moved, or with an empty value.
+    /// The value of a control that may follow others, in its unit; none until it is moved, or with an empty value.
     pub fn moved(&self, name: &str) -> Result<Option<f64>, String> {
         let control = self.control(name)?;
         self.arguments.text(name).filter(|text| !text.is_empty()).map(|text| control.read(text)).transpose()

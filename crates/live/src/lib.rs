@@ -21,7 +21,7 @@ mod wheel;
 
 pub use answer::{Answer, Number, Progress, shown};
 pub use arguments::Arguments;
-pub use control::{Control, Drag, File, Kind, Live, Preset, Quantity};
+pub use control::{Control, Drag, File, Kind, Live, Preset, Quantity, Side};
 
 /// All figures that a reader moves, in the order of the book.
 pub const LIVE: [&Live; 5] = [&wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];

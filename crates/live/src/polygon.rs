@@ -1,21 +1,44 @@
 //! The vector diagrams of the quick-return mechanism.
 
-use crate::answer::{Answer, Number};
-use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, TURNS};
-use geneva_ask::quick_return::lever_motion;
-use geneva_figures::quick_return;
-use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
+use crate::answer::{Answer, Number, shown};
+use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, Side, TURNS};
+use geneva_ask::Error;
+use geneva_ask::quick_return::{Design, Place, Question, lever_motion};
+use geneva_figures::{quick_return, with_minus_sign};
+use geneva_kinematics::quick_return::{Branch, Motion};
 
-/// Units of length of the linkage.
-const UNITS: &[&str] = &["m", "mm", "in"];
+/// Lengths in metres that can be typed.
+const LENGTHS: [f64; 2] = [1e-4, 1e4];
+
+/// Options of the command, and the controls that are the same.
+const WORDS: [(&str, &str); 6] = [
+    ("--lever-angle", "lever angle"),
+    ("--crank-angle", "crank angle"),
+    ("--branch near", "near point"),
+    ("--branch far", "the far point"),
+    ("--ground", "axes apart by"),
+    ("--crank", "a crank of"),
+];
 
 pub const LIVE: Live = Live {
     name: "polygon",
     figure: "live-polygon",
     hint: "Set the factor of φ̇ vᵣₑₗ to 1 or 3: the polygon stays open, except where the Coriolis acceleration is \
-           zero. With the factor 2 it closes at every angle.",
+           zero. With the factor 2 it closes at every angle. For your own problem, type the two lengths, the speed, and \
+           one of the two angles.",
     controls: &[
-        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0).typed(TURNS).playing(30.0),
+        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0)
+            .typed(TURNS)
+            .playing(30.0)
+            .on_side(Side::First),
+        Control::slider("lever", "lever angle φ, from the line of centres", "°", [-180.0, 180.0], 0.1, 0.0)
+            .typed(TURNS)
+            .on_side(Side::Second),
+        Control::choice("branch", "pin on the lever's ray", &["at the far point", "at the near point"], 0)
+            .on_side(Side::Second),
+        Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).typed(LENGTHS),
+        Control::slider("radius", "crank radius R", "m", [0.05, 1.0], 0.005, 0.1).typed(LENGTHS),
+        Control::slider("rpm", "speed of the crank", "rpm", [-300.0, 300.0], 1.0, 60.0).typed([-1e6, 1e6]),
         Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
     ],
     presets: &[
@@ -24,11 +47,12 @@ pub const LIVE: Live = Live {
         Preset { name: "right: 2", arguments: "factor=2" },
         Preset { name: "too much: 3", arguments: "factor=3" },
     ],
-    given: &["ground", "radius", "speed", "unit"],
+    given: &[],
     quantities: &[
         Quantity::new("gap", "gap of the acceleration polygon"),
         Quantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
         Quantity::field("lever-acceleration", "lever's angular acceleration φ̈", "lever_acceleration_rad_s2"),
+        Quantity::new("closed", "φ̈ if you close it with this factor"),
         Quantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
         Quantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
     ],
@@ -38,35 +62,151 @@ pub const LIVE: Live = Live {
     draw,
 };
 
+/// The mechanism of these settings: by the lever's angle where the reader has moved that, and by the crank's elsewhere.
+fn design(settings: &Settings) -> Result<Design, String> {
+    let [ground, radius, rpm] = ["ground", "radius", "rpm"].map(|name| settings.value(name));
+    let (ground, crank, rpm) = (ground?, radius?, rpm?);
+    if rpm == 0.0 {
+        return Err("the crank must turn, or nothing moves: give a speed above or below zero".to_owned());
+    }
+    let angle = settings.moved("crank")?;
+    let branch = if settings.moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
+    let lever = settings.moved("lever")?;
+    let theta = angle.unwrap_or(LIVE.controls[0].preset);
+    let place = lever.map_or(Place::Crank(theta + 180.0), |lever| Place::Lever(lever, branch));
+    Design::new(&Question { ground, crank, place, rpm }).map_err(|error| match (error, place) {
+        (_, Place::Crank(_)) => {
+            format!("crank angle {theta}°: the pin is on the lever's pivot, or too near it; give another angle")
+        }
+        (Error::Argument(message), _) => {
+            WORDS.iter().fold(message, |message, (option, words)| message.replace(option, words))
+        }
+        (other, _) => other.to_string(),
+    })
+}
+
 fn draw(settings: &Settings) -> Result<Answer, String> {
-    let given = settings.arguments();
-    let [ground, radius, speed] = ["ground", "radius", "speed"].map(|name| given.given_number(name));
-    let (ground, radius, drive, unit) = (ground?, radius?, Drive::steady(speed?), given.given_word("unit", UNITS)?);
-    let linkage = QuickReturn::new(ground, radius).map_err(|error| error.to_string())?;
-    let (crank, factor) = (settings.value("crank")?, settings.value("factor")?);
-    let position = linkage.at_crank_degrees(crank + 180.0).map_err(|error| error.to_string())?;
-    let motion = Motion::at(&ground, &radius, &position.crank, &drive)
-        .ok_or_else(|| format!("crank {crank}: the pin is on the lever's pivot; give another angle"))?;
-    let figure = quick_return::polygons(&linkage, &position, &drive, factor, unit);
+    let Design { linkage, position, drive, .. } = &design(settings)?;
+    let factor = settings.value("factor")?;
+    let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive)
+        .ok_or("these numbers are too large or too small to compute with: give others")?;
+    let mut figure = quick_return::polygons(linkage, position, drive, factor, "m");
     // The last row of the series is the gap, its last column the size of it.
     let gap = figure.series.rows.last().and_then(|row| row.last()).copied().unwrap_or(f64::NAN);
     let coriolis = motion.accelerations.coriolis.norm();
     let sliding = motion.velocities.sliding_velocity.dot(&position.lever.direction());
-    let (speed, acceleration) = (format!("{unit}/s"), format!("{unit}/s²"));
+    let (turning, right) = (motion.velocities.follower_speed, motion.accelerations.follower_acceleration);
+    // What is missing of the Coriolis term across the lever, the lever's tangential acceleration gets.
+    let closed = right + (2.0 - factor) * turning * sliding / position.pin_distance;
+    let closed = Number::significant("closed", closed, 4, "rad/s²");
+    // A lever that turns round and round has only one point on its ray.
+    let is_near = linkage.ratio() > 1.0 && position.branch() == Branch::Near;
+    let (far, branch) = if is_near { ("near", 1.0) } else { ("far", 0.0) };
+    let (lever, theta) = (position.lever.degrees(), position.crank.degrees());
+    if factor != 2.0 {
+        figure.caption += &format!(" If you close it with this factor, you get φ̈ = {}.", closed.text);
+    }
+    figure.caption += &format!(
+        " Shown: axes {} m apart, a crank of {} m at {} rpm, and the lever at φ = {}, with the pin at the {far} point.",
+        shown(linkage.ground()),
+        shown(linkage.crank()),
+        with_minus_sign(&shown(settings.value("rpm")?).to_string()),
+        Number::new("lever", lever, 1, "°").text,
+    );
     let of_lever = ["lever-speed", "lever-acceleration"].into_iter().zip(lever_motion(&motion));
-    let numbers = [Number::significant("gap", gap, 4, &acceleration)]
+    let numbers = [Number::significant("gap", gap, 4, "m/s²")]
         .into_iter()
         .chain(of_lever.filter_map(|(name, field)| Number::of(name, &field)))
         .chain([
-            Number::significant("sliding", sliding, 4, &speed),
-            Number::significant("coriolis", coriolis, 4, &acceleration),
+            closed,
+            Number::significant("sliding", sliding, 4, "m/s"),
+            Number::significant("coriolis", coriolis, 4, "m/s²"),
         ]);
-    Ok(Answer::new(figure, numbers))
+    let theta = if theta > 0.0 { theta - 180.0 } else { theta + 180.0 };
+    let followers = vec![("crank", theta), ("lever", lever), ("branch", branch)];
+    Ok(Answer { followers, ..Answer::new(figure, numbers) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::LIVE;
+    use crate::{Answer, Arguments};
+
+    fn answer(query: &str) -> Result<Answer, String> {
+        LIVE.answer(&Arguments::parse(query).expect("a query"))
+    }
+
+    /// The texts of some numbers, and the caption.
+    fn told(query: &str, names: &[&str]) -> (Vec<String>, String) {
+        let answer = answer(query).expect("an answer");
+        let text = |name: &&str| answer.numbers.iter().find(|number| number.name == *name).expect("told").text.clone();
+        (names.iter().map(text).collect(), answer.figure.caption)
+    }
+
+    #[test]
+    fn a_problem_of_ones_own_has_the_numbers_that_were_found_without_this_program() {
+        let names = ["lever-speed", "sliding", "coriolis", "lever-acceleration", "closed"];
+        let own = "ground=0.28&radius=0.12&rpm=60&lever=18";
+        let (far, caption) = told(own, &names);
+        assert_eq!(far[..3], ["1.495 rad/s", "−0.5437 m/s", "1.626 m/s²"]);
+        assert_eq!(far[3..], ["−5.123 rad/s²", "−5.123 rad/s²"]);
+        assert!(caption.contains("0.28 m apart, a crank of 0.12 m at 60 rpm"), "{caption}");
+        assert!(caption.contains("φ = 18.0°, with the pin at the far point"), "{caption}");
+        let (near, caption) = told(&format!("{own}&branch=1"), &names);
+        assert_eq!([&near[0], &near[3]], ["−2.852 rad/s", "−35.59 rad/s²"]);
+        assert!(caption.contains("at the near point"), "{caption}");
+        let (wrong, caption) = told(&format!("{own}&factor=1"), &names);
+        assert_eq!(wrong[3..], ["−5.123 rad/s²", "−7.449 rad/s²"]);
+        assert!(caption.contains("you get φ̈ = −7.449 rad/s²"), "{caption}");
+    }
+
+    #[test]
+    fn either_angle_gives_the_other_and_the_point_of_the_pin() {
+        for query in ["lever=18", "lever=18&branch=1", "lever=-7&rpm=-20", "lever=140&radius=0.5"] {
+            let Answer { figure, followers, .. } = answer(query).expect("an answer");
+            let crank = followers.iter().find(|(name, _)| *name == "crank").expect("told").1;
+            let rpm = query.split('&').find(|pair| pair.starts_with("rpm")).unwrap_or("rpm=60");
+            let radius = query.split('&').find(|pair| pair.starts_with("radius")).unwrap_or("radius=0.1");
+            let again = answer(&format!("crank={crank}&{rpm}&{radius}")).expect("an answer");
+            for ((name, one), (_, other)) in followers.iter().zip(&again.followers) {
+                assert!((one - other).abs() < 1e-9, "{query}: {name} {one} {other}");
+            }
+            assert_eq!(figure.caption, again.figure.caption);
+        }
+    }
+
+    #[test]
+    fn what_is_impossible_is_told_in_the_words_of_the_controls() {
+        for (query, words) in [
+            ("lever=40", "lever angle 40 is out of reach: with axes apart by 0.3 and a crank of 0.1 the lever swings"),
+            ("lever=4&branch=1&radius=0.4", "near point: with a crank of 0.4, which is at least as long"),
+            ("rpm=0", "the crank must turn"),
+            ("ground=0.3&radius=0.3&crank=0", "crank angle 0°: the pin is on the lever's pivot, or too near it"),
+            ("ground=0", "distance l of the axes 0 m: give 0.0001 to 10000"),
+        ] {
+            let why = answer(query).expect_err("impossible");
+            assert!(why.contains(words) && !why.contains("--"), "{query}: {why}");
+        }
+    }
+
+    #[test]
+    fn lengths_and_speeds_all_over_their_ranges_are_drawn_or_refused() {
+        for ground in ["0.0001", "0.28", "1e4"] {
+            for radius in ["0.0001", "0.28", "1e4"] {
+                for rpm in ["-1e6", "1e-30", "1e6"] {
+                    for angle in ["crank=-63.3", "crank=0", "crank=180", "lever=0.001", "lever=90", "lever=179"] {
+                        let query = format!("ground={ground}&radius={radius}&rpm={rpm}&{angle}");
+                        if let Ok(answer) = answer(&query) {
+                            assert!(
+                                !answer.figure.svg.contains("NaN") && !answer.figure.svg.contains("inf"),
+                                "{query}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
 
     #[test]
     fn indices_are_set_as_indices() {

@@ -96,9 +96,12 @@ pub enum Drawing {
 /// A mechanism at an instant, as its question describes it.
 #[derive(Debug)]
 pub struct Design {
-    linkage: QuickReturn,
-    position: Position,
-    drive: Drive<f64>,
+    /// The lengths, in metres.
+    pub linkage: QuickReturn,
+    /// Where the parts are.
+    pub position: Position,
+    /// The crank's motion, in radians and seconds.
+    pub drive: Drive<f64>,
     rpm: f64,
 }
 

@@ -35,7 +35,8 @@ fn at_the_right_distance_the_pin_slides_as_in_the_wheel_and_at_any_other_as_its_
                     approx::assert_abs_diff_eq!(sliding, of_wheel, epsilon = 1e-12);
                 }
             }
-            assert_eq!(misplaced.sliding_ratio(pitch / 2.0), Ok(None));
+            // With the axes too near, a pin may come in before the last one has left.
+            assert_eq!(misplaced.sliding_ratio(pitch / 2.0).expect("an angle").is_none(), pitch / 2.0 > half);
             assert!(misplaced.sliding_ratio(4.0).is_err());
         }
     }

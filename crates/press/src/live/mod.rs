@@ -13,7 +13,7 @@ use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::quick_return::Instant as Lever;
-use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, shown};
+use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, Side, shown};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
@@ -162,6 +162,11 @@ fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> St
     let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
     let at_first = follower.unwrap_or(control.preset).to_string();
     let value = given.text(name).map_or(at_first, str::to_owned);
+    let side = match control.side {
+        Some(Side::First) => " data-side=\"first\"",
+        Some(Side::Second) => " data-side=\"second\"",
+        None => "",
+    };
     let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
     match control.kind {
         Kind::Choice(choices) => {
@@ -170,7 +175,7 @@ fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> St
                 format!("<option value=\"{number}\"{chosen}>{}</option>", escape(words))
             };
             let options: String = choices.iter().enumerate().map(option).collect();
-            format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\">{options}</select>")
+            format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\"{side}>{options}</select>")
         }
         Kind::Slider | Kind::Player(_) | Kind::Follower => {
             let play = match control.kind {
@@ -180,7 +185,7 @@ fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> St
             };
             let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
             format!(
-                "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" {range}{play}><span><input \
+                "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" {range}{play}{side}><span><input \
                  type=\"number\" data-box=\"{name}\" aria-label=\"{}\" min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"> {}</span>",
                 spoken.trim_end(),
                 escape(unit)
@@ -212,11 +217,10 @@ fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
 fn lever() -> anyhow::Result<Arguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
-    let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
-    let numbers = [("ground", ground), ("radius", radius), ("speed", speed)];
+    let rpm = geneva_ledger::printed_value("quick-return.driver-speed").context("a speed without a number")?;
+    let numbers = [("ground", at.linkage.ground()), ("radius", at.linkage.crank()), ("rpm", rpm)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    let others = [("crank", format!("{crank:.3}")), ("unit", "m".to_owned())];
-    Ok(Arguments::of(numbers.into_iter().chain(others)))
+    Ok(Arguments::of(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))
 }
 
 /// The run that stands for all, its ratio of inertias to three digits.
