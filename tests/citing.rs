@@ -129,7 +129,7 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
     let sound = citing::cff(Some("2026-11-23"), Some(&address));
     for (right, wrong) in [
         ("cff-version: 1.2.0", "cff-version: 1.1.0"),
-        ("title: Geneva, verified\n", ""),
+        ("title: \"Geneva, verified.", "name: \"Geneva, verified."),
         ("2026-11-23", "23 November 2026"),
         ("type: software", "type: book"),
         ("url: https://", "url: "),
