@@ -139,7 +139,7 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
         ("  - MIT", "  - Mine"),
         ("  - kinematics", "  - reproducibility"),
         ("keywords:\n", "title: Another\nkeywords:\n"),
-        ("message: If", "message: [If"),
+        ("message: >-\n  If", "message: [If"),
     ] {
         let faulty = sound.replacen(right, wrong, 1);
         assert_ne!(faulty, sound, "{right}");
