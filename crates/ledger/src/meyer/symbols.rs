@@ -29,7 +29,11 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "τ_2", ours: r"\tau_2", meaning: "torque of the friction on the driver" },
     Symbol { printed: "T", ours: "T", meaning: "kinetic energy" },
     Symbol { printed: "A, B, C, D, E", ours: "A, B, C, D, E", meaning: "factors of the equation of motion" },
-    Symbol { printed: "F", ours: r"C\dot\theta^2 + D\ddot\theta", meaning: "the expression between the absolute-value bars" },
+    Symbol {
+        printed: "F",
+        ours: r"C\dot\theta^2 + D\ddot\theta",
+        meaning: "the expression between the absolute-value bars",
+    },
     Symbol { printed: "S", ours: "S", meaning: "sign of the expression between the absolute-value bars" },
     Symbol { printed: "A, B", ours: r"\dot{x}_0, x_0", meaning: "initial values in the example of the program" },
     Symbol { printed: "R", ours: "A_0", meaning: "factor A at the start" },
