@@ -280,8 +280,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.simultaneous",
                 "cannot solve simultaneous equations",
-                "F, the expression between the bars, cannot be computed from the acceleration at the same instant, \
-                 because that acceleration itself depends on F",
+                "F, the expression between the absolute-value bars, cannot be computed from the acceleration at the \
+                 same instant, because that acceleration itself depends on F",
             )
             .missing(IMPLICIT),
     ]
