@@ -359,7 +359,8 @@ mod tests {
                 "copies" => ("copies", OF_A_SLIP),
                 _ => ("entries", OF_AN_ENTRY),
             };
-            assert_eq!(whole.as_object().expect("an object").len(), 4, "{name}");
+            assert_eq!(whole["license"], "CC-BY-4.0", "{name}");
+            assert_eq!(whole.as_object().expect("an object").len(), 5, "{name}");
             assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
             let mut found = BTreeSet::new();
             keys(&whole[list], "", &mut found);
