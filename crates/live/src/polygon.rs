@@ -31,9 +31,7 @@ pub const LIVE: Live = Live {
             .typed(TURNS)
             .playing(30.0)
             .on_side(Side::First),
-        Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0)
-            .typed(TURNS)
-            .on_side(Side::Second),
+        Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0).typed(TURNS).on_side(Side::Second),
         Control::choice("branch", "pin on the lever's ray", &["at the far point", "at the near point"], 0)
             .on_side(Side::Second),
         Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).typed(LENGTHS),
