@@ -85,7 +85,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let mut figure = escapement::running(&engagement, share).map_err(|error| error.to_string())?;
     // The speeds depend on these two as well.
     figure.caption += &format!(
-        " The torque is {} in lb, and the follower's moment of inertia is always {} · 10⁻⁶ in lb s².",
+        " The torque is {}\u{a0}in\u{a0}lb, and the follower's moment of inertia is always {}\u{a0}·\u{a0}10⁻⁶\u{a0}in\u{a0}lb\u{a0}s².",
         shown(torque),
         shown(1e6 * follower)
     );

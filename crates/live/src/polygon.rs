@@ -105,7 +105,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         figure.caption += &format!(" If you close it with this factor, you get φ̈ = {}.", closed.text);
     }
     figure.caption += &format!(
-        " Shown: axes {} m apart, a crank of {} m at {} rpm, and the lever at φ = {}, with the pin at the {far} point.",
+        " Shown: axes {}\u{a0}m apart, a crank of {}\u{a0}m at {}\u{a0}rpm, and the lever at φ = {}, with the pin at the {far} point.",
         shown(linkage.ground()),
         shown(linkage.crank()),
         with_minus_sign(&shown(settings.value("rpm")?).to_string()),
@@ -148,7 +148,7 @@ mod tests {
         let (far, caption) = told(own, &names);
         assert_eq!(far[..3], ["1.495 rad/s", "−0.5437 m/s", "1.626 m/s²"]);
         assert_eq!(far[3..], ["−5.123 rad/s²", "−5.123 rad/s²"]);
-        assert!(caption.contains("0.28 m apart, a crank of 0.12 m at 60 rpm"), "{caption}");
+        assert!(caption.contains("0.28\u{a0}m apart, a crank of 0.12\u{a0}m at 60\u{a0}rpm"), "{caption}");
         assert!(caption.contains("φ = 18.0°, with the pin at the far point"), "{caption}");
         let (near, caption) = told(&format!("{own}&branch=1"), &names);
         assert_eq!([&near[0], &near[3]], ["−2.852 rad/s", "−35.59 rad/s²"]);

@@ -100,7 +100,7 @@ impl Misplaced {
         if self.error == 0.0 {
             return Ok(right);
         }
-        let crank = self.from_nearest_pin(crank);
+        let crank = self.past_nearest_pin(crank);
         let stations = right.stations;
         if crank.abs() > self.half {
             let angle = (self.index_angle() / 2.0).copysign(crank);
@@ -137,13 +137,13 @@ impl Misplaced {
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
     pub fn sliding_ratio(&self, crank: f64) -> Result<Option<f64>, KinematicsError> {
         let is_engaged = self.at(crank)?.phase == Phase::Advance;
-        let turn = Turn::from_radians(self.from_nearest_pin(crank));
+        let turn = Turn::from_radians(self.past_nearest_pin(crank));
         let pin = pin_from_pivot(&self.ratio, &turn);
         Ok(is_engaged.then(|| sliding_product(&self.ratio, &turn) / libm::hypot(pin.x, pin.y)))
     }
 
     /// The crank angle in radians, counted from where the nearest pin is on the line of centres.
-    fn from_nearest_pin(&self, crank: f64) -> f64 {
+    fn past_nearest_pin(&self, crank: f64) -> f64 {
         let pitch = std::f64::consts::TAU / f64::from(self.wheel.pins());
         crank - libm::round(crank / pitch) * pitch
     }
