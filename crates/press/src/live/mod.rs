@@ -33,7 +33,6 @@ const BESIDE: &[Beside] = &[
             ("velocity", "jazar.eq-5.31"),
             ("acceleration", "jazar.eq-5.32"),
             ("jerk", "jazar.infinite-jerk"),
-            ("sliding", "pin.sliding-speed"),
             ("angle", "jazar.eq-5.30"),
             ("index", "jazar.ex-b.formula"),
         ],
