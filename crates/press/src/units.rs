@@ -1,4 +1,7 @@
-//! A number and its unit stay on one line, and so does a letter with the number that it is equal to.
+//! A number and its unit stay on one line, and so does a letter with the number that it is equal to, and the number of an
+//! equation.
+
+use crate::ledger_pages::inline::GLUED;
 
 /// The units that the pages write behind a number, as they stand in text: those of several words first.
 const UNITS: &[&str] = &[
@@ -95,10 +98,24 @@ pub fn tied(page: &str) -> String {
             rest = &rest[3..];
             continue;
         }
+        let numbers = hyphenated(rest);
+        if numbers > 0 && out.ends_with(['(', ' ', '\n', '\u{a0}']) {
+            out.push_str(&format!("{GLUED}{}</span>", &rest[..numbers]));
+            rest = &rest[numbers..];
+            continue;
+        }
         out.push(c);
         rest = &rest[c.len_utf8()..];
     }
     out
+}
+
+/// How long the numbers are that begin here and are joined by hyphens, such as those of an equation or of a day.
+fn hyphenated(text: &str) -> usize {
+    let length = text.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(text.len());
+    let parts = text[..length].split('-');
+    let is_one = parts.clone().count() > 1 && parts.into_iter().all(|part| !part.is_empty());
+    if is_one && text[length..].starts_with([')', ' ', '\n', '.', ',', ';', ':']) { length } else { 0 }
 }
 
 /// A digit, or one of an exponent.
@@ -158,6 +175,9 @@ mod tests {
         assert_eq!(tied("95 % of 2 kg m²"), "95\u{a0}% of 2\u{a0}kg\u{a0}m²");
         assert_eq!(tied("3 · 10⁻⁶ in lb s²"), "3\u{a0}·\u{a0}10⁻⁶\u{a0}in\u{a0}lb\u{a0}s²");
         assert_eq!(tied("at φ = 20°, θ = −5"), "at φ\u{a0}=\u{a0}20°, θ\u{a0}=\u{a0}−5");
+        let in_one_piece = "so (<span class=\"glued\">1-18</span>) of <span class=\"glued\">2026-11-23</span>.";
+        assert_eq!(tied("so (1-18) of 2026-11-23."), in_one_piece);
+        assert_eq!(tied(in_one_piece), in_one_piece);
     }
 
     #[test]
@@ -170,6 +190,7 @@ mod tests {
             "in 1973\n\nm is",
             "a < 5 and mm",
             "pins = 3, a = b",
+            "[a](ledger.md#eq-1-18), 1-, five-digit, a (1-pin) wheel, --at -30",
         ] {
             assert_eq!(tied(text), text);
         }
