@@ -9,7 +9,7 @@ use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
 use crate::formula::broken;
-use crate::html::{escape, prose, tex_or_text};
+use crate::html::{prose, tex_or_text};
 use crate::lookup;
 use crate::pages::{SECTIONS, Section, page_of_slip};
 use crate::units::tied;
@@ -113,7 +113,7 @@ fn row(judged: &Judged) -> anyhow::Result<String> {
         claim.kind.slug(),
         verdict.slug(),
         place(claim),
-        escape(claim.meaning),
+        prose(claim.meaning),
     ))
 }
 
