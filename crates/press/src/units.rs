@@ -61,8 +61,18 @@ const KEPT: &[&str] = &["pre", "code", "math", "svg", "script", "style", "textar
 /// The words of a caption: of a figure that moves, its script compares them, too. Other captions come here as they are to stay.
 const SAYS: &str = "<span class=\"says\"";
 
-/// A page in Markdown or HTML, with a space that breaks no line between each number and its unit.
+/// A page in Markdown or HTML, with a space that breaks no line between each number and its unit, and with the numbers of
+/// equations in one piece.
 pub fn tied(page: &str) -> String {
+    tie(page, true)
+}
+
+/// A page as [`tied`] has it, but without a tag around the numbers of equations, of which the ledger has too many.
+pub fn tied_without_tags(page: &str) -> String {
+    tie(page, false)
+}
+
+fn tie(page: &str, with_tags: bool) -> String {
     let mut out = String::with_capacity(page.len() + page.len() / 64);
     let mut rest = page;
     while !rest.is_empty() {
@@ -98,7 +108,7 @@ pub fn tied(page: &str) -> String {
             rest = &rest[3..];
             continue;
         }
-        let numbers = hyphenated(rest);
+        let numbers = if with_tags { hyphenated(rest) } else { 0 };
         if numbers > 0 && out.ends_with(['(', ' ', '\n', '\u{a0}']) {
             out.push_str(&format!("{GLUED}{}</span>", &rest[..numbers]));
             rest = &rest[numbers..];
@@ -166,7 +176,7 @@ fn unit(text: &str) -> Option<(&'static str, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use super::tied;
+    use super::{tied, tied_without_tags};
 
     #[test]
     fn a_number_keeps_its_unit() {
@@ -178,6 +188,7 @@ mod tests {
         let in_one_piece = "so (<span class=\"glued\">1-18</span>) of <span class=\"glued\">2026-11-23</span>.";
         assert_eq!(tied("so (1-18) of 2026-11-23."), in_one_piece);
         assert_eq!(tied(in_one_piece), in_one_piece);
+        assert_eq!(tied_without_tags("(1-18) at 5 mm"), "(1-18) at 5\u{a0}mm");
     }
 
     #[test]
