@@ -6,7 +6,7 @@ use geneva_press::{address, asked, bibliography, computed, fences, figures};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
 /// The pages by file name, with their Markdown.
-fn chapters() -> Vec<(String, String)> {
+pub(crate) fn chapters() -> Vec<(String, String)> {
     let read = |page: &Page| {
         let file = format!("{}.md", page.name);
         let text = std::fs::read_to_string(crate::path("book/src").join(&file)).expect("a page of the list");

@@ -20,6 +20,7 @@ mod records;
 mod snapshots;
 mod supply;
 mod tidy;
+mod typed;
 
 use geneva_ledger::{Decimal, claims, numeric_tokens};
 use std::collections::HashMap;

@@ -16,8 +16,8 @@ pub const LIVE: Live = Live {
     name: "mistake",
     figure: "live-mistake",
     hint: "Move the reset angle away from 90°: the marks for three pins leave the line to one side, and the marks for \
-           six pins to the other. Only at 90° do nearly all marks for four pins stay on the line. Then set the sign of \
-           friction to “late, as in the program”.",
+           six pins to the other. Only at 90° do nearly all marks for four pins stay on the line. Back at 90°, set \
+           the sign of friction to “late, as in the program”: slightly more numbers agree.",
     controls: &[
         Control::slider("reset", "reset angle", "°", [60.0, 120.0], 0.5, 90.0).typed([30.0, 170.0]).playing(6.0),
         Control::choice("own", "for", &["all three mechanisms", "none: each its own angle"], 0),

@@ -29,7 +29,7 @@ fn root_choice() -> Claim {
                     sizes && (least..=most).contains(&this.abs()) && other.abs() > most
                 },
                 &format!(
-                    "the size of a cosine is between {least} and {most}, as it is for one root but not for the other"
+                    "the size of one root is between {least} and {most}, as a cosine's must be, but the other's is not"
                 ),
             )
         })
@@ -113,7 +113,7 @@ fn maximum() -> Claim {
         .statement(
             "jazar.ex-e.maximum",
             "at a maximum",
-            "the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
+            "the size of the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
         )
         .by(Series, |stated| {
             let size = |acceleration: f64| stated.pick(acceleration.abs(), acceleration);

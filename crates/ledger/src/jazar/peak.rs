@@ -16,7 +16,8 @@ const WRONG_RATIO: Slip = Slip {
              printed ratio is larger than the largest value that the equation takes for six stations. We can only \
              guess at its origin: the equation gives the printed digits if the angle in the numerator is the printed \
              one, 22.90°, but the angle in the denominator is 22.50°, with a 5 in place of the 9. The answer to (e) is \
-             the printed ratio times the square of the driver's speed, and the handout has the right speed.",
+             the printed ratio times the square of the driver's speed. The speed is right, so only the ratio makes the \
+             answer wrong.",
     witness: "We wrote the pin's position as a power series, which gives the pin's direction as seen from the wheel's \
               axis. By bisection, we found where the third derivative of this direction's angle is zero, because the \
               acceleration peaks there.",

@@ -140,7 +140,10 @@ pub fn before_the_line(stated: Stated) -> Finding {
     let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| -180.0 / f64::from(at.pins())).collect();
     Finding::new(
         said == angles,
-        format!("180° over the number of pins, before the line of centres, is {}°", joined(&angles)),
+        format!(
+            "180° over the number of pins, counted negative before the line of centres, gives {}°",
+            joined(&angles)
+        ),
     )
 }
 

@@ -126,8 +126,10 @@ fn triangle() -> Vec<Claim> {
                 "at the hand-over, crank and slot are at right angles",
             )
             .by(ExactIdentity, |stated| {
-                let found =
-                    exactly(|at| is_zero(&sides(at)[0].dot(&sides(at)[1])), "the product of the two sides is zero");
+                let found = exactly(
+                    |at| is_zero(&sides(at)[0].dot(&sides(at)[1])),
+                    "the scalar product of crank and slot is zero",
+                );
                 and_with_a_slot_more(found, stated)
             })
             .by(Vectors, |stated| {

@@ -245,13 +245,13 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     let as_said = || "; this form includes exactly those that work".to_owned();
     let but = other.map_or_else(as_said, |(pins, slots)| {
         let [do_they, says] = if works(pins, slots) { ["work", "excludes"] } else { ["do not work", "includes"] };
-        format!("; for example, {pins} pins with {slots} slots {do_they}, although this form {says} them")
+        format!("; but this form {says} {pins} pins with {slots} slots, for example, which {do_they}")
     });
     Finding::new(
         other.is_none(),
         format!(
-            "of the configurations with up to {most} pins and {most} slots, {working} work, and {resting} of all have \
-             the follower at rest at the hand-over{but}"
+            "of the configurations with up to {most} pins and {most} slots, {working} work, and in {resting} of \
+             them the follower is at rest at the hand-over{but}"
         ),
     )
 }
@@ -341,7 +341,7 @@ fn named_work(stated: Stated, works: fn(u32, u32) -> bool) -> Finding {
     Finding::new(
         working == 3 && pairs.len() == 3,
         format!(
-            "of {}, {working} work",
+            "{working} of these work: {}",
             joined(pairs.iter().map(|(pins, slots)| format!("{pins} pins with {slots} slots")))
         ),
     )

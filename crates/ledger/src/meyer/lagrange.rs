@@ -28,7 +28,7 @@ fn equations() -> Vec<Claim> {
                     r"T}{\partial q_k} = Q_k"
                 ),
                 "Lagrange's equation for forces with and without a potential, here for one coordinate, where it is \
-                 the balance of power",
+                 the power balance",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -166,7 +166,10 @@ fn vector_sum() -> Claim {
                 letter("I_D") * letter("theta''") + letter("I_f") * letter("phi''") * letter("phi'") / letter("theta'");
             vanishes((force - asked) / force.abs().max(asked.abs()).max(1.0))
         });
-        Finding::new(holds, "with a torque on the follower, we computed it from the forces between pin and slot")
+        Finding::new(
+            holds,
+            "with a torque on the follower, we computed the generalised force from the forces between pin and slot",
+        )
     })
     .by(Evidence::Quadrature, |stated| {
         for_each(

@@ -186,7 +186,7 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
             format!(
                 "relative to the peak, neither the minimum nor the speed at entry changes if the torque changes by a \
                  tenth. But if any other parameter changes by a tenth, one of the two changes by {:.2} per cent or \
-                 more in all groups",
+                 more, with every mechanism at every friction value",
                 100.0 * least
             ),
         );
@@ -300,8 +300,9 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
     Finding::new(
         groups.len() == series(rows()).count() && least >= 100.0 * VISIBLE,
         format!(
-            "in all groups, changing a suitable parameter by a tenth changes each of them by {least:.1} per cent or \
-             more, and changing any parameter by a tenth changes each by {least_alone:.2} per cent or more"
+            "with every mechanism at every friction value, a suitable parameter, changed by a tenth, changes each of \
+             the three by {least:.1} per cent or more. Whichever parameter is changed by a tenth, each of the three \
+             changes by {least_alone:.2} per cent or more"
         ),
     )
 }

@@ -90,7 +90,7 @@ pub fn claims() -> Vec<Claim> {
                 "pin.crank-angle",
                 "150",
                 "°",
-                "the given crank angle φ from the direction OB, confirmed by the angle at B and the direction of v_P",
+                "the given crank angle from the direction OB, confirmed by the angle at B and the direction of v_P",
             )
             .by(OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver"))
             .by(OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),

@@ -152,7 +152,7 @@ fn nowhere() -> Finding {
 /// A finding in two drawings, which is said once if both give it.
 fn both_drawings(drawn: &str, mirrored: &str) -> String {
     if drawn == mirrored {
-        format!("{drawn}, and in the mirror image too")
+        format!("in the printed position and in its mirror image, {drawn}")
     } else {
         format!("{drawn}, and in the mirror image {mirrored}")
     }

@@ -369,9 +369,9 @@ fn sdfx() -> Claim {
 /// The slip of a program that cuts its locking disc along the rim as the rim stands in the middle of a move.
 const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
-        "The program puts the driver in the middle of a move and cuts a circle out of the disc. The circle is about \
-         the wheel's axis and has the wheel's radius. But the disc turns together with its cut, so the horns run into \
-         the disc before and after the middle of the move.",
+        "The program puts the driver in the middle of a move and cuts a circle out of the disc. The circle is \
+         centred on the wheel's axis and has the wheel's radius. But the disc turns together with its cut, so the \
+         horns run into the disc before and after the middle of the move.",
         "We computed the clearance from the triangles that the two axes form with the pin and with the tip of a horn.",
         changes,
     )

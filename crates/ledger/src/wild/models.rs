@@ -92,9 +92,9 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "when the pin reaches the rim, the wheel's speed should be zero, and it is {speed:.3} times the \
-                 driver's speed. The pin should then be at the slot. As seen from the wheel's axis, its angle from the line of \
-                 centres is {place:.3} times the slot's angle from this line"
+                "when the pin reaches the rim, the wheel should be at rest and the pin at the slot. The wheel's speed \
+                 is then {speed:.3} times the driver's speed. As seen from the wheel's axis, the pin's angle from the \
+                 line of centres is {place:.3} times the slot's angle from this line"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -217,7 +217,7 @@ fn model3d() -> Claim {
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
         "radius of the driven wheel, in a program whose pin circle has the right radius (the centre distance over √2); \
-         both without the slack of 0.015, and the wheel without the rounding of its tips",
+         we leave out the slack of 0.015 and the rounding of the wheel's tips",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }
@@ -339,7 +339,7 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "as the pin enters, the cam's arc should end on the line of centres, and its {arc:.1}° end \
+                "as the pin enters, the cam's arc of {arc:.1}° should end on the line of centres, and it ends \
                  {past:.0}° past this line"
             ),
         )

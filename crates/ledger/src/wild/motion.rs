@@ -250,7 +250,13 @@ fn crosses(stated: Stated, speed: impl Fn(f64, f64) -> f64) -> Finding {
     };
     let least = least(stated.pick(&[1.0, 10.0, 30.0], &[10.0]));
     let holds = stated.pick(!vanishes(least), vanishes(least));
-    Finding::new(holds, format!("with 3 to 60 slots, the wheel starts with at least {least:.4} of the driver's speed"))
+    Finding::new(
+        holds,
+        format!(
+            "with 3 to 60 slots, a slot that crosses the circle starts the wheel with at least {least:.4} of the \
+             driver's speed"
+        ),
+    )
 }
 
 /// Whether the acceleration has jumped as the pin enters and as it leaves, for all wheels; or is that of a wheel at rest.

@@ -185,7 +185,10 @@ fn parts(stated: Stated, by: fn(u32) -> Fit) -> Finding {
     let all = numbers.chunks(2).filter(|pair| fits(pair)).count();
     Finding::new(
         all == 3 && numbers.len() == 6,
-        format!("{all} of the {} parts are parts in which the wheel moves", numbers.len() / 2),
+        format!(
+            "for {all} of the {} wheels, the number is the part of the cycle in which the wheel moves",
+            numbers.len() / 2
+        ),
     )
 }
 

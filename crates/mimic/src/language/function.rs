@@ -228,7 +228,7 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Sample),
         Assumed,
-        "zero-order hold: A as it was at the first kept point at or after the last multiple of B",
+        "zero-order hold: A at the latest time that is a multiple of B, or at the first kept point after that",
     ),
     function(
         ("IMP", "A, B"),

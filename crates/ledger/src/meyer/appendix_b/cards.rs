@@ -116,7 +116,10 @@ fn runs() -> Vec<Claim> {
                     |found, all| {
                         format!(
                             "after a faster run, {found} of {all} printed peaks are nearer to the peaks of a run {}",
-                            stated.pick("from rest", "that takes over the speed")
+                            stated.pick(
+                                "from rest than to the peaks of one that takes over the speed",
+                                "that takes over the speed than to the peaks of one from rest"
+                            )
                         )
                     },
                 )

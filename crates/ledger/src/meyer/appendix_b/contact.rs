@@ -32,7 +32,7 @@ fn solved() -> Vec<Claim> {
             .read(ClosedForm, holds)
             .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS)
             .in_places(5),
-        at("Appendix B, line after Eq. (1-19) repeated")
+        at("Appendix B, line after the repeated Eq. (1-19)")
             .statement(
                 "meyer.app-b.cannot-be-solved",
                 "cannot be solved",
@@ -116,8 +116,7 @@ fn opens_the_bars(tex: &str) -> Finding {
     let holds = opened.len() == 2 && sizes[0] != sizes[1] && opened.iter().all(|finding| finding.holds);
     Finding::new(
         holds,
-        "for each line, we proved the next display with the value that the line gives S and the bars opened \
-         accordingly",
+        "for each of the two lines, we gave S the line's value, opened the bars to match and proved the next display",
     )
 }
 
@@ -280,8 +279,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.simultaneous",
                 "cannot solve simultaneous equations",
-                "F, the expression between the bars, cannot be computed from the acceleration at the same instant, \
-                 because that acceleration itself depends on F",
+                "F, the expression between the absolute-value bars, cannot be computed from the acceleration at the \
+                 same instant, because that acceleration itself depends on F",
             )
             .missing(IMPLICIT),
     ]

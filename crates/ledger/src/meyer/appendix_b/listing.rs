@@ -89,7 +89,7 @@ fn constants() -> Vec<Claim> {
                 listed::PRINT_INTERVAL,
                 "s",
                 "time between printed lines, a given value. With half or twice this time, the largest printed speeds \
-                 would be farther from the largest speeds of the three tables together",
+                 would fit the three tables, taken together, less well",
             )
             .by(Evidence::Quadrature, || fitting_interval(false))
             .by(Evidence::RungeKutta, || fitting_interval(true)),

@@ -258,7 +258,7 @@ fn advantages() -> Vec<Claim> {
                 let said = stated.pick(1.0, widths()[0]);
                 Finding::new(
                     agrees(advance, said),
-                    format!("a step is {advance} times as wide as an interval, so it is wider than a subinterval"),
+                    format!("a step is {advance} interval wide, so it is wider than a subinterval"),
                 )
             })
             .by(LimitCase, |stated| {

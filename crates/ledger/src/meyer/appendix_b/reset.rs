@@ -31,8 +31,8 @@ pub fn reset(
             Finding::new(
                 pins.len() == all.len(),
                 format!(
-                    "{only}with {} pins, the angle in the slot, reset as this form says, is the angle of the pin \
-                     nearest to the follower's axis",
+                    "the angle in the slot, reset as this form says, agrees {only}for {} pins with the angle of the \
+                     pin nearest to the follower's axis",
                     joined(&pins)
                 ),
             )
