@@ -102,7 +102,7 @@ fn tie(page: &str, with_tags: bool) -> String {
         }
         if rest.starts_with(" = ")
             && ends_with_letter(&out)
-            && rest[3..].starts_with(|c: char| c.is_ascii_digit() || c == '−')
+            && rest[3..].trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit() || c == '−')
         {
             out.push_str("\u{a0}=\u{a0}");
             rest = &rest[3..];
@@ -185,6 +185,7 @@ mod tests {
         assert_eq!(tied("95 % of 2 kg m²"), "95\u{a0}% of 2\u{a0}kg\u{a0}m²");
         assert_eq!(tied("3 · 10⁻⁶ in lb s²"), "3\u{a0}·\u{a0}10⁻⁶\u{a0}in\u{a0}lb\u{a0}s²");
         assert_eq!(tied("at φ = 20°, θ = −5"), "at φ\u{a0}=\u{a0}20°, θ\u{a0}=\u{a0}−5");
+        assert_eq!(tied("μ = .30"), "μ\u{a0}=\u{a0}.30");
         let in_one_piece = "so (<span class=\"glued\">1-18</span>) of <span class=\"glued\">2026-11-23</span>.";
         assert_eq!(tied("so (1-18) of 2026-11-23."), in_one_piece);
         assert_eq!(tied(in_one_piece), in_one_piece);
