@@ -225,11 +225,18 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     && splitter.sides.is_empty()
                     && has_number(&splitter.side)
                     && !splitter.side.iter().any(named);
+                // A quotient with a colon, but no number of an item.
+                let quotient = token.is(':')
+                    && next.is_some_and(|next| matches!(next.kind, Kind::Number(_)))
+                    && splitter.sides.is_empty()
+                    && has_number(&splitter.side)
+                    && !splitter.side.iter().any(named)
+                    && trimmed(&splitter.side).len() > 1;
                 let words = splitter.side.iter().any(|token| matches!(token.kind, Kind::Word(_) | Kind::Name(_)));
                 let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
                 splitter.end_chain(token.is('?'), false);
                 splitter.listed = token.is(',');
-                if joins {
+                if joins || quotient {
                     splitter.parted = Parted::FromNumbers;
                 } else if token.is_one_of(",.") {
                     splitter.parted = if numbers { Parted::FromNumbers } else { Parted::ByMark };

@@ -7,6 +7,7 @@ use crate::doubt::{Doubt, Factors, Place};
 use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
+use crate::notation;
 use crate::reader::{self, Format, Formula, Unreadable, Written};
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, has_number};
@@ -147,7 +148,9 @@ fn names_label(judgement: &Judgement) -> bool {
         Some((left, right)) => {
             let is_count = left.dimension.is_none() && left.factor == 1.0;
             let of_other_kinds = left.dimension != right.dimension || is_count;
-            left.is_literal() && left.has_unit && !right.is_literal() && of_other_kinds
+            // A temperature or a time beside what depends on it.
+            let depends = right.is_literal() && right.has_unit && left.dimension != right.dimension;
+            left.is_literal() && left.has_unit && (!right.is_literal() || depends) && of_other_kinds
         }
         None => false,
     }
@@ -281,6 +284,19 @@ impl Check<'_> {
             if agrees(&other) {
                 judgement = Judgement { verdict: Verdict::Doubtful, ..other };
             }
+        }
+        for [one, other] in notation::others(self.text, formula, left, right) {
+            let other = judge(&one, &other, relation, bindings);
+            if agrees(&other) {
+                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
+                break;
+            }
+        }
+        if let Some((one, other)) = &judgement.values
+            && (notation::differ_by_turns(one, other)
+                || (relation == Relation::Approximate && notation::counts_up(one, other)))
+        {
+            judgement.verdict = judgement.verdict.min(Verdict::Doubtful);
         }
         let values = judgement.values.as_ref();
         let printed = values.is_some_and(|(left, right)| {

@@ -144,6 +144,12 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     {
         return true;
     }
+    // Temperatures without their degree sign.
+    let scales = |tokens: &[Token]| has(tokens, &["C", "F"]);
+    let kelvins = |tokens: &[Token]| has(tokens, &["C", "F", "K", "°C", "°F"]);
+    if both_printed && ((scales(left) && kelvins(right)) || (scales(right) && kelvins(left))) && left != right {
+        return true;
+    }
     // A price.
     let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
     if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {

@@ -3,8 +3,9 @@
 //! A program that takes a part of something for a number finds sides that end where no author would end them, numbers inside an
 //! argument, and single digits that equal something else. None of these signs knows what was misread.
 
-use crate::chain::{Chain, Parted, Side};
+use crate::chain::{Chain, Parted, Relation, Side};
 use crate::evaluate::Evaluator;
+use crate::notation;
 use crate::printed::Mode;
 use crate::reader::{Formula, Written};
 use crate::reading::Reading;
@@ -12,7 +13,7 @@ use crate::surroundings;
 use crate::token::{Kind, Span, Token, any};
 use crate::unit::unit;
 use crate::value::{Literal, Value};
-use crate::verdict::{Judgement, Verdict};
+use crate::verdict::{Judgement, Verdict, judge};
 
 /// How far two bare numbers are apart, relative to the larger one, if no digit explains it.
 const FAR: f64 = 0.7;
@@ -68,7 +69,10 @@ impl Place<'_> {
         if self.is_cut(judgement) {
             return Some(Doubt::Cut);
         }
-        if self.is_fragment(judgement) {
+        if self.is_other_notation(judgement) {
+            return Some(Doubt::Unknown);
+        }
+        if self.is_fragment(judgement) || self.runs_on() {
             return Some(Doubt::Fragment);
         }
         if self.lacks_unit_behind(judgement) {
@@ -122,13 +126,53 @@ impl Place<'_> {
                 Parted::ByMark => literal,
                 Parted::FromNumbers => true,
             };
-            if joined_on || glued || signed || parted {
+            let by_word = surroundings::is_joined_by_word(self.text, self.left.span)
+                || (inside || self.formula.written == Written::Plain)
+                    && surroundings::is_joined_by_sign(self.text, self.left.span);
+            // What is named, with a number in its name: the interest on 8000 = 8820 − 8000.
+            let plain = self.formula.written == Written::Plain;
+            let result = judgement.values.as_ref().is_some_and(|(_, right)| right.is_literal());
+            let named = plain && literal && !result && surroundings::follows_name(self.text, self.left.span);
+            if joined_on || glued || signed || parted || by_word || named {
                 return true;
             }
         }
         let end = self.right.span.end as usize;
         let (behind, far) = (at(Some(end)), at(Some(end + 1)));
         self.ends_chain() && mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far))
+    }
+
+    /// Whether the left side is the number with which the right side begins, and the right side goes on with it: 2 · 5 = 10 + 3 = 13.
+    fn runs_on(&self) -> bool {
+        let Some(leading) = notation::leading(&self.right.tokens) else { return false };
+        let at = self.chain.sides.iter().position(|side| side.span == self.right.span);
+        let Some(next) = at.and_then(|at| self.chain.sides.get(at + 1)) else { return false };
+        if judge(&self.right.tokens, &next.tokens, Relation::Equal, None).verdict > Verdict::Units {
+            return false;
+        }
+        let side = judge(&self.left.tokens, leading, Relation::Equal, None);
+        side.verdict < Verdict::Units && side.values.is_some_and(|(left, _)| !left.is_literal())
+    }
+
+    /// Whether the sides may be written in a way in which their numbers mean something else.
+    fn is_other_notation(&self, judgement: &Judgement) -> bool {
+        let [left, right] = [self.left, self.right].map(|side| side.tokens.as_slice());
+        let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
+        let plain = self.formula.written == Written::Plain;
+        notation::substitutes(left, right)
+            || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
+            || notation::is_mark(right)
+            || (self.formula.written == Written::Plain && self.begins_chain() && self.is_station())
+            || (bare && (notation::has_bits(left) || notation::has_bits(right)))
+            || (bare
+                && surroundings::base_named(self.text, self.formula.span).is_none()
+                && surroundings::speaks_of_other_arithmetic(self.text, self.formula.span))
+    }
+
+    /// Whether the left side is a place on a line that is surveyed: Sta. 12+50.
+    fn is_station(&self) -> bool {
+        let before = self.text.get(..self.left.span.start as usize).unwrap_or_default().trim_end_matches([' ', '.', ':']);
+        notation::is_mark(&self.left.tokens) && before.ends_with(|c: char| c.is_alphabetic())
     }
 
     /// Whether a quantity equals a bare number at the end of the formula, behind which a unit may stand that is not known.

@@ -348,10 +348,10 @@ impl<'b> Evaluator<'b> {
             *cursor = ahead;
             return Ok(true);
         }
+        let apart = cursor.at.checked_sub(1).and_then(|at| cursor.tokens.get(at)).is_some_and(Token::is_space);
         if let [Token { kind: Kind::Number(number), .. }] = core.as_slice()
             && ends
-            && value.has_unit
-            && value.literal == Literal::Number
+            && (apart || value.has_unit)
             && is_equation_number(number)
         {
             self.noticed.note(Reading::TAG);
@@ -565,7 +565,8 @@ pub(crate) fn leftover(token: &Token) -> Obstacle {
 
 /// Whether brackets around it make the number of an equation.
 fn is_equation_number(text: &str) -> bool {
-    text.split_once('.').is_some_and(|(chapter, number)| chapter.len() <= 2 && (1..=3).contains(&number.len()))
+    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
+    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
 }
 
 /// The letters among tokens, without π and e.

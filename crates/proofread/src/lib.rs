@@ -17,6 +17,7 @@ mod function;
 mod hint;
 mod interval;
 mod join;
+mod notation;
 mod pieces;
 mod place;
 mod printed;

@@ -55,6 +55,11 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
     if asked && question {
         return true;
     }
+    const REPORTS: [&str; 8] =
+        ["mistake", "wrongly", "incorrectly", "fallacy", "misconception", "you wrote", "not true", "false"];
+    if REPORTS.iter().any(|report| sentence.contains(report)) {
+        return true;
+    }
     const DENIALS: [&str; 9] = [
         "is false",
         "not true",
@@ -192,6 +197,90 @@ pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
     }
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
     PREPOSITIONS.contains(&word.to_lowercase().as_str())
+}
+
+/// Whether a number and a word just before a place join it to what stands there: `5 times 3 = 15`, `80 % of 20 = 16`.
+pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
+    const JOINTS: [&str; 12] =
+        ["of", "to", "times", "plus", "minus", "over", "per", "by", "less", "divided by", "multiplied by", "and"];
+    let start = (span.start as usize).min(text.len());
+    let mut from = start.saturating_sub(NEAR / 2);
+    while !text.is_char_boundary(from) {
+        from -= 1;
+    }
+    let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
+    let before = text.get(from..start).unwrap_or_default().trim_end_matches(marks);
+    let Some(rest) = JOINTS.iter().find_map(|joint| before.strip_suffix(joint)) else { return false };
+    let Some(rest) = rest.strip_suffix(|c: char| c.is_whitespace() || c == '~') else { return false };
+    let rest = rest.trim_end_matches(|c: char| c.is_whitespace() || "$)\\~".contains(c));
+    let counted = |rest: &str| rest.ends_with(|c: char| c.is_ascii_digit());
+    let word = rest.rsplit(|c: char| !(c.is_alphabetic() || c == '%')).next().unwrap_or_default();
+    let before_word = rest[..rest.len() - word.len()].trim_end_matches(|c: char| c.is_whitespace() || "$\\~".contains(c));
+    counted(rest) || (unit(word).is_some() && counted(before_word))
+}
+
+/// Whether an operator joins a number in running text to what stands before it, on the line before or with words between: the
+/// difference of *28.47 − initial 0.32 = 28.15*.
+pub(crate) fn is_joined_by_sign(text: &str, span: Span) -> bool {
+    let start = (span.start as usize).min(text.len());
+    let mut from = start.saturating_sub(NEAR / 2);
+    while !text.is_char_boundary(from) {
+        from -= 1;
+    }
+    let before = text.get(from..start).unwrap_or_default();
+    let is_sign = |c: char| "+-−–×·*/÷=".contains(c);
+    let line = before.rsplit('\n').next().unwrap_or_default();
+    if line.trim().is_empty() && line.len() < before.len() {
+        let mut above = before.trim_end().chars().rev();
+        let last = above.next().filter(|c| is_sign(*c));
+        // A heading or a rule is underlined with more than one sign.
+        return last.is_some() && above.next() != last;
+    }
+    let words = line.trim_end_matches(|c: char| c.is_alphabetic() || c == ' ' || c == '.');
+    let between = &line[words.len()..];
+    let signed = words.ends_with(|c: char| is_sign(c) && c != '=') && between.starts_with(' ');
+    let rest = words.trim_end_matches(|c: char| is_sign(c) || c == ' ');
+    signed && between.contains(char::is_alphabetic) && rest.ends_with(|c: char| c.is_ascii_alphanumeric() || c == ')')
+        && rest.contains(|c: char| c.is_ascii_digit())
+}
+
+/// Whether a word that names something stands just before a number in a line, so that the number may belong to its name: the
+/// interest on 8000.
+pub(crate) fn follows_name(text: &str, span: Span) -> bool {
+    const LINKS: &str = " is are was be so that then thus hence therefore get gets have has gives give equals equal result and or \
+        where since because if when but as now we it which yields find finds ";
+    let start = (span.start as usize).min(text.len());
+    let before = text.get(..start).unwrap_or_default();
+    let before = before.trim_end_matches([' ', '.']);
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    word.chars().count() > 1 && !LINKS.split_whitespace().any(|link| link.eq_ignore_ascii_case(word))
+}
+
+/// Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
+pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
+    const WORDS: [&str; 12] = [
+        "mod",
+        "pmod",
+        "bmod",
+        "modulo",
+        "boolean",
+        "xor",
+        "binary",
+        "octal",
+        "hexadecimal",
+        "two\u{2019}s complement",
+        "two's complement",
+        "in base",
+    ];
+    let (before, after) = around(text, span);
+    let near = format!("{before} {after}").to_lowercase();
+    let source = text.get(span.range()).unwrap_or_default();
+    let is_word = |of: &str, at: usize, word: &str| {
+        let letter = |c: char| c.is_ascii_alphabetic();
+        !of[..at].ends_with(letter) && !of[at + word.len()..].starts_with(letter)
+    };
+    let has = |of: &str| WORDS.iter().any(|word| of.match_indices(word).any(|(at, word)| is_word(of, at, word)));
+    has(&near) || has(source) || near.contains("mathbb{z}") || near.contains("mathbb z")
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.

@@ -196,7 +196,12 @@ impl Evaluator<'_> {
                 return Err(Obstacle::Letter(word.to_owned()));
             }
         }
-        if unit(word).is_none() {
+        // An upright e with such an exponent is the base of the logarithms, not a charge.
+        let raised = cursor.tokens.get(at + 1).is_some_and(|next| match &next.kind {
+            Kind::Power(power) => !plain_exponent(power).is_ok_and(|power| power > 0.0 && power.fract() == 0.0),
+            _ => false,
+        });
+        if unit(word).is_none() || (word == "e" && raised) {
             return Ok(value);
         }
         cursor.at = at;

@@ -3,6 +3,7 @@
 mod adjoining;
 mod commas;
 mod delimited;
+mod dress;
 mod latex;
 mod markdown;
 mod markup;

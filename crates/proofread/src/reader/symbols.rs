@@ -6,7 +6,7 @@ use crate::token::{Function, Kind, Span, Token};
 pub(crate) fn symbol(name: &str) -> Kind {
     const GREEK: &str = "alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta θ iota ι kappa κ \
         lambda λ mu μ nu ν xi ξ pi π rho ρ varrho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ \
-        Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω hbar ℏ ell ℓ infty ∞ micro μ textmu μ upmu μ \
+        Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω uppi π uplambda λ uprho ρ upalpha α upbeta β upgamma γ hbar ℏ ell ℓ infty ∞ micro μ textmu μ upmu μ \
         ohm Ω textohm Ω AA Å angstrom Å";
     let mut greek = GREEK.split_whitespace();
     while let (Some(known), Some(letter)) = (greek.next(), greek.next()) {
@@ -33,6 +33,9 @@ pub(crate) fn symbol(name: &str) -> Kind {
         "le" | "leq" | "leqslant" | "lt" | "ll" | "lesssim" => '<',
         "ge" | "geq" | "geqslant" | "gt" | "gg" | "gtrsim" | "propto" | "mid" | "leftrightarrow" => '>',
         "lvert" | "rvert" | "vert" => '|',
+        "lparen" => '(',
+        "rparen" => ')',
+        "surd" => '√',
         "lbrace" => '{',
         "rbrace" => '}',
         "lbrack" => '[',

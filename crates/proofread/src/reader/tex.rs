@@ -1,13 +1,25 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
-use super::siunitx;
+use super::{dress, siunitx};
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
-use crate::token::{Function, Kind, Sign, Span, Token, show};
+use crate::token::{Function, Kind, Sign, Span, Token, show, span_of};
 use std::collections::HashMap;
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
+/// What may part the thousands of a number.
+const SEPARATORS: [&[char]; 9] = [
+    &[','],
+    &['{', ',', '}'],
+    &['\\', ','],
+    &['\\', ':'],
+    &['\\', ';'],
+    &['\\', ' '],
+    &['~'],
+    &['{', ' ', '}'],
+    &['\''],
+];
 /// Most characters that the macros of one formula may add.
 const MOST_EXPANDED: usize = 20_000;
 
@@ -191,7 +203,8 @@ impl Tex<'_> {
                     let inner = self.tokens(depth + 1, &['}']);
                     out.push(token(Kind::Group(inner), span));
                 }
-                '}' => {
+                // The end of a group that is none, or a mark of a formula in text in a formula.
+                '}' | '$' => {
                     self.stack.pop();
                 }
                 '^' | '_' => {
@@ -227,7 +240,7 @@ impl Tex<'_> {
             }
         }
         stand(&mut out, &mut upright);
-        out
+        stacked(out)
     }
 
     /// Takes a number with `,`, `{,}` or `\,` between its thousands.
@@ -245,7 +258,7 @@ impl Tex<'_> {
                 self.stack.pop();
             }
             let leading = *leading.get_or_insert(taken.len());
-            let separator: &[char] = [&[','][..], &['{', ',', '}'], &['\\', ',']]
+            let separator: &[char] = SEPARATORS
                 .into_iter()
                 .find(|of| of.iter().enumerate().all(|(at, c)| self.ahead(at) == Some(*c)))
                 .unwrap_or(&[]);
@@ -259,7 +272,7 @@ impl Tex<'_> {
             let span = self.peek().map_or(Span::default(), |sign| sign.span);
             self.stack.truncate(self.stack.len() - n);
             // Space parts thousands in texts with decimal commas, too.
-            if separator != ['\\', ','] {
+            if separator.contains(&',') && separator[0] != '\\' {
                 taken.push(Sign { c: ',', span });
             }
         }
@@ -343,12 +356,6 @@ impl Tex<'_> {
             "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf"
             | "textsf" | "hbox" | "textnormal" | "mathtt" | "textup" | "mathup" | "symup" | "symrm" | "textsc"
             | "textmd" => self.upright(&name, depth, out),
-            "mathbf" | "boldsymbol" | "mathit" | "mathcal" | "bm" | "mathbb" | "mathscr" | "mathfrak" | "pmb"
-            | "boxed" | "underline" | "cancel" | "bcancel" | "xcancel" | "ensuremath" | "fbox" | "mathnormal"
-            | "framebox" => {
-                let inner = self.argument(depth);
-                push(out, Kind::Group(inner));
-            }
             "underbrace" | "overbrace" | "underbracket" | "overbracket" => {
                 let inner = self.argument(depth);
                 push(out, Kind::Group(inner));
@@ -359,28 +366,22 @@ impl Tex<'_> {
                     self.argument(depth);
                 }
             }
-            "left" | "right" => {
-                self.skip_space();
-                if self.ahead(0) == Some('.') {
-                    self.stack.pop();
-                }
-            }
             "rm" | "upshape" | "rmfamily" => self.upright = true,
-            "it" | "bf" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl" | "biggr"
-            | "Biggl" | "Biggr" | "displaystyle" | "textstyle" | "limits" | "nolimits" | "scriptstyle" | "nonumber"
-            | "hfill" | "notag" | "noindent" | "hline" | "par" | "allowbreak" | "break" | "relax" | "middle"
-            | "strut" => {}
-            "tag" | "label" | "ref" | "cite" | "eqref" | "vspace" | "hspace" | "phantom" | "color" | "intertext"
-            | "footnote" | "require" | "hphantom" | "vphantom" | "shortintertext" => {
+            "intertext" | "shortintertext" => {
                 self.raw_group();
-                if name.ends_with("intertext") {
-                    push(out, Kind::Line);
-                }
+                push(out, Kind::Line);
             }
-            "textcolor" => {
-                self.raw_group();
-                let inner = self.argument(depth);
-                push(out, Kind::Group(inner));
+            "hspace" | "hskip" | "kern" | "mspace" | "mkern" => {
+                let length = self.length();
+                push(out, Kind::Space(dress::width(&length).max(2)));
+            }
+            "hfill" | "hfil" => push(out, Kind::Space(20)),
+            // The number of an equation.
+            "eqno" | "leqno" => while self.stack.pop().is_some() {},
+            "genfrac" => {
+                (0..4).for_each(|_| drop(self.raw_group()));
+                let (above, below) = (self.argument(depth), self.argument(depth));
+                push(out, Kind::Fraction(above, below));
             }
             "overline" | "bar" | "vec" | "dot" | "ddot" | "hat" | "tilde" | "widehat" | "overrightarrow"
             | "widetilde" | "acute" => {
@@ -394,7 +395,7 @@ impl Tex<'_> {
                 let base = self.argument(depth);
                 push(out, Kind::Accent(base, sign.to_owned()));
             }
-            "circ" | "degree" | "textdegree" | "degreeCelsius" | "celsius" | "textcelsius" => {
+            "circ" | "degree" | "degrees" | "deg" | "textdegree" | "degreeCelsius" | "celsius" | "textcelsius" => {
                 push(out, Kind::Word(if name.ends_with("elsius") { "°C" } else { "°" }.to_owned()));
             }
             "ang" => {
@@ -418,10 +419,23 @@ impl Tex<'_> {
             "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
                 let options = self.optional().unwrap_or_default();
                 // The number of the package units.
-                if name == "unit" && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || sign.c == '-') {
-                    words(&options, out);
+                if name == "unit" && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || "-.$".contains(sign.c)) {
+                    let number = self.inside(options.into_iter().rev().collect(), depth);
+                    out.push(token(Kind::Group(number), span));
                 }
                 self.quantity(&name, depth, out);
+            }
+            "unitfrac" => {
+                let number = self.optional().unwrap_or_default();
+                let number = self.inside(number.into_iter().rev().collect(), depth);
+                push(out, Kind::Group(number));
+                push(out, Kind::Space(2));
+                let [above, below] = [self.argument(depth), self.argument(depth)].map(|part| {
+                    let mut words = Vec::new();
+                    merge_letters(part, &mut words);
+                    words
+                });
+                push(out, Kind::Fraction(above, below));
             }
             "quad" => push(out, Kind::Space(10)),
             "qquad" => push(out, Kind::Space(20)),
@@ -440,8 +454,64 @@ impl Tex<'_> {
             "begin" | "end" => self.environment(&name, span, out),
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, Kind::Space(2)),
             "pmod" | "bmod" => push(out, Kind::Unknown(name)),
+            name if dress::of(name).is_some() => self.dressed(name, span, depth, out),
+            name if dress::long(name).is_some() => {
+                self.optional();
+                self.raw_group();
+                out.extend(dress::long(name).map(|sign| token(Kind::Operator(sign), span)));
+            }
             name => push(out, symbol(name)),
         }
+    }
+
+    /// What a command dresses up.
+    fn dressed(&mut self, name: &str, span: Span, depth: usize, out: &mut Vec<Token>) {
+        let Some(dress) = dress::of(name) else { return };
+        let options = |reader: &mut Self| while dress.optional && reader.optional().is_some() {};
+        options(self);
+        let mut said = String::new();
+        for _ in 0..dress.dropped {
+            said.extend(self.raw_group().iter().map(|sign| sign.c));
+            options(self);
+        }
+        if dress.kept {
+            let inner = self.argument(depth);
+            // Whether both sides are equal is asked, or demanded.
+            let asked = matches!(said.trim(), "?" | "!");
+            match inner.as_slice() {
+                [Token { kind: Kind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
+                    let sign = if asked && *c == '=' { '≡' } else { *c };
+                    out.push(token(Kind::Operator(sign), span));
+                }
+                [Token { kind: Kind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
+                _ => out.push(token(Kind::Group(inner), span)),
+            }
+        } else if name.ends_with("left") || name.ends_with("right") {
+            self.skip_space();
+            if self.ahead(0) == Some('.') {
+                self.stack.pop();
+            }
+        }
+    }
+
+    /// The length behind a command for space, in braces or without.
+    fn length(&mut self) -> String {
+        self.skip_space();
+        if self.ahead(0) == Some('{') {
+            return self.raw_group().iter().map(|sign| sign.c).collect();
+        }
+        let mut out = String::new();
+        while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit() || " .-".contains(sign.c)) {
+            out.push(sign.c);
+            self.stack.pop();
+        }
+        for _ in 0..2 {
+            if let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_lowercase()) {
+                out.push(sign.c);
+                self.stack.pop();
+            }
+        }
+        out
     }
 
     /// Upright text: a function, units, or words.
@@ -528,6 +598,31 @@ fn stand(out: &mut Vec<Token>, upright: &mut Option<usize>) {
         let letters = out.split_off(from.min(out.len()));
         merge_letters(letters, out);
     }
+}
+
+/// Fractions of what stands before and behind `\over` in a group or cell.
+fn stacked(tokens: Vec<Token>) -> Vec<Token> {
+    let is_over = |token: &Token| matches!(&token.kind, Kind::Unknown(name) if name == "\\over");
+    if !tokens.iter().any(is_over) {
+        return tokens;
+    }
+    let ends = |token: &Token| matches!(token.kind, Kind::Cell | Kind::Line);
+    let mut out = Vec::with_capacity(tokens.len());
+    for part in tokens.split_inclusive(ends) {
+        let (end, part) = match part.split_last() {
+            Some((end, rest)) if ends(end) => (Some(end), rest),
+            _ => (None, part),
+        };
+        match part.iter().position(is_over) {
+            Some(at) if !part.iter().any(|token| token.is_one_of("=≈")) && !part[at + 1..].iter().any(is_over) => {
+                let fraction = Kind::Fraction(part[..at].to_vec(), part[at + 1..].to_vec());
+                out.push(token(fraction, span_of(part)));
+            }
+            _ => out.extend(part.iter().cloned()),
+        }
+        out.extend(end.cloned());
+    }
+    out
 }
 
 fn placed(text: &str, span: Span) -> Vec<Sign> {

@@ -49,6 +49,14 @@ pub(crate) fn number_length(signs: &[Sign]) -> usize {
     }
     let grouped = |at: usize| is(at, ',') && (1..=3).all(|k| digit(at + k)) && !digit(at + 4);
     if (1..=3).contains(&at) && !(at == 1 && is(0, '0')) {
+        // Lakhs and crores: 1,20,000.
+        let mut pairs = at;
+        while at < 3 && is(pairs, ',') && digit(pairs + 1) && digit(pairs + 2) && is(pairs + 3, ',') {
+            pairs += 3;
+        }
+        if grouped(pairs) {
+            at = pairs;
+        }
         while grouped(at) {
             at += 4;
         }
@@ -157,7 +165,15 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
         } else if in_word(c) {
             let all = run(&in_word);
             taken = (1..all).find(|at| basis(&rest[*at..]).is_some()).unwrap_or(all);
-            word(&rest[..taken], out);
+            let letter = |sign: &Sign| sign.c.is_ascii_alphabetic();
+            let digits = rest[taken..].iter().take_while(|sign| sign.c.is_ascii_digit()).count();
+            let longer = rest[taken + digits..].iter().take_while(|sign| letter(sign)).count();
+            if digits > 0 && taken > 1 && longer > 1 {
+                taken += digits + longer;
+                out.push(Token::new(Kind::Unknown("a name with digits in it".to_owned()), whole(&rest[..taken])));
+            } else {
+                word(&rest[..taken], out);
+            }
         } else if c.is_whitespace() {
             taken = run(&char::is_whitespace);
             out.push(Token::new(Kind::Space(2), whole(&rest[..taken])));
