@@ -266,7 +266,15 @@ impl Check<'_> {
         // What the text says in words may explain the difference.
         let unit = if ends { surroundings::unit_behind(self.text, formula.span) } else { Vec::new() };
         if !unit.is_empty() {
-            let with = [right.tokens.as_slice(), &unit].concat();
+            let mut with = [right.tokens.as_slice(), &unit].concat();
+            // The scale of a temperature behind its degree sign.
+            let scale = unit.last().and_then(Token::word).filter(|word| matches!(*word, "C" | "F"));
+            if let (Some(scale), Some(last)) = (scale, right.tokens.last())
+                && last.word() == Some("°")
+            {
+                with.truncate(right.tokens.len() - 1);
+                with.push(Token::new(Kind::Word(format!("°{scale}")), last.span));
+            }
             let other = judge(&left.tokens, &with, relation, bindings);
             // The other numbers of the chain lack their unit, too.
             if agrees(&other) || other.verdict == Verdict::Units {
@@ -285,11 +293,15 @@ impl Check<'_> {
                 judgement = Judgement { verdict: Verdict::Doubtful, ..other };
             }
         }
-        for [one, other] in notation::others(self.text, formula, left, right) {
+        let others = if judgement.verdict > Verdict::Units { notation::others(self.text, formula, left, right) } else { Vec::new() };
+        for [one, other] in others {
             let other = judge(&one, &other, relation, bindings);
             if agrees(&other) {
                 judgement = Judgement { verdict: Verdict::Doubtful, ..other };
                 break;
+            }
+            if other.verdict == Verdict::Units {
+                judgement = other;
             }
         }
         if let Some((one, other)) = &judgement.values

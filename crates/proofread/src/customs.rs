@@ -130,6 +130,9 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     if decibels == [true, true] && (are_added(left) || are_added(right)) {
         return true;
     }
+    if has(left, &["Np"]) != has(right, &["Np"]) && (decibels[0] || decibels[1]) {
+        return true;
+    }
     // A ratio and its size in decibels.
     let in_decibels = |ratio: &Value, level: &Value| match (ratio.number(), level.number()) {
         (Ok(of), Ok(level)) if of.point > 0.0 && !ratio.has_unit => {

@@ -3,7 +3,7 @@
 //! A program that takes a part of something for a number finds sides that end where no author would end them, numbers inside an
 //! argument, and single digits that equal something else. None of these signs knows what was misread.
 
-use crate::chain::{Chain, Parted, Relation, Side};
+use crate::chain::{Chain, Parted, Side};
 use crate::evaluate::Evaluator;
 use crate::notation;
 use crate::printed::Mode;
@@ -13,7 +13,7 @@ use crate::surroundings;
 use crate::token::{Kind, Span, Token, any};
 use crate::unit::unit;
 use crate::value::{Literal, Value};
-use crate::verdict::{Judgement, Verdict, judge};
+use crate::verdict::{Judgement, Verdict};
 
 /// How far two bare numbers are apart, relative to the larger one, if no digit explains it.
 const FAR: f64 = 0.7;
@@ -72,7 +72,7 @@ impl Place<'_> {
         if self.is_other_notation(judgement) {
             return Some(Doubt::Unknown);
         }
-        if self.is_fragment(judgement) || self.runs_on() {
+        if self.is_fragment(judgement) {
             return Some(Doubt::Fragment);
         }
         if self.lacks_unit_behind(judgement) {
@@ -132,26 +132,19 @@ impl Place<'_> {
             // What is named, with a number in its name: the interest on 8000 = 8820 − 8000.
             let plain = self.formula.written == Written::Plain;
             let result = judgement.values.as_ref().is_some_and(|(_, right)| right.is_literal());
-            let named = plain && literal && !result && surroundings::follows_name(self.text, self.left.span);
+            // So does what bears a number: No. 200 = 75 μm.
+            let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
+            let named = plain && literal && (!result || size) && surroundings::follows_name(self.text, self.left.span)
+                || plain && surroundings::follows_label(self.text, self.left.span);
             if joined_on || glued || signed || parted || by_word || named {
                 return true;
             }
         }
         let end = self.right.span.end as usize;
         let (behind, far) = (at(Some(end)), at(Some(end + 1)));
-        self.ends_chain() && mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far))
-    }
-
-    /// Whether the left side is the number with which the right side begins, and the right side goes on with it: 2 · 5 = 10 + 3 = 13.
-    fn runs_on(&self) -> bool {
-        let Some(leading) = notation::leading(&self.right.tokens) else { return false };
-        let at = self.chain.sides.iter().position(|side| side.span == self.right.span);
-        let Some(next) = at.and_then(|at| self.chain.sides.get(at + 1)) else { return false };
-        if judge(&self.right.tokens, &next.tokens, Relation::Equal, None).verdict > Verdict::Units {
-            return false;
-        }
-        let side = judge(&self.left.tokens, leading, Relation::Equal, None);
-        side.verdict < Verdict::Units && side.values.is_some_and(|(left, _)| !left.is_literal())
+        let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
+        self.ends_chain() && (goes_on || surroundings::goes_on_in_words(self.text, self.right.span))
+            || surroundings::goes_on_with_arrow(self.text, self.right.span)
     }
 
     /// Whether the sides may be written in a way in which their numbers mean something else.
@@ -159,14 +152,29 @@ impl Place<'_> {
         let [left, right] = [self.left, self.right].map(|side| side.tokens.as_slice());
         let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
         let plain = self.formula.written == Written::Plain;
+        let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
         notation::substitutes(left, right)
             || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
             || notation::is_mark(right)
+            || notation::is_bracketed_number(left)
+            || (plain && notation::are_references(left))
+            || self.is_one_of_two()
+            || (plain && notation::is_range(self.text, left))
             || (self.formula.written == Written::Plain && self.begins_chain() && self.is_station())
             || (bare && (notation::has_bits(left) || notation::has_bits(right)))
             || (bare
-                && surroundings::base_named(self.text, self.formula.span).is_none()
-                && surroundings::speaks_of_other_arithmetic(self.text, self.formula.span))
+                && surroundings::base_named(self.text, around).is_none()
+                && surroundings::speaks_of_other_arithmetic(self.text, around))
+    }
+
+    /// Whether a sign in one of the sides parts two equations.
+    fn is_one_of_two(&self) -> bool {
+        let at = self.chain.sides.iter().position(|side| side.span == self.right.span).unwrap_or(0);
+        let three = |from: usize| match self.chain.sides.get(from..from + 3) {
+            Some([one, two, three]) => notation::are_two_equations([&one.tokens, &two.tokens, &three.tokens]),
+            _ => false,
+        };
+        at > 0 && (three(at - 1) || (at > 1 && three(at - 2)))
     }
 
     /// Whether the left side is a place on a line that is surveyed: Sta. 12+50.

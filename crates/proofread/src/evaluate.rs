@@ -6,7 +6,7 @@ use crate::printed::{Mode, Printed};
 use crate::reading::Reading;
 use crate::token::{Kind, Token, has_number, trimmed};
 use crate::unit::unit;
-use crate::value::{Evaluated, Literal, Obstacle, Value};
+use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
 use std::collections::HashMap;
 
 /// Names with their values.
@@ -236,7 +236,18 @@ impl<'b> Evaluator<'b> {
         }
         let mut sum = self.product(cursor)?;
         if negative {
+            let scale = cursor.before().and_then(Token::word).filter(|_| self.chosen(Reading::POINTS));
+            let literal = sum.literal == Literal::Number;
+            // Below zero of the scale: the sign belongs to what is printed, not to the kelvins.
+            let zero = match scale {
+                Some("°C") if literal => 2.0 * 273.15,
+                Some("°F") if literal => 2.0 * 273.15 - 64.0 * 5.0 / 9.0,
+                _ => 0.0,
+            };
             sum = sum.negated();
+            if zero > 0.0 {
+                sum.parts = sum.parts.map(|part| part.moved(zero));
+            }
         }
         while let Some(token) = cursor.peek() {
             if token.is_one_of("±∓") {
@@ -271,6 +282,11 @@ impl<'b> Evaluator<'b> {
             } else if token.is('/') {
                 cursor.at += 1;
                 product = self.quotient(product, cursor)?;
+            } else if token.number().is_some()
+                && product.literal == Literal::Number
+                && product.angle == Some(Angle::Degrees)
+            {
+                return Err(Obstacle::Unclear("two numbers side by side"));
             } else if token.number().is_some() && literal_with_unit && !product.dimension.is_none() {
                 // 2 min 30 s
                 let more = self.factor(cursor)?;
@@ -458,6 +474,9 @@ impl<'b> Evaluator<'b> {
                 value = self.raised(&value, exponent)?;
             } else if token.is('!') {
                 cursor.at += 1;
+                if cursor.here().is_some_and(|next| next.is('!')) {
+                    return Err(Obstacle::Unclear("a double factorial"));
+                }
                 value = factorial(&value)?;
             } else {
                 break;
@@ -500,6 +519,9 @@ impl<'b> Evaluator<'b> {
             }
             Kind::Root(of, index) => {
                 cursor.at += 1;
+                if matches!(of.as_slice(), [minus, one] if minus.is('-') && one.number() == Some("1")) {
+                    return Err(Obstacle::Unclear("an imaginary number"));
+                }
                 let index = if index.is_empty() { 2.0 } else { self.exponent(index)?.point };
                 let value = self.whole(of)?.power(Interval::exact(1.0 / index))?;
                 let value = self.followed(value, cursor)?;

@@ -106,8 +106,14 @@ fn flat(tokens: &[Token]) -> Vec<Token> {
         match &token.kind {
             Kind::Cell => {
                 let next = tokens[at + 1..].iter().find(|token| !token.is_space());
-                let continues =
-                    next.is_none_or(|next| matches!(next.kind, Kind::Operator(_) | Kind::Line | Kind::Cell));
+                // Two of them part two equations.
+                let doubled = at > 0 && tokens[..at].iter().rev().find(|token| !token.is_space()).is_some_and(|before| before.kind == Kind::Cell);
+                let goes_on = |next: &Token| match next.kind {
+                    Kind::Operator(c) => !doubled || !"([√".contains(c),
+                    Kind::Line | Kind::Cell => true,
+                    _ => false,
+                };
+                let continues = next.is_none_or(goes_on);
                 if related && !continues {
                     out.push(Token::new(Kind::Space(20), span));
                     related = false;
@@ -198,6 +204,7 @@ fn scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token>) {
         out.push(match (function, of.as_str()) {
             (Function::Log, "10") => Token::new(Kind::Function(Function::Lg), span),
             (Function::Log, "e") => Token::new(Kind::Function(Function::Ln), span),
+            (Function::Log, _) if show(sub).contains(['.', ',']) => unknown("a function with a subscript", span),
             (Function::Log, base) if base.parse().is_ok_and(|base: u8| base > 1) => {
                 Token::new(Kind::Function(Function::LogTo(base.parse().unwrap_or(2))), span)
             }
@@ -302,12 +309,6 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
             out.push(token);
             continue;
         };
-        // A part of a date, of an angle or of a code, or a number in base two.
-        let code = text.len() > 1 && text.starts_with('0') && !text.contains(['.', ',']);
-        if code && !out.last().is_some_and(|last| last.is_one_of(".,")) {
-            out.push(unknown("digits behind a zero", token.span));
-            continue;
-        }
         let digits = |text: &str| text.chars().all(|c| c.is_ascii_digit());
         let whole = out.len();
         let joint = match out.as_slice() {
@@ -341,7 +342,12 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
                 out.truncate(whole - taken);
                 out.push(Token::new(Kind::Number(text), start.join(token.span)));
             }
-            None => out.push(token),
+            None => {
+                // A part of a date, of an angle or of a code, or a number in base two.
+                let code = text.len() > 1 && text.starts_with('0') && !text.contains(['.', ',']);
+                let decimals = out.last().is_some_and(|last| last.is_one_of(".,·"));
+                out.push(if code && !decimals { unknown("digits behind a zero", token.span) } else { token });
+            }
         }
     }
     out

@@ -55,6 +55,10 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
     if asked && question {
         return true;
     }
+    // One of the answers to choose from.
+    if before.trim_end().ends_with("\\choice") || before.to_lowercase().contains("true or false") {
+        return true;
+    }
     const REPORTS: [&str; 8] =
         ["mistake", "wrongly", "incorrectly", "fallacy", "misconception", "you wrote", "not true", "false"];
     if REPORTS.iter().any(|report| sentence.contains(report)) {
@@ -201,8 +205,9 @@ pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
 
 /// Whether a number and a word just before a place join it to what stands there: `5 times 3 = 15`, `80 % of 20 = 16`.
 pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
-    const JOINTS: [&str; 12] =
-        ["of", "to", "times", "plus", "minus", "over", "per", "by", "less", "divided by", "multiplied by", "and"];
+    const JOINTS: [&str; 11] =
+        ["divided by", "multiplied by", "of", "to", "times", "plus", "minus", "over", "per", "by", "less"];
+    const BOTH: [&str; 6] = ["sum of", "mean of", "average of", "product of", "difference of", "between"];
     let start = (span.start as usize).min(text.len());
     let mut from = start.saturating_sub(NEAR / 2);
     while !text.is_char_boundary(from) {
@@ -210,13 +215,36 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
     }
     let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
     let before = text.get(from..start).unwrap_or_default().trim_end_matches(marks);
-    let Some(rest) = JOINTS.iter().find_map(|joint| before.strip_suffix(joint)) else { return false };
-    let Some(rest) = rest.strip_suffix(|c: char| c.is_whitespace() || c == '~') else { return false };
+    // The sum of 3 and 4 = 7.
+    let clause = before.rsplit(['.', '=', ';']).next().unwrap_or_default();
+    let both = BOTH.iter().any(|words| clause.contains(words));
+    let joint = JOINTS.iter().find_map(|joint| before.strip_suffix(joint));
+    let joint = joint.or_else(|| before.strip_suffix("and").filter(|_| both));
+    let Some(rest) = joint.filter(|rest| rest.ends_with(|c: char| c.is_whitespace() || c == '~')) else { return false };
     let rest = rest.trim_end_matches(|c: char| c.is_whitespace() || "$)\\~".contains(c));
     let counted = |rest: &str| rest.ends_with(|c: char| c.is_ascii_digit());
     let word = rest.rsplit(|c: char| !(c.is_alphabetic() || c == '%')).next().unwrap_or_default();
     let before_word = rest[..rest.len() - word.len()].trim_end_matches(|c: char| c.is_whitespace() || "$\\~".contains(c));
     counted(rest) || (unit(word).is_some() && counted(before_word))
+}
+
+/// Whether a word behind a place joins it to another number: `24 = 2 by 12`.
+pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
+    const JOINTS: [&str; 10] = ["per", "in", "out of", "times", "by", "plus", "minus", "over", "divided by", "multiplied by"];
+    let marks = |c: char| c == ' ' || "$)\\~".contains(c);
+    let rest = behind(text, span).trim_start_matches(marks);
+    JOINTS.iter().filter_map(|joint| rest.strip_prefix(joint)).any(|rest| {
+        let next = rest.trim_start_matches(|c: char| c == ' ' || "$(\\~".contains(c));
+        rest.starts_with([' ', '~']) && next.starts_with(|c: char| c.is_ascii_digit())
+    })
+}
+
+/// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.
+pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
+    let rest = behind(text, span).trim_start();
+    let arrows = ["-->", "->", "→", "\\to ", "\\rightarrow "];
+    let next = arrows.iter().find_map(|arrow| rest.strip_prefix(arrow));
+    next.is_some_and(|next| next.trim_start().starts_with(|c: char| c.is_ascii_digit()))
 }
 
 /// Whether an operator joins a number in running text to what stands before it, on the line before or with words between: the
@@ -229,18 +257,27 @@ pub(crate) fn is_joined_by_sign(text: &str, span: Span) -> bool {
     }
     let before = text.get(from..start).unwrap_or_default();
     let is_sign = |c: char| "+-−–×·*/÷=".contains(c);
-    let line = before.rsplit('\n').next().unwrap_or_default();
-    if line.trim().is_empty() && line.len() < before.len() {
-        let mut above = before.trim_end().chars().rev();
-        let last = above.next().filter(|c| is_sign(*c));
+    let (above, line) = before.rsplit_once('\n').unwrap_or(("", before));
+    let marks = |c: char| c == ' ' || c == '>' || c == '\t';
+    let begins = line.trim_start_matches(marks);
+    let above = above.rsplit('\n').next().unwrap_or_default().trim_matches(marks);
+    if begins.is_empty() && !above.is_empty() {
+        let mut last = above.chars().rev();
+        let sign = last.next().filter(|c| is_sign(*c));
         // A heading or a rule is underlined with more than one sign.
-        return last.is_some() && above.next() != last;
+        return sign.is_some() && last.next() != sign;
+    }
+    // A product that goes on in the next row looks like an item of a list.
+    let sign = begins.trim_end();
+    if sign.chars().count() == 1 && sign.starts_with(is_sign) && !above.is_empty() {
+        return !above.starts_with(sign) && above.contains(|c: char| c.is_ascii_digit()) && !above.ends_with([':', '.']);
     }
     let words = line.trim_end_matches(|c: char| c.is_alphabetic() || c == ' ' || c == '.');
     let between = &line[words.len()..];
-    let signed = words.ends_with(|c: char| is_sign(c) && c != '=') && between.starts_with(' ');
+    let times = between.starts_with(" x ") || between.starts_with("x ");
+    let signed = times || (words.ends_with(|c: char| is_sign(c) && c != '=') && between.starts_with(' '));
     let rest = words.trim_end_matches(|c: char| is_sign(c) || c == ' ');
-    signed && between.contains(char::is_alphabetic) && rest.ends_with(|c: char| c.is_ascii_alphanumeric() || c == ')')
+    signed && between.contains(char::is_alphabetic) && rest.ends_with(|c: char| c.is_alphanumeric() || c == ')')
         && rest.contains(|c: char| c.is_ascii_digit())
 }
 
@@ -256,9 +293,24 @@ pub(crate) fn follows_name(text: &str, span: Span) -> bool {
     word.chars().count() > 1 && !LINKS.split_whitespace().any(|link| link.eq_ignore_ascii_case(word))
 }
 
+/// Whether a word that is numbered stands just before a number: line 12.
+pub(crate) fn follows_label(text: &str, span: Span) -> bool {
+    const LABELS: &str = " line lines row rows eq eqs equation equations step steps column item box no nos number sta station fig figure \
+        table section chapter page exercise example problem question part case test trial run room ";
+    let start = (span.start as usize).min(text.len());
+    let before = text.get(..start).unwrap_or_default();
+    let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
+    let word = before.trim_end_matches(['.', ' ']).rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    !word.is_empty() && LABELS.split_whitespace().any(|label| label.eq_ignore_ascii_case(word))
+}
+
 /// Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
 pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
-    const WORDS: [&str; 12] = [
+    const WORDS: [&str; 16] = [
+        "overflow",
+        "overflows",
+        "saturation",
+        "uint",
         "mod",
         "pmod",
         "bmod",
@@ -273,7 +325,9 @@ pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
         "in base",
     ];
     let (before, after) = around(text, span);
-    let near = format!("{before} {after}").to_lowercase();
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
+    let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
+    let near = format!("{sentence} {rest}").to_lowercase();
     let source = text.get(span.range()).unwrap_or_default();
     let is_word = |of: &str, at: usize, word: &str| {
         let letter = |c: char| c.is_ascii_alphabetic();

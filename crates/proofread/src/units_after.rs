@@ -71,6 +71,9 @@ impl Evaluator<'_> {
         if count != 1 {
             all.scale = None;
         }
+        if count > 1 && all.angle == Some(Angle::Degrees) && self.chosen(Reading::NUMBERS) {
+            all.factor = 1.0;
+        }
         if !all.factor.is_finite() || all.factor == 0.0 {
             return Err(Obstacle::Unclear("a unit beyond all bounds"));
         }

@@ -37,7 +37,7 @@ const KNOWN: [(&str, Dress); 10] = [
         "it bf big Big bigg Bigg bigl bigr Bigl Bigr biggl biggr Biggl Biggr bigm Bigm biggm Biggm displaystyle textstyle limits \
          nolimits scriptstyle scriptscriptstyle nonumber notag noindent hline par allowbreak break nobreak relax middle strut mathstrut null \
          protect centering raggedright large Large LARGE huge Huge small normalsize footnotesize scriptsize tiny bfseries \
-         itshape slshape boldmath unboldmath sf tt sl em sc cal mit normalfont selectfont left right mleft mright",
+         itshape slshape boldmath unboldmath sf tt sl em sc cal mit normalfont selectfont left right mleft mright xspace",
         dress(false, 0, false),
     ),
 ];
@@ -62,7 +62,9 @@ pub(crate) fn width(length: &str) -> u8 {
         "mu" => 1.0 / 18.0,
         _ => 2.0,
     };
-    (10.0 * size * ems).clamp(0.0, 20.0) as u8
+    // Eight tenths are the end of a row that goes on.
+    let tenths = (10.0 * size * ems).clamp(0.0, 20.0) as u8;
+    if tenths == 8 { 7 } else { tenths }
 }
 
 /// The sign that a long arrow or equals sign stands for, whose argument is written above it.

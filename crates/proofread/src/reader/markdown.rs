@@ -102,14 +102,7 @@ fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
 fn code(text: &str) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     let (mut skip, mut fences) = (Vec::new(), Vec::new());
     let mut maths = false;
-    // What is struck out.
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        let base = start;
-        start += line.len();
-        let marks: Vec<usize> = line.match_indices("~~").map(|(at, _)| base + at).collect();
-        skip.extend(marks.chunks_exact(2).map(|pair| pair[0]..pair[1] + 2));
-    }
+    skip.extend(super::withdrawn(text));
     for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {

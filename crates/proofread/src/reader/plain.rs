@@ -170,8 +170,16 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     let of = out.last().is_some_and(|last| {
                         last.span.end == span.start && (last.number().is_some() || last.is(')') || matches!(last.kind, Kind::Name(_)))
                     });
-                    let raised = rest.next_if(|next| of && next.number().is_some() && next.span.start == second.span.end);
-                    out.extend(raised.map(|raised| Token::new(Kind::Scripts(Vec::new(), Vec::new(), vec![raised]), span)));
+                    let sign = rest.next_if(|next| of && next.is('-') && next.span.start == second.span.end);
+                    let from = sign.as_ref().map_or(second.span.end, |sign| sign.span.end);
+                    let raised = rest.next_if(|next| of && next.number().is_some() && next.span.start == from);
+                    let mut exponent: Vec<Token> = sign.into_iter().chain(raised).collect();
+                    if exponent.is_empty() && rest.next_if(|next| of && next.is('(') && next.span.start == from).is_some() {
+                        exponent.extend(rest.by_ref().take_while(|next| !next.is(')')));
+                    }
+                    if !exponent.is_empty() {
+                        out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), span));
+                    }
                     continue;
                 }
                 out.push(Token::new(Kind::Operator('·'), span));
@@ -270,7 +278,7 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
             // Another column of a text that is set in columns.
             Kind::Space(_)
                 if span.end - span.start >= 4
-                    && next_is(&|next| next.is('='), &mut rest)
+                    && next_is(&|next| next.is_one_of("=("), &mut rest)
                     && out.iter().any(|token| token.is('=')) =>
             {
                 out.push(Token::new(Kind::Operator(';'), span));

@@ -448,10 +448,11 @@ impl Tex<'_> {
             "&" => {}
             "amp" => push(out, Kind::Cell),
             "\\" | "newline" | "cr" | "tabularnewline" => {
-                self.optional();
+                self.row_space();
                 push(out, Kind::Line);
             }
             "begin" | "end" => self.environment(&name, span, out),
+            "square" | "Box" if !self.ends() => push(out, Kind::Unknown("a box to fill in".to_owned())),
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, Kind::Space(2)),
             "pmod" | "bmod" => push(out, Kind::Unknown(name)),
             name if dress::of(name).is_some() => self.dressed(name, span, depth, out),
@@ -462,6 +463,26 @@ impl Tex<'_> {
             }
             name => push(out, symbol(name)),
         }
+    }
+
+    /// Skips the space between two rows, `[4pt]`, which is told from a row that begins with a bracket by being a length.
+    fn row_space(&mut self) {
+        let mut ahead = self.stack.iter().rev().map(|sign| sign.c).skip_while(|c| c.is_whitespace());
+        if ahead.next() != Some('[') {
+            return;
+        }
+        let inside: String = ahead.take(20).take_while(|c| *c != ']').collect();
+        let inside = inside.trim();
+        let is_length = inside.contains(|c: char| c.is_ascii_digit() || c == '\\')
+            && ["pt", "em", "ex", "cm", "mm", "in", "skip", "jot", "size", "height"].iter().any(|end| inside.ends_with(end));
+        if is_length {
+            self.optional();
+        }
+    }
+
+    /// Whether nothing but space and full stops is left.
+    fn ends(&self) -> bool {
+        self.stack.iter().all(|sign| sign.c.is_whitespace() || ".,}$&\\".contains(sign.c))
     }
 
     /// What a command dresses up.
@@ -518,6 +539,10 @@ impl Tex<'_> {
     fn upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
         let raw = self.raw_group();
         let text: String = raw.iter().map(|sign| sign.c).collect();
+        // A remark in brackets stands apart.
+        if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
+            out.push(token(Kind::Space(2), whole(&raw)));
+        }
         if let Some(function) = Function::named(text.trim()) {
             out.push(token(Kind::Function(function), whole(&raw)));
             return;

@@ -173,6 +173,7 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
                 out.push(Token::new(Kind::Unknown("a name with digits in it".to_owned()), whole(&rest[..taken])));
             } else {
                 word(&rest[..taken], out);
+                taken += typed(&rest[taken..], out);
             }
         } else if c.is_whitespace() {
             taken = run(&char::is_whitespace);
@@ -207,6 +208,29 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
         }
         at += taken;
     }
+}
+
+/// What is typed behind the name of a function: the base in `log2(8)`, or the exponent in `cos2(60)` and `sin-1(0.5)`. How many characters
+/// it is.
+fn typed(rest: &[Sign], out: &mut Vec<Token>) -> usize {
+    let Some(Token { kind: Kind::Function(function), .. }) = out.last_mut() else { return 0 };
+    let minus = usize::from(rest.first().is_some_and(|sign| sign.c == '-'));
+    let digits: String = rest[minus..].iter().map(|sign| sign.c).take_while(char::is_ascii_digit).collect();
+    let taken = minus + digits.len();
+    if !rest.get(taken).is_some_and(|sign| sign.c == '(') {
+        return 0;
+    }
+    match (*function, minus, digits.as_str()) {
+        (Function::Log, 0, "2") => *function = Function::LogTo(2),
+        (Function::Log, 0, "10") => *function = Function::Lg,
+        (_, 0, "2") | (_, 1, "1") => {
+            let exponent = if minus == 1 { vec![Token::new(Kind::Operator('-'), rest[0].span)] } else { Vec::new() };
+            let exponent = exponent.into_iter().chain([number(&rest[minus..taken])]).collect();
+            out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), whole(&rest[..taken])));
+        }
+        _ => return 0,
+    }
+    taken
 }
 
 fn word(signs: &[Sign], out: &mut Vec<Token>) {
