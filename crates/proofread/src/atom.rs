@@ -23,6 +23,7 @@ impl Evaluator<'_> {
         }
         if let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here()
             && matches!(exponent.as_slice(), [zero] if zero.number() == Some("0"))
+            && text != "10"
         {
             self.noticed.note(Reading::ZERO_DEGREES);
             if self.chosen(Reading::ZERO_DEGREES) {

@@ -257,12 +257,16 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     && has_number(&splitter.side)
                     && !splitter.side.iter().any(named);
                 // A quotient with a colon, but no number of an item.
+                let tail = splitter.side.iter().rposition(named).map_or(0, |at| at + 1);
+                let tail = &splitter.side[tail..];
                 let quotient = token.is(':')
-                    && next.is_some_and(|next| matches!(next.kind, Kind::Number(_) | Kind::Fraction(..)) || next.is('('))
+                    && next
+                        .is_some_and(|next| matches!(next.kind, Kind::Number(_) | Kind::Fraction(..)) || next.is('('))
                     && splitter.sides.is_empty()
-                    && has_number(&splitter.side)
-                    && !splitter.side.iter().any(named)
-                    && (trimmed(&splitter.side).len() > 1 || splitter.side.last().is_some_and(Token::is_space));
+                    && has_number(tail)
+                    && (trimmed(tail).len() > 1
+                        || splitter.side.last().is_some_and(Token::is_space)
+                        || !next.is_some_and(|next| next.number().is_some()));
                 let words = splitter.side.iter().any(|token| matches!(token.kind, Kind::Word(_) | Kind::Name(_)));
                 let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
                 splitter.end_chain(token.is('?'), false);

@@ -257,6 +257,16 @@ impl Check<'_> {
         if computes && judgement.verdict > Verdict::Units && self.results.explain(formula.scope, left, right) {
             judgement.verdict = Verdict::Rounded;
         }
+        let steps = judgement.values.as_ref().is_some_and(|(left, right)| left.is_literal() && right.is_literal());
+        if steps && judgement.verdict > Verdict::Units {
+            let agree = |one: &Side, other: &Side| {
+                judge(&one.tokens, &other.tokens, relation, bindings).verdict < Verdict::Truncated
+            };
+            // A side before the last one gives both: the step between was rounded.
+            if chain.sides[..at - 1].iter().rev().take(3).any(|first| agree(first, left) && agree(first, right)) {
+                judgement.verdict = Verdict::Rounded;
+            }
+        }
         if let Some(values) = judgement.values.as_ref().filter(|_| computes) {
             self.results.note(formula.scope, left, right, values);
         }
@@ -293,10 +303,14 @@ impl Check<'_> {
                 judgement = Judgement { verdict: Verdict::Doubtful, ..other };
             }
         }
-        let others = if judgement.verdict > Verdict::Units { notation::others(self.text, formula, left, right) } else { Vec::new() };
+        let others = if judgement.verdict > Verdict::Units {
+            notation::others(self.text, formula, left, right)
+        } else {
+            Vec::new()
+        };
         for [one, other] in others {
             let other = judge(&one, &other, relation, bindings);
-            if agrees(&other) {
+            if other.verdict < Verdict::Doubtful {
                 judgement = Judgement { verdict: Verdict::Doubtful, ..other };
                 break;
             }

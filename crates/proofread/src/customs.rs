@@ -2,7 +2,7 @@
 //! between their units is rounded.
 
 use crate::token::{Kind, Token, any, trimmed};
-use crate::unit::{Dimension, unit, without_prefix};
+use crate::unit::{Dimension, is_percent, unit, without_prefix};
 use crate::value::{Angle, Value};
 use std::f64::consts::PI;
 
@@ -151,6 +151,11 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     let scales = |tokens: &[Token]| has(tokens, &["C", "F"]);
     let kelvins = |tokens: &[Token]| has(tokens, &["C", "F", "K", "°C", "°F"]);
     if both_printed && ((scales(left) && kelvins(right)) || (scales(right) && kelvins(left))) && left != right {
+        return true;
+    }
+    // A share and what it amounts to.
+    let shares = |tokens: &[Token]| tokens.iter().filter_map(Token::word).any(is_percent);
+    if both_printed && (shares(left) && !other.dimension.is_none() || shares(right) && !one.dimension.is_none()) {
         return true;
     }
     // A price.

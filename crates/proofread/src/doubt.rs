@@ -136,6 +136,9 @@ impl Place<'_> {
             let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
             let named = plain && literal && (!result || size) && surroundings::follows_name(self.text, self.left.span)
                 || plain && surroundings::follows_label(self.text, self.left.span);
+            // So is what stands before a function: mg cos 30°.
+            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, Kind::Function(_)));
+            let named = named || plain && function && surroundings::follows_name(self.text, self.left.span);
             if joined_on || glued || signed || parted || by_word || named {
                 return true;
             }
@@ -154,6 +157,8 @@ impl Place<'_> {
         let plain = self.formula.written == Written::Plain;
         let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
         notation::substitutes(left, right)
+            || (plain && (notation::is_formula(left) || notation::is_formula(right)))
+            || (notation::is_bracketed_number(right) && right[0].is('['))
             || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
             || notation::is_mark(right)
             || notation::is_bracketed_number(left)
@@ -179,7 +184,8 @@ impl Place<'_> {
 
     /// Whether the left side is a place on a line that is surveyed: Sta. 12+50.
     fn is_station(&self) -> bool {
-        let before = self.text.get(..self.left.span.start as usize).unwrap_or_default().trim_end_matches([' ', '.', ':']);
+        let before =
+            self.text.get(..self.left.span.start as usize).unwrap_or_default().trim_end_matches([' ', '.', ':']);
         notation::is_mark(&self.left.tokens) && before.ends_with(|c: char| c.is_alphabetic())
     }
 

@@ -107,7 +107,12 @@ fn flat(tokens: &[Token]) -> Vec<Token> {
             Kind::Cell => {
                 let next = tokens[at + 1..].iter().find(|token| !token.is_space());
                 // Two of them part two equations.
-                let doubled = at > 0 && tokens[..at].iter().rev().find(|token| !token.is_space()).is_some_and(|before| before.kind == Kind::Cell);
+                let doubled = at > 0
+                    && tokens[..at]
+                        .iter()
+                        .rev()
+                        .find(|token| !token.is_space())
+                        .is_some_and(|before| before.kind == Kind::Cell);
                 let goes_on = |next: &Token| match next.kind {
                     Kind::Operator(c) => !doubled || !"([√".contains(c),
                     Kind::Line | Kind::Cell => true,

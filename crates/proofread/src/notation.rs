@@ -66,7 +66,9 @@ fn without_label(side: &[Token], plain: bool) -> Vec<Vec<Token>> {
         })
     };
     let (length, marked) = match side {
-        [open, number, close, ..] if open.is_one_of("([") && close.is_one_of(")]") && number.number().is_some() => (3, true),
+        [open, number, close, ..] if open.is_one_of("([") && close.is_one_of(")]") && number.number().is_some() => {
+            (3, true)
+        }
         [number, degree, ..] if number.number().is_some() && degree.word() == Some("°") => (2, true),
         [number, ..] if number.number().is_some() => (1, false),
         _ => return Vec::new(),
@@ -80,7 +82,9 @@ fn without_label(side: &[Token], plain: bool) -> Vec<Vec<Token>> {
     // A dash with space on both sides.
     let dashes = side.windows(3).position(|of| of[0].is_space() && of[1].is('-') && of[2].is_space());
     ends.extend(dashes.filter(|_| plain).map(|at| at + 3));
-    let computes = |token: &Token| token.is_one_of("+-×·/([√") || matches!(token.kind, Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_));
+    let computes = |token: &Token| {
+        token.is_one_of("+-×·/([√") || matches!(token.kind, Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_))
+    };
     ends.retain(|end| *end < side.len() && starts(*end) && side[*end..].iter().any(computes));
     ends.into_iter().map(|end| side[end..].to_vec()).collect()
 }
@@ -98,8 +102,17 @@ fn without_second(side: &[Token]) -> Option<Vec<Token>> {
     }
     let before = side[..open].iter().rev().find(|token| !token.is_space())?;
     apart |= side[open - 1].is_space() || before.word().is_some() || matches!(before.kind, Kind::Power(_));
-    let is_unit = |token: &Token| token.is_space() || matches!(token.kind, Kind::Word(_) | Kind::Power(_)) || token.is_one_of("/·");
-    (apart && !before.is_one_of("+-×·/([{") && side[close + 1..].iter().all(is_unit))
+    let is_unit = |token: &Token| {
+        token.is_space() || matches!(token.kind, Kind::Word(_) | Kind::Power(_)) || token.is_one_of("/·")
+    };
+    // It is a printed value, and nothing computed.
+    let inner = &side[open + 1..close];
+    let numbers = inner.iter().filter_map(Token::number).filter(|digits| *digits != "10").count();
+    let printed = numbers < 2
+        && !inner.iter().any(|token| {
+            matches!(token.kind, Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_)) || token.is_one_of("+([√")
+        });
+    (apart && printed && !before.is_one_of("+-×·/([{") && side[close + 1..].iter().all(is_unit))
         .then(|| [&side[..open], &side[close + 1..]].concat())
 }
 
@@ -131,7 +144,8 @@ fn in_one_unit(side: &[Token]) -> Option<Vec<Token>> {
         let [d, c, b, a] = solid.as_slice() else { continue };
         let number = |at: usize| out[at].number().and_then(|digits| digits.parse::<f64>().ok());
         let words = out[*b].word().zip(out[*d].word());
-        let part = words.and_then(|(one, other)| PARTS.iter().find(|(large, small, _)| *large == one && *small == other));
+        let part =
+            words.and_then(|(one, other)| PARTS.iter().find(|(large, small, _)| *large == one && *small == other));
         if let (Some(whole), Some(rest), Some((.., parts))) = (number(*a), number(*c), part)
             && a + 4 <= out.len()
         {
@@ -177,7 +191,11 @@ fn bracketed_digits(side: &[Token]) -> Vec<usize> {
     let fits = |at: &usize| match &side[*at..*at + 4] {
         [decimals, open, digits, close] => {
             let short = integer(digits).is_some() && digits.number().is_some_and(|of| of.len() < 4);
-            open.is('(') && close.is(')') && short && touch(&side[*at..*at + 4]) && decimals.number().is_some_and(|of| of.contains('.'))
+            open.is('(')
+                && close.is(')')
+                && short
+                && touch(&side[*at..*at + 4])
+                && decimals.number().is_some_and(|of| of.contains('.'))
         }
         _ => false,
     };
@@ -188,7 +206,8 @@ fn bracketed_digits(side: &[Token]) -> Vec<usize> {
 fn without_uncertainty(side: &[Token]) -> Option<Vec<Token>> {
     let found = bracketed_digits(side);
     let dropped = |at: usize| found.iter().any(|of| (of + 1..of + 4).contains(&at));
-    (!found.is_empty()).then(|| side.iter().enumerate().filter(|(at, _)| !dropped(*at)).map(|(_, token)| token.clone()).collect())
+    (!found.is_empty())
+        .then(|| side.iter().enumerate().filter(|(at, _)| !dropped(*at)).map(|(_, token)| token.clone()).collect())
 }
 
 /// A side with repeating decimals, `0.1(6)`, written out.
@@ -219,7 +238,8 @@ fn with_raised_points(text: &str, side: &[Token]) -> Option<Vec<Token>> {
             (at, found) = (at + 3, true);
             continue;
         }
-        let inner: Vec<Option<Vec<Token>>> = token.inner().into_iter().map(|inner| with_raised_points(text, inner)).collect();
+        let inner: Vec<Option<Vec<Token>>> =
+            token.inner().into_iter().map(|inner| with_raised_points(text, inner)).collect();
         let mut copy = token.clone();
         for (list, changed) in copy.kind.lists().into_iter().zip(inner) {
             if let Some(changed) = changed {
@@ -234,7 +254,7 @@ fn with_raised_points(text: &str, side: &[Token]) -> Option<Vec<Token>> {
 
 /// Whether a side is one number in brackets, which may mean something else than the number: [4,6] = 12, {3.7} = 0.7.
 pub(crate) fn is_bracketed_number(side: &[Token]) -> bool {
-    matches!(side, [open, number, close] if open.is_one_of("([{") && close.is_one_of(")]}") && number.number().is_some())
+    matches!(solid(side).as_slice(), [open, number, close] if open.is_one_of("([{") && close.is_one_of(")]}") && number.number().is_some())
 }
 
 /// Whether a side adds or multiplies numbers in brackets of their own, which may be those of lines or equations: (4) + (5).
@@ -325,7 +345,8 @@ fn per_hundred(side: &[Token]) -> Option<Vec<Token>> {
     let number = below.next()?.number().is_some();
     let units = below.clone().count() > 0 && below.all(is_unit);
     let [first, above @ ..] = &side[..stroke] else { return None };
-    let quantity = first.number().is_some() && above.iter().all(is_unit) && above.iter().any(|token| token.word().is_some());
+    let quantity =
+        first.number().is_some() && above.iter().all(is_unit) && above.iter().any(|token| token.word().is_some());
     (number && units && quantity).then(|| side[..stroke].to_vec())
 }
 
@@ -347,7 +368,12 @@ pub(crate) fn has_lost_exponents(side: &[Token]) -> bool {
     solid.windows(2).any(|pair| {
         let touches = pair[0].span.end == pair[1].span.start;
         let digits = pair[1].number().unwrap_or_default();
-        let power = pair[0].is_one_of("×·") && digits.len() > 2 && digits.len() < 5 && digits.starts_with("10") && digits.chars().all(|c| c.is_ascii_digit()) && digits.trim_end_matches('0') != "1";
+        let power = pair[0].is_one_of("×·")
+            && digits.len() > 2
+            && digits.len() < 5
+            && digits.starts_with("10")
+            && digits.chars().all(|c| c.is_ascii_digit())
+            && digits.trim_end_matches('0') != "1";
         power || (touches && pair[0].is(')') && matches!(digits, "2" | "3" | "4"))
     })
 }
@@ -393,25 +419,110 @@ fn parts(side: &[Token]) -> Option<(&[Token], &[Token])> {
 /// Whether a sign parts two equations of which each holds: `3 × 4 = 12 / 3 × 5 = 15`. The side with the sign is the second of three.
 pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let Some((result, rest)) = parts(sides[1]) else { return false };
-    let holds = |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < Verdict::Truncated;
+    let holds =
+        |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < Verdict::Truncated;
     holds(sides[0], result) && holds(rest, sides[2])
 }
 
-/// Whether the right side is the left one with a number for a letter that was taken for a unit: `5/D = 5/4`.
+/// Whether the right side is the left one with numbers for letters that were taken for units: `5/D = 5/4`, `2·g·h = 2·9.81·5`.
 pub(crate) fn substitutes(left: &[Token], right: &[Token]) -> bool {
-    let solid = |side: &[Token]| -> Vec<Kind> {
-        side.iter().filter(|token| !token.is_space()).map(|token| token.kind.clone()).collect()
-    };
-    let (left, right) = (solid(left), solid(right));
     let mut letters = 0;
-    let fits = left.iter().zip(&right).all(|(one, other)| match (one, other) {
-        (Kind::Word(word), Kind::Number(_)) if word.chars().count() == 1 => {
-            letters += 1;
-            true
+    fits(&solid(left), &solid(right), &mut letters) && letters > 0
+}
+
+fn solid(side: &[Token]) -> Vec<&Token> {
+    side.iter().filter(|token| !token.is_space()).collect()
+}
+
+fn fits(mut left: &[&Token], mut right: &[&Token], letters: &mut usize) -> bool {
+    let times = |token: &Token| token.is_one_of("×·");
+    let mut behind_sign = true;
+    while let [one, rest @ ..] = left {
+        if let [other, behind @ ..] = right
+            && (one.kind == other.kind || (times(one) && times(other)))
+        {
+            (left, right, behind_sign) = (rest, behind, matches!(one.kind, Kind::Operator(_)));
+            continue;
         }
-        _ => one == other,
+        match (&one.kind, right) {
+            (Kind::Word(_) | Kind::Name(_), _) => {
+                // Between a number and a letter there need be no sign.
+                if let [sign, behind @ ..] = right
+                    && !behind_sign
+                    && times(sign)
+                {
+                    right = behind;
+                }
+                let Some(behind) = behind_value(right) else { return false };
+                right = behind;
+                // Two letters may be a product of two quantities.
+                let two = matches!(&one.kind, Kind::Word(word) if word.chars().count() == 2);
+                if let [sign, behind @ ..] = right
+                    && two
+                    && times(sign)
+                    && let Some(behind) = behind_value(behind)
+                {
+                    right = behind;
+                }
+                *letters += 1;
+            }
+            (Kind::Fraction(a, b), [Token { kind: Kind::Fraction(c, d), .. }, behind @ ..])
+            | (Kind::Root(a, b), [Token { kind: Kind::Root(c, d), .. }, behind @ ..]) => {
+                if !fits(&solid(a), &solid(c), letters) || !fits(&solid(b), &solid(d), letters) {
+                    return false;
+                }
+                right = behind;
+            }
+            _ => return false,
+        }
+        (left, behind_sign) = (rest, false);
+    }
+    right.is_empty()
+}
+
+/// What is behind the value with which a side begins: a number with its power of ten and unit, or an expression in brackets.
+fn behind_value<'t, 's>(side: &'s [&'t Token]) -> Option<&'s [&'t Token]> {
+    let (first, mut rest) = side.split_first()?;
+    if first.is_one_of("([") {
+        let mut depth = 1usize;
+        let end = rest.iter().position(|token| {
+            depth += usize::from(token.is_one_of("(["));
+            depth -= usize::from(token.is_one_of(")]"));
+            depth == 0
+        })?;
+        return Some(&rest[end + 1..]);
+    }
+    first.number()?;
+    if let [sign, ten, power, behind @ ..] = rest
+        && sign.is_one_of("×·")
+        && ten.number() == Some("10")
+        && matches!(power.kind, Kind::Power(_))
+    {
+        rest = behind;
+    }
+    while let [word, behind @ ..] = rest
+        && word.word().is_some_and(|word| unit(word).is_some())
+    {
+        rest = behind;
+    }
+    Some(rest)
+}
+
+/// Whether a side may be a formula whose letters were taken for units: no number in it has more than two digits, and a single letter stands
+/// behind a sign, as in `1/T` and `1/2·C·V²`.
+pub(crate) fn is_formula(side: &[Token]) -> bool {
+    let side = solid(side);
+    let letter = |token: &Token| {
+        token.word().is_some_and(|word| word.chars().count() == 1 && word.chars().all(char::is_alphabetic))
+    };
+    let small = |token: &&&Token| token.number().is_none_or(|digits| digits.len() < 3 && !digits.contains('.'));
+    let words = side.iter().filter_map(|token| token.word()).all(|word| word.chars().count() == 1);
+    // Units of a product stand behind one another: 60 N·m.
+    let behind_sign = (1..side.len()).any(|at| {
+        let of_unit = at > 1 && matches!(side[at - 2].kind, Kind::Word(_) | Kind::Power(_));
+        side[at - 1].is_one_of("/·×+-") && letter(side[at]) && !of_unit
     });
-    fits && letters > 0 && left.len() == right.len()
+    words && behind_sign && side.iter().all(|token| small(&token))
 }
 
 /// Whether a side is written like a mark rather than like a sum: `28+92.45` for a place on a line, `181-57-45` for an angle.

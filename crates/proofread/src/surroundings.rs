@@ -173,8 +173,10 @@ pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
     let word = rest[..end].trim_end_matches(['.', ')', '!', '?', '"', '*', '_']);
     let mut tokens = joined(&running(word, span.end as usize));
     for token in &mut tokens {
-        if token.word().is_some_and(|word| matches!(word, "turn" | "turns")) {
-            token.kind = Kind::Word("revolution".to_owned());
+        match token.word() {
+            Some("turn" | "turns") => token.kind = Kind::Word("revolution".to_owned()),
+            Some("percentage") => token.kind = Kind::Word("percent".to_owned()),
+            _ => {}
         }
     }
     let is_unit = |token: &Token| match &token.kind {
@@ -224,13 +226,15 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
     let rest = rest.trim_end_matches(|c: char| c.is_whitespace() || "$)\\~".contains(c));
     let counted = |rest: &str| rest.ends_with(|c: char| c.is_ascii_digit());
     let word = rest.rsplit(|c: char| !(c.is_alphabetic() || c == '%')).next().unwrap_or_default();
-    let before_word = rest[..rest.len() - word.len()].trim_end_matches(|c: char| c.is_whitespace() || "$\\~".contains(c));
+    let before_word =
+        rest[..rest.len() - word.len()].trim_end_matches(|c: char| c.is_whitespace() || "$\\~".contains(c));
     counted(rest) || (unit(word).is_some() && counted(before_word))
 }
 
 /// Whether a word behind a place joins it to another number: `24 = 2 by 12`.
 pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
-    const JOINTS: [&str; 10] = ["per", "in", "out of", "times", "by", "plus", "minus", "over", "divided by", "multiplied by"];
+    const JOINTS: [&str; 10] =
+        ["per", "in", "out of", "times", "by", "plus", "minus", "over", "divided by", "multiplied by"];
     let marks = |c: char| c == ' ' || "$)\\~".contains(c);
     let rest = behind(text, span).trim_start_matches(marks);
     JOINTS.iter().filter_map(|joint| rest.strip_prefix(joint)).any(|rest| {
@@ -270,14 +274,18 @@ pub(crate) fn is_joined_by_sign(text: &str, span: Span) -> bool {
     // A product that goes on in the next row looks like an item of a list.
     let sign = begins.trim_end();
     if sign.chars().count() == 1 && sign.starts_with(is_sign) && !above.is_empty() {
-        return !above.starts_with(sign) && above.contains(|c: char| c.is_ascii_digit()) && !above.ends_with([':', '.']);
+        return !above.starts_with(sign)
+            && above.contains(|c: char| c.is_ascii_digit())
+            && !above.ends_with([':', '.']);
     }
     let words = line.trim_end_matches(|c: char| c.is_alphabetic() || c == ' ' || c == '.');
     let between = &line[words.len()..];
     let times = between.starts_with(" x ") || between.starts_with("x ");
     let signed = times || (words.ends_with(|c: char| is_sign(c) && c != '=') && between.starts_with(' '));
     let rest = words.trim_end_matches(|c: char| is_sign(c) || c == ' ');
-    signed && between.contains(char::is_alphabetic) && rest.ends_with(|c: char| c.is_alphanumeric() || c == ')')
+    signed
+        && between.contains(char::is_alphabetic)
+        && rest.ends_with(|c: char| c.is_alphanumeric() || c == ')')
         && rest.contains(|c: char| c.is_ascii_digit())
 }
 
@@ -296,7 +304,7 @@ pub(crate) fn follows_name(text: &str, span: Span) -> bool {
 /// Whether a word that is numbered stands just before a number: line 12.
 pub(crate) fn follows_label(text: &str, span: Span) -> bool {
     const LABELS: &str = " line lines row rows eq eqs equation equations step steps column item box no nos number sta station fig figure \
-        table section chapter page exercise example problem question part case test trial run room ";
+        table section chapter page exercise example problem question part case test trial run room p pp see ";
     let start = (span.start as usize).min(text.len());
     let before = text.get(..start).unwrap_or_default();
     let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
@@ -334,7 +342,9 @@ pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
         !of[..at].ends_with(letter) && !of[at + word.len()..].starts_with(letter)
     };
     let has = |of: &str| WORDS.iter().any(|word| of.match_indices(word).any(|(at, word)| is_word(of, at, word)));
-    has(&near) || has(source) || near.contains("mathbb{z}") || near.contains("mathbb z")
+    has(&near)
+        || has(source)
+        || ["mathbb{z}", "mathbb z", "mathbb{f", "mathbb f", "gf("].iter().any(|field| near.contains(field))
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.

@@ -22,7 +22,10 @@ impl<'t> Joiner<'t> {
         match self.last.take() {
             None => {}
             Some(last) if !self.adjoin(last.span, next.span) => each(last),
-            Some(last) if is_cut(&last, &next, self.displayed(next.span)) && self.displayed(last.span) == self.displayed(next.span) => {
+            Some(last)
+                if is_cut(&last, &next, self.starts_line(last.span, next.span))
+                    && self.displayed(last.span) == self.displayed(next.span) =>
+            {
                 let mut tokens = last.tokens;
                 tokens.push(Token::new(Kind::Line, next.span));
                 tokens.append(&mut next.tokens);
@@ -49,6 +52,12 @@ impl<'t> Joiner<'t> {
         ["$$", "\\[", "\\\\[", "\\begin"].iter().any(|mark| text.starts_with(mark))
     }
 
+    /// Whether the second one is in the sentence, and on a line of its own.
+    fn starts_line(&self, first: Span, second: Span) -> bool {
+        let between = self.text.get(first.end as usize..second.start as usize).unwrap_or_default();
+        !self.displayed(second) && between.contains('\n')
+    }
+
     /// Whether both are TeX between marks, and nothing that is printed is between them.
     fn adjoin(&self, first: Span, second: Span) -> bool {
         let marked = |of: Span| self.text.get(of.range()).is_some_and(|text| text.starts_with(['$', '\\']));
@@ -69,14 +78,13 @@ fn first(tokens: &[Token]) -> Option<&Token> {
 
 /// Whether the second of two formulas goes on where the first one stops: it begins with an equals sign or the sign of a
 /// product or a sum, or the first one ends with one.
-fn is_cut(one: &Formula, other: &Formula, displayed: bool) -> bool {
+fn is_cut(one: &Formula, other: &Formula, starts_line: bool) -> bool {
     let has_cells = |of: &Formula| of.tokens.iter().any(|token| token.kind == Kind::Cell);
     let last = one.tokens.iter().rev().find(|token| !token.is_space());
     let relates = |of: &Formula| of.tokens.iter().any(|token| token.is_one_of("=≈"));
     // A sign before an equation behind another one may be the mark of an item.
-    let item = !displayed && relates(one) && relates(other);
-    let goes_on =
-        first(&other.tokens).is_some_and(|first| first.is_one_of("=≈") || (first.is_one_of("+×·") && !item));
+    let item = starts_line && relates(one) && relates(other);
+    let goes_on = first(&other.tokens).is_some_and(|first| first.is_one_of("=≈") || (first.is_one_of("+×·") && !item));
     // A sign alone parts two formulas as often as it joins them.
     let alone = one.tokens.iter().all(|token| token.is_space() || token.is_one_of("+-×·"));
     !has_cells(one) && !has_cells(other) && !alone && (goes_on || last.is_some_and(|last| last.is_one_of("+-×·")))

@@ -24,13 +24,19 @@ const KNOWN: [(&str, Dress); 10] = [
     ),
     ("framebox makebox smash bbox", dress(true, 0, true)),
     ("textcolor mathcolor colorbox rotatebox raisebox scalebox parbox", dress(true, 1, true)),
-    ("class cssId style href htmlClass htmlId htmlStyle htmlData foreignlanguage underset overset stackrel", dress(false, 1, true)),
+    (
+        "class cssId style href htmlClass htmlId htmlStyle htmlData foreignlanguage underset overset stackrel",
+        dress(false, 1, true),
+    ),
     ("fcolorbox resizebox", dress(true, 2, true)),
     (
         "tag label ref eqref vspace phantom hphantom vphantom require pageref autoref cref Cref index",
         dress(false, 1, false),
     ),
-    ("color cite citep citet parencite textcite footcite footnote footnotetext todo marginpar hyperref", dress(true, 1, false)),
+    (
+        "color cite citep citet parencite textcite footcite footnote footnotetext todo marginpar hyperref",
+        dress(true, 1, false),
+    ),
     ("rule addtolength setlength setcounter addtocounter fontsize", dress(true, 2, false)),
     ("footnotemark", dress(true, 0, false)),
     (
@@ -72,7 +78,11 @@ pub(crate) fn long(name: &str) -> Option<char> {
     Some(match name {
         "xlongequal" => '=',
         name if name.starts_with('x') && (name.ends_with("Rightarrow") || name.ends_with("Leftrightarrow")) => '⇒',
-        name if name.starts_with('x') && (name.ends_with("arrow") || name.ends_with("harpoons") || name == "xmapsto") => '→',
+        name if name.starts_with('x')
+            && (name.ends_with("arrow") || name.ends_with("harpoons") || name == "xmapsto") =>
+        {
+            '→'
+        }
         _ => return None,
     })
 }
@@ -83,7 +93,9 @@ mod tests {
 
     #[test]
     fn wide_space_is_told_from_narrow_space() {
-        for (length, wide) in [("2cm", true), ("1em", true), ("0.5mm", false), ("2pt", false), ("3mu", false), ("", true)] {
+        for (length, wide) in
+            [("2cm", true), ("1em", true), ("0.5mm", false), ("2pt", false), ("3mu", false), ("", true)]
+        {
             assert_eq!(width(length) >= 9, wide, "{length}");
         }
     }

@@ -171,8 +171,12 @@ fn withdrawn(text: &str) -> Vec<std::ops::Range<usize>> {
             let end = text[inside..limit].find(close).map(|end| inside + end);
             from = end.map_or(inside, |end| end + close.len());
             // In a formula these are spaces.
-            let opens = open != close || text[..at].ends_with(|c: char| c.is_whitespace() || "([*".contains(c)) || at == 0;
-            let spaces = |end: usize| open == close && (!opens || text[inside..end].contains("$$") || text[inside..end].matches('$').count() % 2 == 1);
+            let opens =
+                open != close || text[..at].ends_with(|c: char| c.is_whitespace() || "([*".contains(c)) || at == 0;
+            let spaces = |end: usize| {
+                open == close
+                    && (!opens || text[inside..end].contains("$$") || text[inside..end].matches('$').count() % 2 == 1)
+            };
             match end {
                 Some(end) if spaces(end) => from = inside,
                 Some(end) if open == "<!--" || !text[inside..end].contains("\n\n") => out.push(at..from),

@@ -1,8 +1,8 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
-use super::{dress, siunitx};
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
+use super::{dress, siunitx};
 use crate::token::{Function, Kind, Sign, Span, Token, show, span_of};
 use std::collections::HashMap;
 
@@ -400,8 +400,12 @@ impl Tex<'_> {
             }
             "ang" => {
                 let signs = self.raw_group();
-                words(&signs, out);
-                push(out, Kind::Word("°".to_owned()));
+                if signs.iter().any(|sign| sign.c == ';') {
+                    push(out, Kind::Unknown("an angle with minutes".to_owned()));
+                } else {
+                    words(&signs, out);
+                    push(out, Kind::Word("°".to_owned()));
+                }
             }
             // The brackets of the package physics.
             "qty" | "quantity" if self.peek().is_some_and(|next| "([|".contains(next.c)) => {}
@@ -419,7 +423,9 @@ impl Tex<'_> {
             "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
                 let options = self.optional().unwrap_or_default();
                 // The number of the package units.
-                if name == "unit" && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || "-.$".contains(sign.c)) {
+                if name == "unit"
+                    && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || "-.$".contains(sign.c))
+                {
                     let number = self.inside(options.into_iter().rev().collect(), depth);
                     out.push(token(Kind::Group(number), span));
                 }
@@ -474,7 +480,9 @@ impl Tex<'_> {
         let inside: String = ahead.take(20).take_while(|c| *c != ']').collect();
         let inside = inside.trim();
         let is_length = inside.contains(|c: char| c.is_ascii_digit() || c == '\\')
-            && ["pt", "em", "ex", "cm", "mm", "in", "skip", "jot", "size", "height"].iter().any(|end| inside.ends_with(end));
+            && ["pt", "em", "ex", "cm", "mm", "in", "skip", "jot", "size", "height"]
+                .iter()
+                .any(|end| inside.ends_with(end));
         if is_length {
             self.optional();
         }
