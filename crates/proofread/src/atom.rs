@@ -215,3 +215,21 @@ pub(crate) fn factorial(value: &Value) -> Evaluated<Value> {
     let product = (1..=n as u32).map(f64::from).product();
     Ok(Value { operations: value.operations + 1, ..Value::of(Interval::exact(product)) })
 }
+
+/// Whether brackets around it make the number of an equation.
+pub(crate) fn is_equation_number(text: &str) -> bool {
+    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
+    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
+}
+
+/// The letters among tokens, without π and e.
+pub(crate) fn letters(tokens: &[Token], out: &mut Vec<String>) {
+    for token in tokens {
+        if let Kind::Name(name) = &token.kind
+            && !matches!(name.as_str(), "π" | "e")
+        {
+            out.push(name.clone());
+        }
+        token.inner().into_iter().for_each(|inner| letters(inner, out));
+    }
+}

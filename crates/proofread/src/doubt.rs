@@ -9,6 +9,7 @@ use crate::notation;
 use crate::printed::Mode;
 use crate::reader::{Formula, Written};
 use crate::reading::Reading;
+use crate::substitution;
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, any};
 use crate::unit::unit;
@@ -156,8 +157,8 @@ impl Place<'_> {
         let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
         let plain = self.formula.written == Written::Plain;
         let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
-        notation::substitutes(left, right)
-            || (plain && (notation::is_formula(left) || notation::is_formula(right)))
+        substitution::substitutes(left, right)
+            || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
             || (notation::is_bracketed_number(right) && right[0].is('['))
             || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
             || notation::is_mark(right)

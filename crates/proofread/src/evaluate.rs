@@ -1,6 +1,6 @@
 //! The value of a side under one reading: sums, products, powers and groups.
 
-use crate::atom::factorial;
+use crate::atom::{factorial, is_equation_number, letters};
 use crate::interval::Interval;
 use crate::printed::{Mode, Printed};
 use crate::reading::Reading;
@@ -582,23 +582,5 @@ pub(crate) fn leftover(token: &Token) -> Obstacle {
         Kind::Unknown(_) => Obstacle::Unclear("it has a sign or command that is not known"),
         Kind::Limits(..) => Obstacle::Unclear("a bar in the middle of an expression"),
         _ => Obstacle::Unclear("it has a sign in a place where none is expected"),
-    }
-}
-
-/// Whether brackets around it make the number of an equation.
-fn is_equation_number(text: &str) -> bool {
-    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
-    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
-}
-
-/// The letters among tokens, without π and e.
-fn letters(tokens: &[Token], out: &mut Vec<String>) {
-    for token in tokens {
-        if let Kind::Name(name) = &token.kind
-            && !matches!(name.as_str(), "π" | "e")
-        {
-            out.push(name.clone());
-        }
-        token.inner().into_iter().for_each(|inner| letters(inner, out));
     }
 }

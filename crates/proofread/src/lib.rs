@@ -23,6 +23,7 @@ mod place;
 mod printed;
 pub mod reader;
 mod reading;
+mod substitution;
 pub mod summary;
 mod surroundings;
 mod token;

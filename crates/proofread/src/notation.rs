@@ -3,6 +3,7 @@
 
 use crate::chain::{ROW_END, Relation, Side};
 use crate::reader::{Formula, Written};
+use crate::substitution::solid;
 use crate::token::{Function, Kind, Token};
 use crate::unit::unit;
 use crate::value::{Angle, Value};
@@ -95,6 +96,13 @@ fn without_second(side: &[Token]) -> Option<Vec<Token>> {
     let mut open = side[..close].iter().rposition(|token| token.is_one_of("([{"))?;
     let is_reference = close == open + 2 && integer(&side[open + 1]).is_some();
     let mut apart = side[open].is('[') && is_reference;
+    // It is a printed value, and nothing computed.
+    let inner = &side[open + 1..close];
+    let numbers = inner.iter().filter_map(Token::number).filter(|digits| *digits != "10").count();
+    let printed = numbers < 2
+        && !inner.iter().any(|token| {
+            matches!(token.kind, Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_)) || token.is_one_of("+([√")
+        });
     // The number of an equation behind a dash: 12 – (1).
     let last = side[..open].iter().rposition(|token| !token.is_space())?;
     if side[last].is('-') && is_reference && last > 0 && side[last - 1].is_space() {
@@ -105,13 +113,6 @@ fn without_second(side: &[Token]) -> Option<Vec<Token>> {
     let is_unit = |token: &Token| {
         token.is_space() || matches!(token.kind, Kind::Word(_) | Kind::Power(_)) || token.is_one_of("/·")
     };
-    // It is a printed value, and nothing computed.
-    let inner = &side[open + 1..close];
-    let numbers = inner.iter().filter_map(Token::number).filter(|digits| *digits != "10").count();
-    let printed = numbers < 2
-        && !inner.iter().any(|token| {
-            matches!(token.kind, Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_)) || token.is_one_of("+([√")
-        });
     (apart && printed && !before.is_one_of("+-×·/([{") && side[close + 1..].iter().all(is_unit))
         .then(|| [&side[..open], &side[close + 1..]].concat())
 }
@@ -422,107 +423,6 @@ pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let holds =
         |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < Verdict::Truncated;
     holds(sides[0], result) && holds(rest, sides[2])
-}
-
-/// Whether the right side is the left one with numbers for letters that were taken for units: `5/D = 5/4`, `2·g·h = 2·9.81·5`.
-pub(crate) fn substitutes(left: &[Token], right: &[Token]) -> bool {
-    let mut letters = 0;
-    fits(&solid(left), &solid(right), &mut letters) && letters > 0
-}
-
-fn solid(side: &[Token]) -> Vec<&Token> {
-    side.iter().filter(|token| !token.is_space()).collect()
-}
-
-fn fits(mut left: &[&Token], mut right: &[&Token], letters: &mut usize) -> bool {
-    let times = |token: &Token| token.is_one_of("×·");
-    let mut behind_sign = true;
-    while let [one, rest @ ..] = left {
-        if let [other, behind @ ..] = right
-            && (one.kind == other.kind || (times(one) && times(other)))
-        {
-            (left, right, behind_sign) = (rest, behind, matches!(one.kind, Kind::Operator(_)));
-            continue;
-        }
-        match (&one.kind, right) {
-            (Kind::Word(_) | Kind::Name(_), _) => {
-                // Between a number and a letter there need be no sign.
-                if let [sign, behind @ ..] = right
-                    && !behind_sign
-                    && times(sign)
-                {
-                    right = behind;
-                }
-                let Some(behind) = behind_value(right) else { return false };
-                right = behind;
-                // Two letters may be a product of two quantities.
-                let two = matches!(&one.kind, Kind::Word(word) if word.chars().count() == 2);
-                if let [sign, behind @ ..] = right
-                    && two
-                    && times(sign)
-                    && let Some(behind) = behind_value(behind)
-                {
-                    right = behind;
-                }
-                *letters += 1;
-            }
-            (Kind::Fraction(a, b), [Token { kind: Kind::Fraction(c, d), .. }, behind @ ..])
-            | (Kind::Root(a, b), [Token { kind: Kind::Root(c, d), .. }, behind @ ..]) => {
-                if !fits(&solid(a), &solid(c), letters) || !fits(&solid(b), &solid(d), letters) {
-                    return false;
-                }
-                right = behind;
-            }
-            _ => return false,
-        }
-        (left, behind_sign) = (rest, false);
-    }
-    right.is_empty()
-}
-
-/// What is behind the value with which a side begins: a number with its power of ten and unit, or an expression in brackets.
-fn behind_value<'t, 's>(side: &'s [&'t Token]) -> Option<&'s [&'t Token]> {
-    let (first, mut rest) = side.split_first()?;
-    if first.is_one_of("([") {
-        let mut depth = 1usize;
-        let end = rest.iter().position(|token| {
-            depth += usize::from(token.is_one_of("(["));
-            depth -= usize::from(token.is_one_of(")]"));
-            depth == 0
-        })?;
-        return Some(&rest[end + 1..]);
-    }
-    first.number()?;
-    if let [sign, ten, power, behind @ ..] = rest
-        && sign.is_one_of("×·")
-        && ten.number() == Some("10")
-        && matches!(power.kind, Kind::Power(_))
-    {
-        rest = behind;
-    }
-    while let [word, behind @ ..] = rest
-        && word.word().is_some_and(|word| unit(word).is_some())
-    {
-        rest = behind;
-    }
-    Some(rest)
-}
-
-/// Whether a side may be a formula whose letters were taken for units: no number in it has more than two digits, and a single letter stands
-/// behind a sign, as in `1/T` and `1/2·C·V²`.
-pub(crate) fn is_formula(side: &[Token]) -> bool {
-    let side = solid(side);
-    let letter = |token: &Token| {
-        token.word().is_some_and(|word| word.chars().count() == 1 && word.chars().all(char::is_alphabetic))
-    };
-    let small = |token: &&&Token| token.number().is_none_or(|digits| digits.len() < 3 && !digits.contains('.'));
-    let words = side.iter().filter_map(|token| token.word()).all(|word| word.chars().count() == 1);
-    // Units of a product stand behind one another: 60 N·m.
-    let behind_sign = (1..side.len()).any(|at| {
-        let of_unit = at > 1 && matches!(side[at - 2].kind, Kind::Word(_) | Kind::Power(_));
-        side[at - 1].is_one_of("/·×+-") && letter(side[at]) && !of_unit
-    });
-    words && behind_sign && side.iter().all(|token| small(&token))
 }
 
 /// Whether a side is written like a mark rather than like a sum: `28+92.45` for a place on a line, `181-57-45` for an angle.

@@ -1,7 +1,7 @@
 //! What the text around a formula says about it.
 
 use crate::join::joined;
-use crate::reader::{is_noun, running};
+use crate::reader::{is_noun, running, unit_sign};
 use crate::token::{Kind, Span, Token};
 use crate::unit::unit;
 
@@ -59,8 +59,8 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
     if before.trim_end().ends_with("\\choice") || before.to_lowercase().contains("true or false") {
         return true;
     }
-    const REPORTS: [&str; 8] =
-        ["mistake", "wrongly", "incorrectly", "fallacy", "misconception", "you wrote", "not true", "false"];
+    const REPORTS: [&str; 7] =
+        ["mistake", "wrongly", "incorrectly", "fallacy", "misconception", "you wrote", "not true"];
     if REPORTS.iter().any(|report| sentence.contains(report)) {
         return true;
     }
@@ -114,20 +114,6 @@ fn behind_space(text: &str) -> &str {
     text.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}', '\u{2009}']).trim_start_matches("\\,")
 }
 
-/// Commands of TeX that make one sign of a unit.
-const SIGNS: [(&str, char); 10] = [
-    ("\\textohm", 'Ω'),
-    ("\\Omega", 'Ω'),
-    ("\\Ohm", 'Ω'),
-    ("\\ohm", 'Ω'),
-    ("\\textmu", 'μ'),
-    ("\\micro", 'μ'),
-    ("\\mu", 'μ'),
-    ("\\textdegree", '°'),
-    ("\\degree", '°'),
-    ("\\%", '%'),
-];
-
 /// The first word of a text with commands for signs of units as these signs: `k\Ohm` and `k$\Omega$` as kΩ.
 fn spelled(text: &str) -> String {
     let word = text.split(char::is_whitespace).next().unwrap_or_default();
@@ -135,10 +121,10 @@ fn spelled(text: &str) -> String {
     let mut rest = word;
     while let Some(next) = rest.chars().next() {
         let inner = rest.strip_prefix('$').unwrap_or(rest);
-        let command = SIGNS.iter().find_map(|(command, sign)| {
-            let behind = inner.strip_prefix(command)?;
-            let ends = *sign == '%' || !behind.starts_with(|c: char| c.is_ascii_alphabetic());
-            ends.then_some((*sign, behind))
+        let command = inner.strip_prefix('\\').and_then(|name| {
+            let length = name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len());
+            let name_of = |length: usize| unit_sign(name.get(..length)?).map(|sign| (sign, &name[length..]));
+            name_of(length.max(1))
         });
         match command {
             Some((sign, behind)) => {

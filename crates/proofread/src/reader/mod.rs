@@ -194,6 +194,7 @@ fn withdrawn(text: &str) -> Vec<std::ops::Range<usize>> {
 }
 
 pub(crate) use plain::is_noun;
+pub(crate) use symbols::unit_sign;
 
 /// The tokens of running text that starts `base` bytes into the document.
 pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {

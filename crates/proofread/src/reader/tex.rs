@@ -1,9 +1,10 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
+use super::dress::{self, stacked};
+use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
-use super::{dress, siunitx};
-use crate::token::{Function, Kind, Sign, Span, Token, show, span_of};
+use crate::token::{Function, Kind, Sign, Span, Token, show};
 use std::collections::HashMap;
 
 /// Deepest nesting of braces, fractions and scripts that is read.
@@ -40,31 +41,31 @@ pub(crate) fn formula(signs: &[Sign], macros: &Macros) -> Vec<Token> {
     reader.tokens(0, &[])
 }
 
-struct Tex<'m> {
+pub(super) struct Tex<'m> {
     /// What is still to be read, the next character last.
-    stack: Vec<Sign>,
+    pub(super) stack: Vec<Sign>,
     macros: &'m Macros,
     expanded: usize,
     /// Whether the rest of the group is upright, as behind `\rm`.
     upright: bool,
 }
 
-fn token(kind: Kind, span: Span) -> Token {
+pub(super) fn token(kind: Kind, span: Span) -> Token {
     Token::new(kind, span)
 }
 
 impl Tex<'_> {
-    fn peek(&self) -> Option<Sign> {
+    pub(super) fn peek(&self) -> Option<Sign> {
         self.stack.last().copied()
     }
 
     /// The `n`th next character.
-    fn ahead(&self, n: usize) -> Option<char> {
+    pub(super) fn ahead(&self, n: usize) -> Option<char> {
         let at = self.stack.len().checked_sub(n + 1)?;
         self.stack.get(at).map(|sign| sign.c)
     }
 
-    fn skip_space(&mut self) {
+    pub(super) fn skip_space(&mut self) {
         while self.peek().is_some_and(|sign| sign.c.is_whitespace()) {
             self.stack.pop();
         }
@@ -86,7 +87,7 @@ impl Tex<'_> {
     }
 
     /// The characters of a group, or the next character or command.
-    fn raw_group(&mut self) -> Vec<Sign> {
+    pub(super) fn raw_group(&mut self) -> Vec<Sign> {
         self.skip_space();
         let Some(first) = self.stack.pop() else { return Vec::new() };
         if first.c == '\\' {
@@ -128,7 +129,7 @@ impl Tex<'_> {
         out
     }
 
-    fn optional(&mut self) -> Option<Vec<Sign>> {
+    pub(super) fn optional(&mut self) -> Option<Vec<Sign>> {
         self.skip_space();
         (self.peek()?.c == '[').then(|| {
             self.stack.pop();
@@ -136,7 +137,7 @@ impl Tex<'_> {
         })
     }
 
-    fn argument(&mut self, depth: usize) -> Vec<Token> {
+    pub(super) fn argument(&mut self, depth: usize) -> Vec<Token> {
         self.skip_space();
         match self.peek().map(|sign| sign.c) {
             Some('{') => {
@@ -493,56 +494,6 @@ impl Tex<'_> {
         self.stack.iter().all(|sign| sign.c.is_whitespace() || ".,}$&\\".contains(sign.c))
     }
 
-    /// What a command dresses up.
-    fn dressed(&mut self, name: &str, span: Span, depth: usize, out: &mut Vec<Token>) {
-        let Some(dress) = dress::of(name) else { return };
-        let options = |reader: &mut Self| while dress.optional && reader.optional().is_some() {};
-        options(self);
-        let mut said = String::new();
-        for _ in 0..dress.dropped {
-            said.extend(self.raw_group().iter().map(|sign| sign.c));
-            options(self);
-        }
-        if dress.kept {
-            let inner = self.argument(depth);
-            // Whether both sides are equal is asked, or demanded.
-            let asked = matches!(said.trim(), "?" | "!");
-            match inner.as_slice() {
-                [Token { kind: Kind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
-                    let sign = if asked && *c == '=' { '≡' } else { *c };
-                    out.push(token(Kind::Operator(sign), span));
-                }
-                [Token { kind: Kind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
-                _ => out.push(token(Kind::Group(inner), span)),
-            }
-        } else if name.ends_with("left") || name.ends_with("right") {
-            self.skip_space();
-            if self.ahead(0) == Some('.') {
-                self.stack.pop();
-            }
-        }
-    }
-
-    /// The length behind a command for space, in braces or without.
-    fn length(&mut self) -> String {
-        self.skip_space();
-        if self.ahead(0) == Some('{') {
-            return self.raw_group().iter().map(|sign| sign.c).collect();
-        }
-        let mut out = String::new();
-        while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit() || " .-".contains(sign.c)) {
-            out.push(sign.c);
-            self.stack.pop();
-        }
-        for _ in 0..2 {
-            if let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_lowercase()) {
-                out.push(sign.c);
-                self.stack.pop();
-            }
-        }
-        out
-    }
-
     /// Upright text: a function, units, or words.
     fn upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
         let raw = self.raw_group();
@@ -631,31 +582,6 @@ fn stand(out: &mut Vec<Token>, upright: &mut Option<usize>) {
         let letters = out.split_off(from.min(out.len()));
         merge_letters(letters, out);
     }
-}
-
-/// Fractions of what stands before and behind `\over` in a group or cell.
-fn stacked(tokens: Vec<Token>) -> Vec<Token> {
-    let is_over = |token: &Token| matches!(&token.kind, Kind::Unknown(name) if name == "\\over");
-    if !tokens.iter().any(is_over) {
-        return tokens;
-    }
-    let ends = |token: &Token| matches!(token.kind, Kind::Cell | Kind::Line);
-    let mut out = Vec::with_capacity(tokens.len());
-    for part in tokens.split_inclusive(ends) {
-        let (end, part) = match part.split_last() {
-            Some((end, rest)) if ends(end) => (Some(end), rest),
-            _ => (None, part),
-        };
-        match part.iter().position(is_over) {
-            Some(at) if !part.iter().any(|token| token.is_one_of("=≈")) && !part[at + 1..].iter().any(is_over) => {
-                let fraction = Kind::Fraction(part[..at].to_vec(), part[at + 1..].to_vec());
-                out.push(token(fraction, span_of(part)));
-            }
-            _ => out.extend(part.iter().cloned()),
-        }
-        out.extend(end.cloned());
-    }
-    out
 }
 
 fn placed(text: &str, span: Span) -> Vec<Sign> {
