@@ -147,7 +147,8 @@ impl Place<'_> {
         let end = self.right.span.end as usize;
         let (behind, far) = (at(Some(end)), at(Some(end + 1)));
         let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
-        self.ends_chain() && (goes_on || surroundings::goes_on_in_words(self.text, self.right.span))
+        let wraps = self.formula.written == Written::Plain && surroundings::goes_on_below(self.text, self.right.span);
+        self.ends_chain() && (goes_on || wraps || surroundings::goes_on_in_words(self.text, self.right.span))
             || surroundings::goes_on_with_arrow(self.text, self.right.span)
     }
 
@@ -228,6 +229,11 @@ impl Place<'_> {
         let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
         // A quantity and its size, whose direction is said in words.
         let both = left.literal == Literal::Number && right.literal == Literal::Number;
+        // Twice what a letter stands for: 2M = 18.0 g/mol.
+        let times_letter = matches!(&self.left.tokens[..], [digit, letter] if digit.number().is_some_and(|of| of.len() == 1) && letter.word().is_some_and(|word| word.chars().count() == 1));
+        if times_letter && judgement.verdict == Verdict::Dimensions {
+            return true;
+        }
         let opposite = both && left.dimension == right.dimension && left.clone().negated().meets(right, ROUGH);
         lacks_unit || opposite || (bare(left) && (is_small || (bare(right) && apart)))
     }

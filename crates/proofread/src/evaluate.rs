@@ -124,6 +124,11 @@ impl<'b> Evaluator<'b> {
         if !has_number(tokens) && self.bindings.is_none() {
             return Err(Obstacle::NoNumber);
         }
+        let words = |token: &Token| matches!(&token.kind, Kind::Word(word) if word != "e") || token.is_space();
+        let is_letter = |token: &Token| words(token) || matches!(token.kind, Kind::Power(_)) || token.is_one_of("·/");
+        if self.bindings.is_none() && tokens.iter().all(is_letter) {
+            return Err(Obstacle::NoNumber);
+        }
         if let Some(value) = self.bar(tokens) {
             return value;
         }

@@ -40,6 +40,7 @@ pub(crate) fn others(text: &str, formula: &Formula, left: &Side, right: &Side) -
     each(&without_second);
     each(&without_uncertainty);
     each(&with_period);
+    each(&|side| with_braced_decimals(text, side));
     each(&in_one_unit);
     each(&to_base_two);
     each(&without_note);
@@ -251,6 +252,31 @@ fn with_raised_points(text: &str, side: &[Token]) -> Option<Vec<Token>> {
         at += 1;
     }
     found.then_some(out)
+}
+
+/// A side with what is behind a comma in braces, `0{,}438`, as decimals, also before three digits; none if there is no such number.
+fn with_braced_decimals(text: &str, side: &[Token]) -> Option<Vec<Token>> {
+    let mut found = false;
+    let changed = side.iter().map(|token| {
+        let mut copy = token.clone();
+        let braced = text.get(token.span.range()).is_some_and(|source| source.contains("{,}"));
+        if let Kind::Number(digits) = &mut copy.kind
+            && braced
+            && digits.matches(',').count() == 1
+            && !digits.contains('.')
+        {
+            *digits = digits.replace(',', ".");
+            found = true;
+        }
+        for list in copy.kind.lists() {
+            if let Some(changed) = with_braced_decimals(text, list) {
+                (*list, found) = (changed, true);
+            }
+        }
+        copy
+    });
+    let changed = changed.collect();
+    found.then_some(changed)
 }
 
 /// Whether a side is one number in brackets, which may mean something else than the number: [4,6] = 12, {3.7} = 0.7.

@@ -229,6 +229,13 @@ pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
     })
 }
 
+/// Whether the line below goes on with a sign of a product or a relation.
+pub(crate) fn goes_on_below(text: &str, span: Span) -> bool {
+    let Some(below) = behind(text, span).trim_start_matches([' ', '\r']).strip_prefix('\n') else { return false };
+    let below = below.trim_start_matches([' ', '\t', '>']);
+    below.strip_prefix(['/', '×', '·', '÷', '=']).is_some_and(|rest| rest.starts_with(' '))
+}
+
 /// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.
 pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
     let rest = behind(text, span).trim_start();
@@ -266,7 +273,7 @@ pub(crate) fn is_joined_by_sign(text: &str, span: Span) -> bool {
     }
     let words = line.trim_end_matches(|c: char| c.is_alphabetic() || c == ' ' || c == '.');
     let between = &line[words.len()..];
-    let times = between.starts_with(" x ") || between.starts_with("x ");
+    let times = between.contains(" x ") || between.starts_with("x ");
     let signed = times || (words.ends_with(|c: char| is_sign(c) && c != '=') && between.starts_with(' '));
     let rest = words.trim_end_matches(|c: char| is_sign(c) || c == ' ');
     signed

@@ -53,6 +53,9 @@ impl Evaluator<'_> {
             let mut exponent = 1.0;
             if let Some(Token { kind: Kind::Power(power), .. }) = cursor.here() {
                 exponent = plain_exponent(power)?;
+                if is_percent(word) {
+                    return Err(Obstacle::Unclear("a power of a percentage"));
+                }
                 cursor.at += 1;
             }
             if below {
