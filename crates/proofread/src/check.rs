@@ -260,12 +260,13 @@ impl Check<'_> {
         let steps = judgement.values.as_ref().is_some_and(|(left, right)| left.is_literal() && right.is_literal());
         if steps && judgement.verdict > Verdict::Units {
             // What is in base units of the SI may lack its unit.
-            let agree = |one: &Side, other: &Side| {
+            let agree = |one: &Side, other: &Side, least: Verdict| {
                 let verdict = judge(&one.tokens, &other.tokens, relation, bindings).verdict;
-                verdict < Verdict::Truncated || verdict == Verdict::Units
+                verdict <= least || verdict == Verdict::Units
             };
             // A side before the last one gives both: the step between was rounded.
-            if chain.sides[..at - 1].iter().rev().take(3).any(|first| agree(first, left) && agree(first, right)) {
+            let gives = |first: &Side| agree(first, left, Verdict::Rounded) && agree(first, right, Verdict::Consistent);
+            if chain.sides[..at - 1].iter().rev().take(3).any(gives) {
                 judgement.verdict = Verdict::Rounded;
             }
         }
