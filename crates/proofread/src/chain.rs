@@ -266,7 +266,7 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     && has_number(tail)
                     && (trimmed(tail).len() > 1
                         || splitter.side.last().is_some_and(Token::is_space)
-                        || !next.is_some_and(|next| next.number().is_some()));
+                        || next.is_none_or(|next| next.number().is_none()));
                 let words = splitter.side.iter().any(|token| matches!(token.kind, Kind::Word(_) | Kind::Name(_)));
                 let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
                 splitter.end_chain(token.is('?'), false);

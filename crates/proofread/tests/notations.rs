@@ -207,7 +207,7 @@ impl Style {
         let aligned = begin.contains("align");
         let relation = self.of(&RELATIONS);
         let relation = if aligned { relation } else { relation.trim_start_matches('&') };
-        let row = if aligned && self.0 % 2 == 0 && relation == "&=" { " \\\\\n&= " } else { relation };
+        let row = if aligned && self.0.is_multiple_of(2) && relation == "&=" { " \\\\\n&= " } else { relation };
         let [label, first, rest @ ..] = sides.as_slice() else { return String::new() };
         let chain = [&[format!("{label} {relation} {first}")], rest].concat().join(row);
         format!("\\newcommand{{\\u}}[1]{{\\,\\mathrm{{#1}}}}\n{begin}{chain}{}{end}\n", self.of(&TAILS))

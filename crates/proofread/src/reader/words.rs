@@ -217,7 +217,7 @@ fn typed(rest: &[Sign], out: &mut Vec<Token>) -> usize {
     let minus = usize::from(rest.first().is_some_and(|sign| sign.c == '-'));
     let digits: String = rest[minus..].iter().map(|sign| sign.c).take_while(char::is_ascii_digit).collect();
     let taken = minus + digits.len();
-    if !rest.get(taken).is_some_and(|sign| sign.c == '(') {
+    if rest.get(taken).is_none_or(|sign| sign.c != '(') {
         return 0;
     }
     match (*function, minus, digits.as_str()) {
