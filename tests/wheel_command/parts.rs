@@ -44,6 +44,9 @@ fn the_parts_are_those_of_the_library() {
             ("driver_shaft_mm", sizes.driver_shaft),
             ("driver_shaft_limit_mm", sizes.driver_shaft_limit),
             ("driver_bore_mm", sizes.driver_shaft + 0.01),
+            ("disc_web_mm", disc.crescent.centre - disc.crescent.radius - (sizes.driver_shaft + 0.01) / 2.0),
+            ("crescent_web_mm", 2.0 * (disc.crescent.centre - disc.crescent.radius)),
+            ("plate_rim_mm", sizes.plate_radius - sizes.crank_radius - 3.0),
             ("centres_nearer_mm", tolerance.nearer),
             ("centres_farther_mm", tolerance.farther),
             ("least_clearance_mm", least.distance),
@@ -127,12 +130,25 @@ fn sizes_that_had_better_not_be_made_are_made_with_a_warning() {
         (&["--play", "0"][..], "without play"),
         (&["--pin-diameter", "1", "--play", "0.2"], "hits its rim"),
         (&["--horn", "0.5"], "the horn is only 0.500 mm thick"),
+        (&["--driver-shaft", "10.4"], "between crescent and bore is only 0.042 mm thick"),
     ] {
         let found = warnings(options);
         assert!(
             found.iter().any(|text| text.as_str().is_some_and(|text| text.contains(said))),
             "{options:?}: {found:?}"
         );
+    }
+}
+
+#[test]
+fn a_shaft_that_leaves_the_disc_a_thin_wall_is_noticed() {
+    let wheel = ["wheel", "--stations", "8", "--centre-distance", "120", "--pin-diameter", "14", "--play", "0.06"];
+    for (shaft, thickness) in [("13.5", 0.108), ("12", 0.858)] {
+        let found = object(&[&wheel[..], &["--driver-shaft", shaft]].concat());
+        approx::assert_abs_diff_eq!(number(&found, "disc_web_mm"), thickness, epsilon = 5e-4);
+        let said = format!("the locking disc between crescent and bore is only {thickness:.3} mm thick");
+        let warnings = found["warnings"].as_array().expect("a list");
+        assert!(warnings.iter().any(|text| text.as_str().is_some_and(|text| text.contains(&said))), "{warnings:?}");
     }
 }
 

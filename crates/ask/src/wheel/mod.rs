@@ -217,7 +217,7 @@ pub const ARGUMENTS: [Argument; 21] = [
         Place::Length(|question| &mut question.driver_shaft),
         &[Parts],
         "Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the largest possible; \
-         none if that would be very thin]",
+         none if the disc would be too thin beside it]",
     ),
     Argument::new(
         "rpm",

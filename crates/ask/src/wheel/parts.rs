@@ -66,6 +66,11 @@ pub fn parts(design: &Design) -> Vec<Field> {
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
             .line("driver shaft limit", "the shaft must be thinner"),
         mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft plus bore play"),
+        mm("disc_web_mm", sizes.and_then(Sizes::disc_web))
+            .line("web of the disc", "least thickness between crescent and bore"),
+        mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
+            .line("web between crescents", "least thickness of the disc between two of them"),
+        mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
     ]
 }
 

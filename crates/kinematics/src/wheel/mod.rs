@@ -25,6 +25,7 @@ mod search;
 mod shared_tolerance;
 mod sizes;
 mod standard_fit;
+mod walls;
 mod warnings;
 
 pub use centres::CentreTolerance;

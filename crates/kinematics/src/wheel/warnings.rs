@@ -16,7 +16,7 @@ pub enum Warning {
         /// How far it turns, in radians.
         turns: f64,
     },
-    /// A wall of the wheel is thinner than a fifth of the pin.
+    /// A wall of wheel, locking disc or plate is thinner than a fifth of the pin.
     ThinWall {
         /// Which wall.
         wall: &'static str,
@@ -59,12 +59,7 @@ impl Sizes {
     pub fn warnings(&self) -> Vec<Warning> {
         let is_tight = self.play.slot == 0.0 || self.locking_gap() == Some(0.0);
         let turns = self.dwell_play().filter(|play| play.can_miss).map(|play| play.greatest);
-        let walls = [
-            ("the horn", self.horn_thickness),
-            ("the web between two slots", self.web),
-            ("the web at the bore", self.bore_web()),
-        ];
-        let thin = walls.into_iter().filter(|(_, thickness)| *thickness < THIN * self.pin_diameter);
+        let thin = self.walls().filter(|(_, thickness)| *thickness < THIN * self.pin_diameter);
         let tight = is_tight.then_some(Warning::NoPlay).into_iter();
         tight
             .chain(turns.map(|turns| Warning::CanMiss { turns }))
