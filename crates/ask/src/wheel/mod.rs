@@ -8,10 +8,12 @@ mod loads;
 mod making;
 mod parts;
 mod report;
+mod speeds;
 mod times;
 
 pub use design::Design;
 pub use kind::{AnyWheel, Kind};
+pub use speeds::speeds;
 pub use times::{Times, proposals};
 
 use crate::{Error, number, pairs};
