@@ -152,6 +152,18 @@ fn a_shaft_that_leaves_the_disc_a_thin_wall_is_noticed() {
     }
 }
 
+#[test]
+fn a_play_that_the_program_chose_is_compared_with_a_fit() {
+    let wheel = ["wheel", "--stations", "8", "--centre-distance", "120", "--pin-diameter", "14"];
+    let said = "the program's play of 0.120 mm is more than a fit H8/e8 has for this pin, 0.032 to 0.086 mm";
+    for (options, is_loose) in [(&[][..], true), (&["--play", "0.12"], false), (&["--play", "0.06"], false)] {
+        let found = object(&[&wheel[..], options].concat());
+        let warnings = found["warnings"].as_array().expect("a list");
+        let has = warnings.iter().any(|text| text.as_str().is_some_and(|text| text.contains(said)));
+        assert_eq!(has, is_loose, "{options:?}: {warnings:?}");
+    }
+}
+
 /// What was nothing but the step of the search is found, or missing.
 #[test]
 fn no_tolerance_is_zero_where_there_is_play() {

@@ -6,7 +6,7 @@ use geneva_ask::Error;
 use geneva_ask::wheel::{Design, Effort, Question};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
-use geneva_kinematics::wheel::{Contact, Nearest, Sizes};
+use geneva_kinematics::wheel::{Contact, Nearest, Sizes, Warning};
 
 pub const LIVE: Live = Live {
     name: "design",
@@ -218,7 +218,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     ];
     let depth = clearance.map(|(nearest, _)| nearest.distance);
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
-    let message = message(sizes, error, is_met, depth, is_late);
+    let message = message(&design.warnings(), error, is_met, depth, is_late);
     Ok(Answer { further, followers, message, ..Answer::new(stations::dimensions_on_a_page(sizes), numbers) })
 }
 
@@ -248,7 +248,7 @@ fn place(nearest: &Nearest) -> Number {
 }
 
 /// What is to be said of the setting; `depth` is the least clearance in millimetres, if it was found.
-fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
+fn message(warnings: &[Warning], error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
     if depth.is_some_and(|depth| depth < 0.0) {
         return Some(
             "With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much."
@@ -258,7 +258,7 @@ fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late:
     if !is_met {
         return Some("With the axes at this distance the pin does not meet the slot.".to_owned());
     }
-    let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
+    let warnings = warnings.iter().map(|warning| format!("Before you make it: {warning}."));
     let moved = (error != 0.0).then(|| {
         "Clearance and knock are for the axes as you moved them. Sizes, times and loads are for the right distance, \
          and we know the backlash only there."

@@ -11,7 +11,7 @@ use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel,
+    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Warning, Wheel,
 };
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -140,6 +140,13 @@ impl Design {
     /// A force below zero.
     pub fn pressure(&self, force: f64) -> Result<Option<f64>, Error> {
         Ok(self.contact.map(|contact| contact.pressure(force)).transpose()?.map(|pressure| pressure / MEGA))
+    }
+
+    /// What a maker should know about sizes that do fit: also that the play which the program chose is more than a fit has.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let Some(sizes) = &self.sizes else { return Vec::new() };
+        let loose = sizes.looser_than_fit().filter(|_| self.question.play.is_none());
+        sizes.warnings().into_iter().chain(loose).collect()
     }
 
     /// Where driver and wheel come nearest over a whole turn, and the tolerance of the distance in millimetres; none without

@@ -149,7 +149,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
 
 /// What a maker should know about sizes that do fit.
 pub fn warnings(design: &Design) -> Vec<Field> {
-    let found = design.sizes.map(|sizes| sizes.warnings()).unwrap_or_default();
+    let found = design.warnings();
     let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();
     let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
     let field = Field::new("warnings", texts);
