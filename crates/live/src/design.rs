@@ -13,8 +13,8 @@ pub const LIVE: Live = Live {
     figure: "wheel-dimensions",
     hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by \
            hand. Make the pin thicker until it no longer fits. Double the speed: without friction the force of the pin \
-           grows fourfold. Move the axes apart by 0.02 mm, and the pin knocks less hard. At 0.06 mm it meets a corner \
-           of its slot.",
+           grows fourfold. With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm, and the \
+           pin knocks less hard. At 0.06 mm it meets a corner of its slot.",
     controls: &[
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
         Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
