@@ -28,6 +28,9 @@ pub fn parts(design: &Design) -> Vec<Field> {
     // A shaft that there is not has no diameter.
     let shaft = |length: fn(&Sizes) -> f64| of(length).filter(|diameter| *diameter > 0.0);
     let disc = sizes.and_then(|sizes| sizes.locking_disc);
+    let chosen = |given: Option<f64>, words: &'static str, placeholder: &'static str| {
+        if given.is_some() { words } else { placeholder }
+    };
     vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
         mm("play_mm", of(|sizes| sizes.play.slot))
@@ -57,12 +60,25 @@ pub fn parts(design: &Design) -> Vec<Field> {
         mm("crescent_centre_mm", disc.map(|disc| disc.crescent.centre))
             .line("crescent centre", "driver's axis to the cut's centre, towards the pin"),
         mm("plate_radius_mm", of(|sizes| sizes.plate_radius)).line("plate radius", "of the driver, behind the wheel"),
-        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).line("wheel shaft", "diameter"),
+        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).line(
+            "wheel shaft",
+            chosen(
+                design.question.wheel_shaft,
+                "diameter",
+                "diameter: a placeholder, half of the largest possible; set what your load needs",
+            ),
+        ),
         mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit))
             .line("wheel shaft limit", "the shaft must be thinner"),
         mm("wheel_bore_mm", shaft(Sizes::wheel_bore)).line("wheel bore", "diameter: shaft plus bore play"),
-        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft))
-            .line("driver shaft", "diameter in the plane of the wheel"),
+        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft)).line(
+            "driver shaft",
+            chosen(
+                design.question.driver_shaft,
+                "diameter in the plane of the wheel",
+                "diameter in the plane of the wheel: a placeholder as well",
+            ),
+        ),
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
             .line("driver shaft limit", "the shaft must be thinner"),
         mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft plus bore play"),
