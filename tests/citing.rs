@@ -129,7 +129,7 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
     let sound = citing::cff(Some("2026-11-23"), Some(&address));
     for (right, wrong) in [
         ("cff-version: 1.2.0", "cff-version: 1.1.0"),
-        ("title: Geneva, verified\n", ""),
+        ("title: \"Geneva, verified.", "name: \"Geneva, verified."),
         ("2026-11-23", "23 November 2026"),
         ("type: software", "type: book"),
         ("url: https://", "url: "),
@@ -139,7 +139,7 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
         ("  - MIT", "  - Mine"),
         ("  - kinematics", "  - reproducibility"),
         ("keywords:\n", "title: Another\nkeywords:\n"),
-        ("message: If", "message: [If"),
+        ("message: >-\n  If", "message: [If"),
     ] {
         let faulty = sound.replacen(right, wrong, 1);
         assert_ne!(faulty, sound, "{right}");

@@ -17,6 +17,7 @@ use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 const NAMES: &[&str] = &[
     "1973",
     "2026-11-23",
+    "AMCP 706-205",
     "Apache 2.0",
     "CC BY 4.0",
     "CC BY-NC-SA 4.0",

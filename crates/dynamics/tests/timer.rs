@@ -29,6 +29,7 @@ fn the_lightest_driver_has_the_highest_peaks_and_a_heavier_one_the_highest_mean_
     for (mechanism, fastest, lightest) in
         [(Mechanism::SIX_PIN, 3.0, 0.2), (Mechanism::FOUR_PIN, 4.0 / 3.0, 0.07), (Mechanism::THREE_PIN, 0.6, 0.07)]
     {
+        let mut heaviest = 0.0;
         for friction in [0.2, 0.25, 0.3, 0.35] {
             let of = |ratio: f64| escapement(mechanism, ratio, 1.0, 1.0, friction);
             let mean = |ratio: f64| mean_speed(&of(ratio));
@@ -37,6 +38,8 @@ fn the_lightest_driver_has_the_highest_peaks_and_a_heavier_one_the_highest_mean_
             let best = best.max_by(|one, other| mean(*one).total_cmp(&mean(*other))).expect("one");
             assert!((7.0 / 8.0..8.0 / 7.0).contains(&(best / fastest)), "{mechanism:?}, {friction}: {best}");
             assert!(mean(lightest) < mean(fastest));
+            assert!(best > heaviest, "{mechanism:?}, {friction}: {best} after {heaviest}");
+            heaviest = best;
 
             let peak = |ratio: f64| {
                 let engagement = Engagement::new(&of(ratio)).expect("an escapement");

@@ -83,7 +83,7 @@ impl Series {
         text
     }
 
-    /// The table as CSV: a line of names and units, then one line per row, to the same decimals.
+    /// The table as CSV: a line of names and units, then one line per row, to the same decimals. Names have no commas.
     pub fn to_csv(&self) -> String {
         let head = self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit)).collect();
         let values = self.rows.iter().map(|row| row.iter().map(|value| fixed(*value, self.decimals)).collect());

@@ -45,6 +45,8 @@ pub enum Origin {
     Arithmetic,
     /// A wrong idea.
     Concept,
+    /// Nothing that is printed shows where it comes from.
+    Unknown,
 }
 
 /// The least relative deviation of an answer that counts as a wrong result: half a per cent.
@@ -72,7 +74,13 @@ pub enum Consequence {
     Copy,
 }
 
-slugs!(Origin { Copy = "copy", Misprint = "misprint", Arithmetic = "arithmetic", Concept = "concept" });
+slugs!(Origin {
+    Copy = "copy",
+    Misprint = "misprint",
+    Arithmetic = "arithmetic",
+    Concept = "concept",
+    Unknown = "unknown",
+});
 
 slugs!(Consequence {
     Result = "result",
@@ -94,6 +102,7 @@ impl Origin {
             Self::Misprint => "a slip of the pen or a misprint: a wrong or missing word, sign or symbol",
             Self::Arithmetic => "a wrong or carelessly rounded computation",
             Self::Concept => "a wrong idea",
+            Self::Unknown => "we cannot tell",
         }
     }
 }

@@ -297,6 +297,16 @@ const WORKS: &[Work] = &[
         read: "First page at https://esdocs.com/doc/510819; volume and pages by several reference lists, which agree",
     },
     Work {
+        key: "sjx",
+        short: "Watches by SJX",
+        authors: "Watches by SJX",
+        title: "Monday Lessons: Explaining the Ups and Downs of Constant Force Mechanisms in Mechanical Movements",
+        published: "a page of the magazine",
+        year: "2015",
+        address: "https://watchesbysjx.com/2015/08/10",
+        read: "The beginning of the page at its address, which also gives the year",
+    },
+    Work {
         key: "wikipedia-geneva",
         short: "Wikipedia, Geneva drive",
         authors: "Wikipedia",
@@ -325,7 +335,7 @@ const WORKS: &[Work] = &[
         year: "",
         address: "https://en.wikipedia.org/wiki/Verge_escapement",
         read: "Copies of the page at https://wikimili.com/wiki/Verge_escapement and, on the accuracy of early clocks, \
-               https://wikisum.wiki/wiki/Verge_and_foliot",
+               https://wikisum.wiki/wiki/Verge_and_foliot; on the fusee, https://liquisearch.com/verge_escapement/decline",
     },
 ];
 

@@ -16,18 +16,20 @@ pub const AUTHORS: &str = "The authors of Geneva, verified";
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// What the book is about, in two lines for `CITATION.cff`.
 const ABSTRACT: [&str; 2] = [
-    "A book about Geneva mechanisms in which every number, equation, figure and statement of its sources carries a verdict",
-    "that a test derives.",
+    "A book about Geneva mechanisms in which every number, equation, figure and statement of its sources that can be",
+    "checked has a verdict, which a test derives.",
 ];
-const LICENCES: [&str; 3] = ["MIT", "Apache-2.0", "CC-BY-4.0"];
+/// The licences of the programs, either of which may be chosen, which is what a list means in a CFF file.
+const LICENCES: [&str; 2] = ["MIT", "Apache-2.0"];
 const KEYWORDS: [&str; 4] = ["Geneva mechanism", "intermittent motion", "kinematics", "reproducibility"];
 
 /// The project's `CITATION.cff`, in version 1.2.0 of the Citation File Format. The date is that of the version's release,
 /// if it has been released.
 pub fn cff(released: Option<&str>, address: Option<&Address>) -> String {
     let mut out = format!(
-        "cff-version: 1.2.0\nmessage: If you use a verdict or a number of this book, please cite it.\ntitle: {TITLE}\nabstract: \
-         >-\n  {}\n  {}\ntype: software\nauthors:\n  - name: {AUTHORS}\nversion: {VERSION}\n",
+        "cff-version: 1.2.0\nmessage: >-\n  If you use a verdict or a number of this book, please cite it. Its text,\n  figures and \
+         data are under CC BY 4.0, its programs under MIT or Apache 2.0.\ntitle: \"{TITLE}. {SUBTITLE}\"\nabstract: >-\n  \
+         {}\n  {}\ntype: software\nauthors:\n  - name: {AUTHORS}\nversion: {VERSION}\n",
         ABSTRACT[0], ABSTRACT[1]
     );
     if let Some(date) = released {

@@ -2,7 +2,7 @@
 //!
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
-use crate::{ledger_pages, records};
+use crate::{fields, ledger_pages, records};
 use anyhow::{Context, bail};
 use std::fs;
 use std::path::Path;
@@ -20,6 +20,19 @@ impl File {
     /// The numbers of a figure or a table, as CSV.
     pub fn of(name: &str, csv: String) -> Self {
         Self { name: format!("{name}.csv"), text: csv }
+    }
+
+    /// What a file of [`File::of`] shows, as metadata for tables on the web (CSVW): a title with the units that the
+    /// caption names, the licence, and the book and edition that it comes from.
+    pub fn describing(&self, title: &str, source: &str) -> anyhow::Result<Self> {
+        let text = fields::json(&serde_json::json!({
+            "@context": "http://www.w3.org/ns/csvw",
+            "url": self.name,
+            "dc:title": title,
+            "dc:source": source,
+            "dc:license": { "@id": "https://creativecommons.org/licenses/by/4.0/" },
+        }))?;
+        Ok(Self { name: format!("{}-metadata.json", self.name), text })
     }
 
     /// All claims, slips and lines of sources, and what the page of all claims loads.

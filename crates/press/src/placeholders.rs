@@ -3,9 +3,10 @@
 //! A placeholder is `{{key:argument}}` or `{{key}}`. Those of other keys, and the braces of Rust and of mdBook's own
 //! `{{#include}}`, are left alone.
 
+use crate::citing::TITLE;
 use crate::data::File;
 use crate::edition::Edition;
-use crate::html::{Table, code, escape};
+use crate::html::{Table, code, escape, plain};
 use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
 use crate::{
     address, asked, bibliography, citing, computed, figures, live, maths, measurements, options, proofread, tables,
@@ -119,6 +120,20 @@ pub struct Page<'a> {
     pub edition: &'a Edition,
 }
 
+/// A figure or a table in its frame.
+struct Framed<'a> {
+    /// The attributes of the figure element, its class among them.
+    attributes: &'a str,
+    /// Its caption, in HTML.
+    caption: &'a str,
+    /// The drawing or the table, in HTML.
+    inner: &'a str,
+    /// The function that makes its numbers.
+    source: &'a str,
+    /// Its numbers.
+    csv: String,
+}
+
 /// A figure or a table where it stands in the book.
 pub struct Shown {
     /// By which a chapter refers to it.
@@ -167,21 +182,24 @@ impl Shown {
         if self.kind == "Figure" { self.name.clone() } else { format!("table-{}", self.name) }
     }
 
-    /// Caption and drawing or table, and what it was made of as a file.
-    ///
-    /// `attributes` are those of the figure element, its class among them.
-    fn framed(&self, attributes: &str, caption: &str, inner: &str, source: &str, csv: String) -> (String, File) {
+    /// Caption and drawing or table, and what it was made of as a file, with another one that describes it.
+    fn framed(&self, framed: Framed<'_>, page: Page<'_>) -> anyhow::Result<(String, [File; 2])> {
+        let Framed { attributes, caption, inner, source, csv } = framed;
         let file = File::of(&self.file(), csv);
         let (kind, number, path) = (self.kind, &self.number, file.path());
         // A caption that moves is compared with what its script writes.
         let caption = if attributes.contains("live") { caption.to_owned() } else { units::tied(caption) };
+        let title = format!("{} {}. {}", self.kind, self.number, plain(&caption));
+        let book = format!("{TITLE}, {}, page {}", page.edition.words(), page.name);
+        let described = file.describing(&title, &book)?;
         let caption = format!(
             "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
              title=\"made by {}\" download>Data (CSV)</a></small></figcaption>",
             escape(source),
         );
         let inner = if kind == "Figure" { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };
-        (format!("<figure {attributes} id=\"{}\">\n{inner}\n</figure>", self.anchor()), file)
+        let html = format!("<figure {attributes} id=\"{}\">\n{inner}\n</figure>", self.anchor());
+        Ok((html, [file, described]))
     }
 }
 
@@ -231,6 +249,11 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         let is_it = |shown: &&Shown| shown.page == page.name && shown.at == placeholder.range.start;
         all.iter().find(is_it).with_context(|| format!("`{}` is in no list", placeholder.key))
     };
+    let show = |framed: Framed<'_>, files: &mut Vec<File>| {
+        let (html, of_it) = here()?.framed(framed, page)?;
+        files.extend(of_it);
+        Ok(html)
+    };
     let Placeholder { key, what, .. } = placeholder;
     match (placeholder.put, placeholder.argument) {
         (Alone(put), None) => put(),
@@ -243,24 +266,24 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
             let figure = figures::by_name(name)?;
             let svg = figure.on_a_page();
             let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
-            let (html, file) = here()?.framed("class=\"fig\"", &caption, &svg, figure.source, csv);
-            files.push(file);
-            Ok(html)
+            show(
+                Framed { attributes: "class=\"fig\"", caption: &caption, inner: &svg, source: figure.source, csv },
+                files,
+            )
         }
         (Put::Live, Some(name)) => {
             let live::Moved { figure, html, attributes } = live::moved(name)?;
             let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
-            let (html, file) =
-                here()?.framed(&format!("class=\"fig live\"{attributes}"), &caption, &html, figure.source, csv);
-            files.push(file);
-            Ok(html)
+            let attributes = format!("class=\"fig live\"{attributes}");
+            show(Framed { attributes: &attributes, caption: &caption, inner: &html, source: figure.source, csv }, files)
         }
         (Numbered(make), Some(argument)) => {
             let table = make(argument)?;
             let caption = format!("{}.", escape(table.caption()));
-            let (html, file) = here()?.framed("class=\"tab\"", &caption, &table.html(), table.source(), table.csv()?);
-            files.push(file);
-            Ok(html)
+            let (html, csv) = (table.html(), table.csv()?);
+            let framed =
+                Framed { attributes: "class=\"tab\"", caption: &caption, inner: &html, source: table.source(), csv };
+            show(framed, files)
         }
         (Put::Reference, Some(name)) => match all.iter().find(|shown| shown.name == name) {
             Some(shown) => {

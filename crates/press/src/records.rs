@@ -32,7 +32,7 @@ pub const OF_A_CLAIM: &[Field] = &[
         "The result of the calculation that the source describes, done again: in the printed unit and not rounded. Null \
          if the claim is not a number.",
     ),
-    ("witnessed", "The same number by the second route, which shares no formula with the first."),
+    ("witnessed", "The number that the second route gives, which is meant to share no formula with the first."),
     ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
     ("verdict", "The verdict that the program derived. *How it is checked* explains each verdict."),
     ("expected", "The verdict on record. We write it down by hand, and a test compares it with the derived one."),
@@ -84,7 +84,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("erratum.witness", "The second, independent reason."),
     (
         "erratum.origin",
-        "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic` or `concept`.",
+        "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic`, `concept` or `unknown`.",
     ),
     (
         "erratum.inherited_by",
@@ -151,6 +151,7 @@ fn versioned(what: &'static str, rows: impl Iterator<Item = Row>) -> anyhow::Res
     fields::json(&Row(vec![
         ("title", TITLE.into()),
         ("version", VERSION.into()),
+        ("license", "CC-BY-4.0".into()),
         ("address", address::known().map(|address| address.book.as_str()).into()),
         (what, Value::List(rows.map(Value::Object).collect())),
     ]))
@@ -358,7 +359,8 @@ mod tests {
                 "copies" => ("copies", OF_A_SLIP),
                 _ => ("entries", OF_AN_ENTRY),
             };
-            assert_eq!(whole.as_object().expect("an object").len(), 4, "{name}");
+            assert_eq!(whole["license"], "CC-BY-4.0", "{name}");
+            assert_eq!(whole.as_object().expect("an object").len(), 5, "{name}");
             assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
             let mut found = BTreeSet::new();
             keys(&whole[list], "", &mut found);

@@ -55,10 +55,10 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
         ("R/R", "1", 1.0),
         ("r/R", "1", rim),
         ("l/R", "1", ratio),
-        ("leaving, along", "1", speeds[0][0]),
-        ("across", "1", speeds[0][1]),
-        ("entering, along", "1", speeds[1][0]),
-        ("across", "1", speeds[1][1]),
+        ("leaving along", "1", speeds[0][0]),
+        ("leaving across", "1", speeds[0][1]),
+        ("entering along", "1", speeds[1][0]),
+        ("entering across", "1", speeds[1][1]),
     ]);
     let words = Words::new(
         id("hand-over", escapement),

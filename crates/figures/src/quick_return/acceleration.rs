@@ -47,7 +47,7 @@ pub fn acceleration_diagram(
     let scale = vectors.iter().map(|vector| vector.norm()).fold(0.0, f64::max);
     let rows = vectors.iter().enumerate().map(|(k, vector)| row(k + 1, vector, scale));
     let columns = [
-        ("1 an_2, 2 at_2, 3 an_4, 4 at_4, 5 an_rel, 6 at_rel, 7 Coriolis, 8 gap", "1"),
+        ("1 an_2; 2 at_2; 3 an_4; 4 at_4; 5 an_rel; 6 at_rel; 7 Coriolis; 8 gap", "1"),
         ("x", ascii.as_str()),
         ("y", ascii.as_str()),
         ("magnitude", ascii.as_str()),

@@ -79,7 +79,7 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
         ),
     );
     let columns = [
-        ("1 v_2, 2 v_4, 3 v_rel, 4 a_2, 5 Coriolis, 6 an_4, 7 at_4, 8 at_rel, 9 gap", "1"),
+        ("1 v_2; 2 v_4; 3 v_rel; 4 a_2; 5 Coriolis; 6 an_4; 7 at_4; 8 at_rel; 9 gap", "1"),
         ("x", unit),
         ("y", unit),
         ("magnitude", unit),

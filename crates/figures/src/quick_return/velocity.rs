@@ -72,7 +72,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     let gap = pin - slot - sliding;
     let rows = [pin, slot, sliding, gap].into_iter().enumerate().map(|(k, vector)| row(k + 1, &vector, scale));
     let columns = [
-        ("1 v_2, 2 v_4, 3 v_rel, 4 gap", "1"),
+        ("1 v_2; 2 v_4; 3 v_rel; 4 gap", "1"),
         ("x", unit.as_str()),
         ("y", unit.as_str()),
         ("magnitude", unit.as_str()),

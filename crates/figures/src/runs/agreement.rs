@@ -73,6 +73,7 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
             "By how many units of its last digit does each printed number differ from the computed one? Each mark is a peak or \
              a minimum of the driver's speed, or a period, in one of the 49 runs of Appendix E.",
             &format!("A unit is {units}. The shaded band extends one unit either way."),
+            "The scale is compressed away from zero.",
             "Above: the real mechanisms, each with its own reset angle and its true peaks. Below: the program as \
              listed, which resets the driver's angle after 90° for all three mechanisms. Its peaks are the largest \
              speeds on its print-out.",
@@ -108,7 +109,8 @@ pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
         ),
         format!(
             "Each mark shows one printed number of Appendix E minus the computed number ({}), in units of the last \
-             printed digit ({units}). The shaded band, one unit either way, contains {} marks.{beyond}",
+             printed digit ({units}), on a scale that is compressed away from zero. The shaded band, one unit either \
+             way, contains {} marks.{beyond}",
             hypothesis.name,
             hypothesis.count()
         ),

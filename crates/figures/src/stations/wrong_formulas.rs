@@ -67,7 +67,7 @@ fn right_at(formulas: &[Compared]) -> String {
 }
 
 fn series(formulas: &[Compared]) -> Series {
-    let columns = formulas.iter().map(|formula| (formula.name.clone(), "1"));
+    let columns = formulas.iter().map(|formula| (formula.name.replace(",", ""), "1"));
     let mut slots: Vec<u32> = formulas.iter().flat_map(|formula| &formula.ratios).map(|(slots, _)| *slots).collect();
     slots.sort_unstable();
     slots.dedup();

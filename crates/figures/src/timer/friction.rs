@@ -83,7 +83,8 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         format!(
             "How the rate of the three mechanisms, set right at μ = {}, changes with the friction in the slot. The \
              rate is computed from the exact steady motion at each friction. The marks are at the friction values of \
-             the thesis's runs. The dashed lines are at static handbook values for steel on brass: {}. {}",
+             the thesis's runs. The dashed lines are at handbook values for steel on brass ({}), which are static and \
+             only a guide, because the pin slides. {}",
             trimmed(set, 2),
             pairs
                 .iter()

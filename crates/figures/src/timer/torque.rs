@@ -58,17 +58,18 @@ pub fn torque() -> Figure {
         format!(
             "Two panels over the torque. In both, a curve through the point where the timekeeper was set: with {from} per \
              cent of the torque it loses {} hours a day, and with one per cent less {} minutes. A shaded area about the \
-             curve opens from the same point to either side. A level line at zero is for a clock with a pendulum or a balance \
-             spring.",
+             curve opens from the same point to either side. A level line at zero is for a clock whose pendulum, or balance \
+             with a spring, is hardly disturbed by its escapement.",
             crate::number::significant(lost, 2),
             crate::number::significant(-MINUTES * gained(to - 1.0, ROOT), 2)
         ),
         "As the spring runs down, the Geneva escapement loses time, because its rate goes as the square root of the \
-         torque, whatever its pins, inertias and friction. The same law holds for a runaway escapement in which blows \
-         take all the work. If a drag proportional to the speed brakes a verge and foliot, the rate is somewhere in \
-         the shaded area, between the cube root and the first power of the torque. A pendulum, or a balance with its \
-         spring, keeps its period, and its error is too small to be seen on this scale. The lower panel shows small \
-         changes.",
+         torque, whatever its pins and inertias. (We assume a constant coefficient of friction and no constant or \
+         viscous drag.) The same law holds for a runaway escapement in which blows take all the work. If a drag \
+         proportional to the speed brakes a verge and foliot, the rate is somewhere in the shaded area, between the \
+         cube root and the first power of the torque. A pendulum with a dead-beat escapement, or a balance and spring \
+         with a detached one, nearly keeps its period, and its error is too small to be seen on this scale. The lower \
+         panel shows small changes.",
     );
     let columns = [("torque", "%"), ("gain^1/2", "h"), ("gain^1/3", "h"), ("gain^1", "h")];
     let row = |torque: f64| {

@@ -178,7 +178,7 @@ fn corrected_centre(claim: Claim) -> Claim {
                      gives √3 to one more place. It is also possible that a digit was misread, by the author or in the \
                      copy.",
             witness: "We computed the hand-over in coordinates, with exact square roots.",
-            origin: Origin::Arithmetic,
+            origin: Origin::Unknown,
             consequence: Consequence::Number,
             changes: "The last digit of one centre distance is wrong, but nothing is computed from this distance.",
         },
@@ -195,7 +195,7 @@ fn corrected_radius(claim: Claim) -> Claim {
                      not give them either. Only the middle digit is wrong, and we cannot tell whether it was \
                      misprinted or misread in copying.",
             witness: "We computed the hand-over in coordinates, with exact square roots.",
-            origin: Origin::Misprint,
+            origin: Origin::Unknown,
             consequence: Consequence::Result,
             changes: "For six pins, a follower cut to the printed radius would be too small, so each pin would leave \
                       its slot before the next pin enters.",

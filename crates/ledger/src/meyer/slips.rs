@@ -155,7 +155,7 @@ pub const UNEXPLAINED: Slip = Slip {
              and the period in the same row do agree. We do not know how the printed peak came about.",
     witness: "We computed the mechanism's steady cycle by quadrature and in Runge-Kutta steps, and both results have a \
               higher peak than the printed one.",
-    origin: Origin::Arithmetic,
+    origin: Origin::Unknown,
     consequence: Consequence::Result,
     changes: "The printed peak is too low by more than one per cent.",
 };

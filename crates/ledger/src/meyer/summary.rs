@@ -92,7 +92,7 @@ pub fn claims() -> Vec<Claim> {
                              to come within one per cent of the terminal velocity, whether we take the velocity \
                              at each angle or the average of peak and minimum.",
                     witness: "We solved the equation of motion for the ideal mechanisms.",
-                    origin: Origin::Misprint,
+                    origin: Origin::Unknown,
                     consequence: Consequence::Conclusion,
                     changes: "If you plan with the time given in the abstract, you allow too little time. The longest \
                               rise in the tables takes twice that time. In the ideal mechanisms, the longest rise \

@@ -36,9 +36,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("built.ratio.six", || ratio(Mechanism::SIX_PIN)),
     ("built.ratio.four", || ratio(Mechanism::FOUR_PIN)),
     ("built.ratio.three", || ratio(Mechanism::THREE_PIN)),
-    ("built.ratio-run.six", || Ok(fixed(run(Mechanism::SIX_PIN, "inertia_ratio")?, 3))),
-    ("built.ratio-run.four", || Ok(fixed(run(Mechanism::FOUR_PIN, "inertia_ratio")?, 3))),
-    ("built.ratio-run.three", || Ok(fixed(run(Mechanism::THREE_PIN, "inertia_ratio")?, 3))),
     ("built.friction", || {
         let powers: Vec<f64> = numbers(weakest(rows()), "friction_power")?.iter().map(|power| -1.0 / power).collect();
         Ok(over(&powers, 1)? + "&nbsp;%")

@@ -3,13 +3,16 @@
 use super::Number;
 use crate::lookup::{judged, of_documents};
 use crate::rows::score;
-use geneva_case1973::{Hypothesis, Row};
+use geneva_case1973::{Hypothesis, Row, SixPin};
 use geneva_ledger::meyer::runs::data::inputs;
 use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::{Consequence, Decimal, Judged, Truth, claim, slips_of};
+use geneva_ledger::{Consequence, Decimal, Judged, Kind, Truth, claim, slips_of};
 
 /// What changes a result or a conclusion.
 const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
+
+/// The runs with the inertias of six pins as in the table's heading.
+const AS_HEADED: Hypothesis = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG };
 
 /// The numbers of the first page.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -22,14 +25,16 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("claims.copy", || Ok(claims(Truth::Wrong, |slip| slip == Some(Consequence::Copy)))),
     ("claims.inputs", || Ok(inputs_that_are_right()?.to_string())),
     ("claims.by-accident", || Ok(right_by_accident()?.to_string())),
-    ("claims.of-one-line", || Ok(of_one_line().to_string())),
+    ("claims.of-one-line", || Ok(of_one_line(|_| true).to_string())),
+    ("claims.of-one-line.numbers", || Ok(of_one_line(|kind| kind == Kind::Value).to_string())),
+    ("claims.of-one-line.statements", || Ok(of_one_line(|kind| kind == Kind::Statement).to_string())),
     ("claims.open", || Ok(claims(Truth::Open, |_| true))),
     ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
-    ("cells.printed", || Ok((4 * rows().len()).to_string())),
     ("cells", || Ok((3 * rows().len()).to_string())),
     ("cells.by-the-program", || Ok(score(&Hypothesis::AS_RUN)?.within_one().to_string())),
+    ("cells.by-the-heading", || Ok(score(&AS_HEADED)?.within_one().to_string())),
     ("cells.by-the-mechanisms", || Ok(score(&Hypothesis::IDEAL)?.within_one().to_string())),
 ];
 
@@ -55,10 +60,11 @@ fn right_by_accident() -> anyhow::Result<usize> {
     Ok(truths.into_iter().filter(|truth| *truth == Truth::Right).count())
 }
 
-/// How many claims are wrong because of the one line of the program that resets the driver's angle.
-fn of_one_line() -> usize {
+/// How many claims of some kinds are wrong because of the one line of the program that resets the driver's angle.
+fn of_one_line(kinds: fn(Kind) -> bool) -> usize {
     let own = |judged: &&Judged| judged.claim.erratum.as_ref().is_some_and(|erratum| erratum.slip.id == FAULTY_LINE);
-    of_documents().filter(own).filter(|judged| judged.truth() == Truth::Wrong).count()
+    let wrong = of_documents().filter(own).filter(|judged| judged.truth() == Truth::Wrong);
+    wrong.filter(|judged| kinds(judged.claim.kind)).count()
 }
 
 /// The mistake of that line.
@@ -73,10 +79,16 @@ fn claims(truth: Truth, by: fn(Option<Consequence>) -> bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::computed::by_name;
 
     #[test]
     fn one_line_makes_more_wrong_claims_than_any_other_mistake_and_than_all_others_together() {
-        let own = of_one_line();
+        let own = of_one_line(|_| true);
+        let count = |name: &str| by_name(name).expect("a number").parse::<usize>().expect("a count");
+        let [numbers, statements] = ["claims.of-one-line.numbers", "claims.of-one-line.statements"].map(count);
+        assert_eq!(numbers + statements, own);
+        // One more number is reproduced in error: a peak that the print-out missed.
+        assert_eq!(count("runs.in-error"), numbers + 1);
         let most = GRAVE.into_iter().flat_map(slips_of).map(|places| places.claims.len()).max();
         assert_eq!(most, Some(own));
         let wrong = claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy)).parse::<usize>().expect("a count");

@@ -129,11 +129,16 @@ fn most_explained(wanted: fn(&Tried) -> bool) -> usize {
     own.map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max().unwrap_or(0)
 }
 
+/// A reading of the thesis's own definition of the rise: until the velocity is steady at every angle, or the average of peak
+/// and minimum.
+pub(super) fn own_reading(reading: usize) -> anyhow::Result<&'static Tried> {
+    let is_it = |tried: &&Tried| tried.name == OF_A_PART[reading].name && tried.part == Some(MISSING);
+    explained().iter().find(is_it).context("a definition that was not tried")
+}
+
 /// How many rows a reading of the thesis's own definition explains, as run.
 fn own_meaning(reading: usize) -> anyhow::Result<String> {
-    let is_it = |tried: &&Tried| tried.name == OF_A_PART[reading].name && tried.part == Some(MISSING);
-    let tried = explained().iter().find(is_it).context("a definition that was not tried")?;
-    Ok(tried.as_run.rows().to_string())
+    Ok(own_reading(reading)?.as_run.rows().to_string())
 }
 
 /// How many rows have this verdict on a value.
