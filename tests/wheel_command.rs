@@ -26,7 +26,7 @@ const OF_SPEED: [&str; 7] = [
     "peak_jerk_rad_s3",
 ];
 /// What needs a size.
-const OF_SIZE: [&str; 40] = [
+const OF_SIZE: [&str; 47] = [
     "crank_radius_mm",
     "centre_distance_mm",
     "wheel_radius_mm",
@@ -56,6 +56,13 @@ const OF_SIZE: [&str; 40] = [
     "plate_rim_mm",
     "centres_nearer_mm",
     "centres_farther_mm",
+    "all_locking_mm",
+    "all_nearer_mm",
+    "all_farther_mm",
+    "all_crank_radius_mm",
+    "all_width_mm",
+    "all_slot_direction_at_rim_mm",
+    "all_slot_end_mm",
     "least_clearance_mm",
     "least_clearance_at_deg",
     "bottom_clearance_mm",

@@ -17,6 +17,7 @@ fn the_parts_are_those_of_the_library() {
         let sizes = Sizes::new(wheel, scale, &choices).expect("it fits");
         let least = sizes.clearance().least();
         let disc = sizes.locking_disc.expect("a dwell");
+        let shared = sizes.shared_tolerance().expect("play enough");
         let (tolerance, play) = (sizes.centre_tolerance(), sizes.dwell_play().expect("a dwell"));
         for (key, right) in [
             ("crank_radius_mm", sizes.crank_radius),
@@ -52,6 +53,13 @@ fn the_parts_are_those_of_the_library() {
             ("least_clearance_mm", least.distance),
             ("least_clearance_at_deg", least.crank_angle.to_degrees()),
             ("bottom_gap_mm", 0.3 + 0.02),
+            ("all_locking_mm", shared.locking),
+            ("all_nearer_mm", shared.nearer),
+            ("all_farther_mm", shared.farther),
+            ("all_crank_radius_mm", shared.crank),
+            ("all_width_mm", shared.width),
+            ("all_slot_direction_at_rim_mm", shared.direction * sizes.wheel_radius),
+            ("all_slot_end_mm", shared.slot_end),
             ("crank_radius_tolerance_mm", sizes.crank_radius_tolerance().expect("a disc")),
             ("locking_gap_mm", sizes.locking_gap().expect("a disc")),
             ("slot_direction_tolerance_deg", sizes.slot_direction_tolerance().expect("a disc").to_degrees()),
@@ -179,6 +187,9 @@ fn no_tolerance_is_zero_where_there_is_play() {
             assert!(found[key].as_f64().is_none_or(|length| length > 0.0), "{options:?} {key}: {}", found[key]);
             assert!(!is_found || found[key].is_number(), "{options:?} {key}: {}", found[key]);
         }
+        let limits = ["all_locking_mm", "all_width_mm"].map(|key| found[key].as_f64());
+        assert!(limits.iter().flatten().all(|limit| *limit > 0.0), "{options:?}: {limits:?}");
+        assert_eq!(limits[0].is_some(), is_found, "{options:?}");
         let play = number(&found, "bore_play_mm");
         assert!(!is_found || number(&found, "centres_nearer_mm") > play, "{options:?}");
     }

@@ -11,7 +11,7 @@ use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Warning, Wheel,
+    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError, Warning, Wheel,
 };
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -170,6 +170,17 @@ impl Design {
     pub fn centre_tolerance(&self) -> Result<Option<CentreTolerance>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(None) };
         once(&self.centre_tolerance, || in_time(sizes.centre_tolerance_within(self.question.effort.tolerance)))
+    }
+
+    /// How far all sizes may be wrong together: none if it would take too long to find, and none within it without sizes, without
+    /// a disc, or where loose bores or too little play leave no room for errors.
+    ///
+    /// # Errors
+    ///
+    /// A distance of the axes at which the parts can't work together.
+    pub fn shared_tolerance(&self) -> Result<Option<Option<SharedTolerance>>, Error> {
+        let Some(sizes) = &self.sizes else { return Ok(Some(None)) };
+        in_time(sizes.shared_tolerance_within(self.question.effort.tolerance))
     }
 }
 

@@ -1,5 +1,4 @@
-//! What a maker asks of a wheel besides: contact and rubbing of the pin, backlash elsewhere, sizes that are wrong together, and a
-//! cam for comparison.
+//! What a maker asks of a wheel besides: contact and rubbing of the pin, backlash elsewhere, and a cam for comparison.
 //!
 //! Neither the command's sheet nor its data have these fields. Chapters show them.
 
@@ -28,7 +27,6 @@ impl Design {
         fields.extend(self.loads_compared()?);
         if let Some(sizes) = &self.sizes {
             fields.extend(self.play(sizes)?);
-            fields.extend(together(sizes));
         }
         Ok(fields)
     }
@@ -137,21 +135,6 @@ impl Design {
             .line("knock at entry", "if the wheel is in the middle of its backlash")
             .rounded(Rounding::Significant(3))
     }
-}
-
-/// How far each size may be wrong if all are.
-fn together(sizes: &Sizes) -> Vec<Field> {
-    let shared = sizes.shared_tolerance();
-    let all = [
-        ("all_locking_mm", shared.map(|of| of.locking), "disc and arc", "radii, each"),
-        ("all_nearer_mm", shared.map(|of| of.nearer), "axes nearer", "besides loose bores"),
-        ("all_farther_mm", shared.map(|of| of.farther), "axes farther", "besides loose bores"),
-        ("all_crank_radius_mm", shared.map(|of| of.crank), "crank radius", "to either side"),
-        ("all_width_mm", shared.map(|of| of.width), "pin and slot", "width, each"),
-        ("all_slot_direction_at_rim_mm", shared.map(|of| of.direction * sizes.wheel_radius), "slot direction", ""),
-        ("all_slot_end_mm", shared.map(|of| of.slot_end), "slot end", "farther out"),
-    ];
-    all.into_iter().map(|(key, length, name, of)| Field::in_unit(key, length, "mm").line(name, of)).collect()
 }
 
 #[cfg(test)]
