@@ -211,7 +211,10 @@ fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> boo
     let some =
         more.iter().map(|(stations, most)| format!("{most} with {stations} stations")).collect::<Vec<_>>().join(", ");
     let some = if some.is_empty() { "more with none".into() } else { some };
-    Finding::new(all.holds && !more.is_empty(), format!("{}; there is room for up to {some}", all.how))
+    Finding::new(
+        all.holds && !more.is_empty(),
+        format!("{}; on this condition there is room for up to {some}", all.how),
+    )
 }
 
 /// The caption of Fig. 5.30, which comes among the paragraphs on Fig. 5.31.

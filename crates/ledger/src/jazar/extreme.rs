@@ -113,7 +113,7 @@ fn maximum() -> Claim {
         .statement(
             "jazar.ex-e.maximum",
             "at a maximum",
-            "the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
+            "the size of the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
         )
         .by(Series, |stated| {
             let size = |acceleration: f64| stated.pick(acceleration.abs(), acceleration);

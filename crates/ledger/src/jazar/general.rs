@@ -48,9 +48,9 @@ fn sizes() -> Vec<Claim> {
                     id: "",
                     reason: "The only other length that the sentence names is the pin radius. If α is half the angle \
                              between two slots, 1/tan α is the ratio of the wheel's outside radius to the pin radius. \
-                             The ratio of the outside diameter to the pin radius is twice as great. If the sentence \
-                             meant the diameter of the pin's circle, the ratio would be right, but the handout never \
-                             mentions that diameter.",
+                             The ratio of the outside diameter to the pin radius is twice as great. If by the pin \
+                             radius the sentence meant the diameter of the pin's circle, the ratio would be right, but \
+                             the handout never mentions that diameter.",
                     witness: "The handout itself says that the outer radius of the four-station wheel is r, the pin \
                               radius. For this wheel α is 45°, and 1/tan 45° is one.",
                     origin: Origin::Misprint,

@@ -135,7 +135,7 @@ fn tangent_entry() -> Claim {
         .statement(
             "jazar.tangent-entry",
             "tangent",
-            "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
+            "if the slot is not tangent to the pin's circle at entry and exit, the acceleration there is infinite",
         )
         .by(ClosedForm, |stated| {
             for_all_stations(
@@ -143,7 +143,7 @@ fn tangent_entry() -> Claim {
                     crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0]))
                         .all(|(ratio, crank)| !vanishes(velocity_ratio(&ratio, &Turn::from_radians(crank))))
                 },
-                "the wheel's speed is not zero as the pin meets the slot, so it jumps",
+                "the wheel's speed is not zero as the pin meets such a slot, so it jumps",
             )
         })
         .by(Vectors, |stated| {
@@ -168,7 +168,7 @@ fn infinite_deceleration() -> Claim {
         .statement(
             "jazar.infinite-deceleration",
             "infinite deceleration at the end",
-            "unless the slot is tangent, the wheel has an infinite acceleration at the beginning and an infinite \
+            "if the slot is not tangent, the wheel has an infinite acceleration at the beginning and an infinite \
              deceleration at the end",
         )
         .by(ClosedForm, |stated| jumps(stated, |_, ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
@@ -198,7 +198,7 @@ fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
                 !vanishes(size) && jump * crank * sign < 0.0
             })
         },
-        "the wheel's speed jumps this way as the pin enters and as it leaves",
+        "the wheel's speed jumps this way as the pin enters such a slot and as it leaves it",
     )
 }
 

@@ -77,9 +77,9 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series(rows()).count(),
                 format!(
-                    "with every mechanism at every friction value of the runs, from one million to four million times \
-                     the torque in the tables, the rise time varies as the torque to the power {:.6}, so more torque \
-                     still shortens the rise",
+                    "with every mechanism at every friction value of the runs, if the torque grows from one million to \
+                     four million times the torque in the tables, the rise time varies as the torque to the power \
+                     {:.6}, so more torque still shortens the rise",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
@@ -92,7 +92,7 @@ fn least_rise_time() -> Claim {
             Slip {
                 id: "",
                 reason: "If the torque grows and all times shrink in inverse proportion to the square root of the \
-                         torque, Eq. (1-19) stays the same. So all times are proportional to √(I_f/K), where I_f is \
+                         torque, Eq. (1-19) still holds. So all times are proportional to √(I_f/K), where I_f is \
                          the follower's inertia and K the torque. As K grows, this square root becomes as small as we \
                          like, so there is no minimum.",
                 witness: "We proved that the equation obeys this law of similarity, and showed that the equation no \
@@ -198,11 +198,11 @@ fn start(row: &Row) -> Option<Start> {
 /// Whether κ² times the torque only makes all speeds κ^p times as large, and all times shorter by as much.
 fn scaling(power: i32) -> Finding {
     let found = all_proven(&Sign::BOTH.map(|sign| Scaled { power, sign }));
-    let times = ["the same times", "all times divided by κ", "all times divided by κ²"];
+    let times = ["all times unchanged", "all times divided by κ", "all times divided by κ²"];
     let times = usize::try_from(power).ok().and_then(|power| times.get(power)).unwrap_or(&"other times");
     let how = format!(
-        "with κ² times the torque and {times}, both sides of Eq. (1-19) should be multiplied by κ². For this \
-         condition, {}",
+        "with the torque multiplied by κ² and {times}, both sides of Eq. (1-19) should become κ² times as large. For \
+         this condition, {}",
         found.how
     );
     Finding { how, ..found }

@@ -245,7 +245,7 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     let as_said = || "; this form includes exactly those that work".to_owned();
     let but = other.map_or_else(as_said, |(pins, slots)| {
         let [do_they, says] = if works(pins, slots) { ["work", "excludes"] } else { ["do not work", "includes"] };
-        format!("; for example, {pins} pins with {slots} slots {do_they}, although this form {says} them")
+        format!("; but this form {says} {pins} pins with {slots} slots, for example, which {do_they}")
     });
     Finding::new(
         other.is_none(),

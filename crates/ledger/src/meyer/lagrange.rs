@@ -28,7 +28,7 @@ fn equations() -> Vec<Claim> {
                     r"T}{\partial q_k} = Q_k"
                 ),
                 "Lagrange's equation for forces with and without a potential, here for one coordinate, where it is \
-                 the balance of power",
+                 the power balance",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),

@@ -140,7 +140,8 @@ fn count_that_matter(stated: Stated, quantities: &[Quantity]) -> Finding {
     Finding::new(
         found.iter().all(|count| *count == stated.count() as usize),
         format!(
-            "among {}, the numbers of quantities that change an engagement are {} for the three mechanisms",
+            "we counted how many of these quantities change an engagement: {}. The counts for the three mechanisms are \
+             {}",
             named(quantities),
             joined(found)
         ),

@@ -300,9 +300,9 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
     Finding::new(
         groups.len() == series(rows()).count() && least >= 100.0 * VISIBLE,
         format!(
-            "with every mechanism at every friction value, changing a suitable parameter by a tenth changes each of \
-             them by {least:.1} per cent or more, and changing any parameter by a tenth changes each by \
-             {least_alone:.2} per cent or more"
+            "with every mechanism at every friction value, a suitable parameter, changed by a tenth, changes each of \
+             the three by {least:.1} per cent or more. Whichever parameter is changed by a tenth, each of the three \
+             changes by {least_alone:.2} per cent or more"
         ),
     )
 }

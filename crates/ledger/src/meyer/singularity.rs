@@ -182,7 +182,10 @@ fn bounds() -> Vec<Claim> {
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
                 Finding::new(
                     found == [stated.pick(stated.number(), NEXT_RATIO)],
-                    format!("among the ratios that we tried, the last inequality holds for {}", joined(&found)),
+                    format!(
+                        "among the ratios that we tried, the last inequality holds only for the ratio {}",
+                        joined(&found)
+                    ),
                 )
             })
             .by(Vectors, |stated| {
@@ -225,7 +228,7 @@ fn slots() -> Vec<Claim> {
                 Finding::new(
                     found.as_deref() == Some(&[stated.pick(stated.count(), 3)]),
                     format!(
-                        "we read and evaluated the sine for 1 to 100 slots, and it is one for {}",
+                        "we read and evaluated the sine for 1 to 100 slots, and it is one only for {}",
                         joined(found.iter().flatten())
                     ),
                 )

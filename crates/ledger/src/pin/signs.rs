@@ -39,7 +39,11 @@ pub fn letter_v() -> Claim {
             let words = |dimension: Option<Dimension>| dimension.map_or("unknown".into(), |d| d.to_string());
             Finding::new(
                 printed.is_some() && printed == named,
-                format!("the printed unit is {}, and the letter stands for {}", words(printed), words(named)),
+                format!(
+                    "the printed unit has the dimension {}, and what the letter stands for has the dimension {}",
+                    words(printed),
+                    words(named)
+                ),
             )
         })
         .by(OtherPlaceInSource, |stated| {
@@ -249,7 +253,8 @@ pub(crate) fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], st
         return Finding::new(false, "a letter is printed, which points nowhere");
     };
     let holds = fitting == [arrow];
-    Finding::new(holds, format!("{} of eight arrows fits {pointing} from the right", fitting.len()))
+    let count = fitting.len();
+    Finding::new(holds, format!("{count} of eight arrows fits {pointing}, counted counter-clockwise from the right"))
 }
 
 /// Whether the wheel turns in the stated sense, by an angular velocity that is positive counter-clockwise.

@@ -91,7 +91,8 @@ pub fn accelerations(place: Place, id: &'static str, printed: &'static str) -> C
         .equation(
             id,
             printed,
-            "acceleration of the pin, as the acceleration of the lever's point plus the rest, seen without turning",
+            "acceleration of the pin, as the acceleration of the lever's point plus the pin's acceleration relative to \
+             it, in a frame that does not turn",
         )
         .in_letters(VECTORS)
 }
@@ -174,7 +175,7 @@ fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
     let gap = choices.map(|choice| sum(choice).norm() / longest).fold(f64::INFINITY, f64::min);
     let closes = vanishes(gap);
     let gap = if closes { 0.0 } else { gap };
-    Finding::new(closes, format!("the {count} terms whose sum is smallest add up to {gap:.2} times the longest"))
+    Finding::new(closes, format!("of all choices of {count} terms, the smallest sum is {gap:.2} of the longest term"))
 }
 
 /// Whether so many terms stand in the printed equation.

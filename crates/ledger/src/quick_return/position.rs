@@ -84,7 +84,7 @@ pub fn claims() -> Vec<Claim> {
                 let length = at.map_or(f64::NAN, |at| at.position.pin_distance);
                 Finding::new(
                     rounds("quick-return.lever-length", length),
-                    format!("the lever would be {length:.3} m long"),
+                    format!("with this angle the lever is {length:.3} m long"),
                 )
             })
             .by(ClosedForm, |stated| {

@@ -217,7 +217,7 @@ fn model3d() -> Claim {
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
         "radius of the driven wheel, in a program whose pin circle has the right radius (the centre distance over √2); \
-         both without the slack of 0.015, and the wheel without the rounding of its tips",
+         we leave out the slack of 0.015 and the rounding of the wheel's tips",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }

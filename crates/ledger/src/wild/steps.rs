@@ -62,7 +62,7 @@ pub fn claims() -> Vec<Claim> {
             CALCULATOR,
             "wild.firgelli-time.speed",
             r"\omega_{geneva} = \omega_{driver}/n",
-            "speed of the wheel, from the speed of the driver (RPM on the page)",
+            "mean speed of the wheel, from the speed of the driver (RPM on the page)",
             ANY,
             |fit| {
                 // Turns of the wheel in a time, over the turns of the driver: a step in the time of a move and a rest.

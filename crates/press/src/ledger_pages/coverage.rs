@@ -22,8 +22,8 @@ pub fn page() -> anyhow::Result<String> {
     let copies = copies.collect::<Vec<_>>().join(", ");
     Ok(format!(
         "{sums}\n\n## Characters of the copies {{#copies}}\n\nWe read the sources in copies that a machine has \
-         made from paper. At the following places, a character in the copy is wrong, and the context demands another: \
-         {copies}.\n"
+         made from paper. In the following claims, a character in the copy is wrong, and the context demands another. \
+         If one mistake of a copy affects several claims, we list only one of them: {copies}.\n"
     ))
 }
 

@@ -105,7 +105,11 @@ fn lines() -> Vec<Claim> {
             })
             .but_not("it is the derived equation without S"),
         first_derivative(("meyer.app-b.speed-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
-        first_derivative(("meyer.app-b.angle-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
+        first_derivative(
+            ("meyer.app-b.angle-name", AFTER),
+            "name of the driver's speed, in the paragraph on the driver's angle",
+            ["LDX", "1DX"],
+        ),
     ]
 }
 

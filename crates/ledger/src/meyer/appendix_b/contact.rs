@@ -116,8 +116,7 @@ fn opens_the_bars(tex: &str) -> Finding {
     let holds = opened.len() == 2 && sizes[0] != sizes[1] && opened.iter().all(|finding| finding.holds);
     Finding::new(
         holds,
-        "for each line, we proved the next display with the value that the line gives S and the bars opened \
-         accordingly",
+        "for each of the two lines, we gave S the line's value, opened the bars to match and proved the next display",
     )
 }
 
@@ -280,8 +279,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.simultaneous",
                 "cannot solve simultaneous equations",
-                "F, the expression between the bars, cannot be computed from the acceleration at the same instant, \
-                 because that acceleration itself depends on F",
+                "F, the expression between the absolute-value bars, cannot be computed from the acceleration at the \
+                 same instant, because that acceleration itself depends on F",
             )
             .missing(IMPLICIT),
     ]

@@ -226,7 +226,7 @@ pub fn first_derivative(
                 holds,
                 match name {
                     Some(order) => format!("the name begins with the order {order}, and the order of 2DX is one more"),
-                    None => "the name does not begin with an order".to_owned(),
+                    None => "the name does not begin with the order of a derivative".to_owned(),
                 },
             )
         })
