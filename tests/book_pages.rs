@@ -16,7 +16,7 @@ const HEAVIEST_PAGE: usize = 375_000;
 const HEAVIEST_LEDGER: usize = 725_000;
 /// The whole book in one, for those who print it.
 const HEAVIEST_TO_PRINT: usize = 1_800_000;
-const HEAVIEST_DETAILS: usize = 675_000;
+const HEAVIEST_DETAILS: usize = 690_000;
 const HEAVIEST_MOVER: usize = 375_000;
 const HEAVIEST_FIGURE: usize = 42_000;
 
