@@ -26,7 +26,7 @@ const OF_SPEED: [&str; 7] = [
     "peak_jerk_rad_s3",
 ];
 /// What needs a size.
-const OF_SIZE: [&str; 38] = [
+const OF_SIZE: [&str; 47] = [
     "crank_radius_mm",
     "centre_distance_mm",
     "wheel_radius_mm",
@@ -52,8 +52,17 @@ const OF_SIZE: [&str; 38] = [
     "driver_shaft_mm",
     "driver_shaft_limit_mm",
     "driver_bore_mm",
+    "disc_web_mm",
+    "plate_rim_mm",
     "centres_nearer_mm",
     "centres_farther_mm",
+    "all_locking_mm",
+    "all_nearer_mm",
+    "all_farther_mm",
+    "all_crank_radius_mm",
+    "all_width_mm",
+    "all_slot_direction_at_rim_mm",
+    "all_slot_end_mm",
     "least_clearance_mm",
     "least_clearance_at_deg",
     "bottom_clearance_mm",
@@ -158,7 +167,8 @@ fn the_sheet_says_what_the_object_says() {
 fn keys_are_always_there_and_null_without_what_they_need() {
     let all = object(&["wheel", "--stations", "6", "--rpm", "360", "--crank-radius", "50", "--inertia", "1"]);
     let others = ["braking_pin_force_n", "friction_torque_nm", "peak_contact_pressure_mpa", "wheel_inertia_kgm2"];
-    let loads = OF_LOAD.iter().copied().chain(others);
+    // Of two crescents there is no number with one pin.
+    let loads = OF_LOAD.iter().copied().chain(others).chain(["crescent_web_mm"]);
     let loads: Vec<_> = loads.collect();
     let forces = ["peak_pin_force_n", "peak_pin_force_at_deg", "braking_pin_force_n", "peak_contact_pressure_mpa"];
     for (options, missing) in [
@@ -168,11 +178,12 @@ fn keys_are_always_there_and_null_without_what_they_need() {
         (&["--rpm", "360", "--crank-radius", "50"], loads.clone()),
         (
             &["--rpm", "360", "--inertia", "0.1"],
-            [&OF_SIZE[..], &OF_KNOCK, &forces, &["friction_torque_nm", "wheel_inertia_kgm2"]].concat(),
+            [&OF_SIZE[..], &OF_KNOCK, &forces, &["friction_torque_nm", "wheel_inertia_kgm2", "crescent_web_mm"]]
+                .concat(),
         ),
         (
             &["--rpm", "360", "--inertia", "0.1", "--friction-torque", "2", "--crank-radius", "50"],
-            vec!["peak_contact_pressure_mpa", "wheel_inertia_kgm2"],
+            vec!["peak_contact_pressure_mpa", "wheel_inertia_kgm2", "crescent_web_mm"],
         ),
     ] {
         let found = object(&[&["wheel", "--stations", "6"], options].concat());

@@ -96,3 +96,17 @@ fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
     let clearance = moved.numbers.iter().find(|number| number.name == "clearance").map(|number| number.value);
     assert_eq!(clearance, answer.field("least_clearance_mm").expect("a field").number());
 }
+
+#[test]
+fn a_centre_distance_in_the_figure_is_that_of_the_command() {
+    let live = geneva_live::by_name("design").expect("a figure");
+    let asked = Arguments::parse("stations=8&radius=120&size=1&play=0.06").expect("arguments");
+    let moved = live.answer(&asked).expect("an answer");
+    let found = object(&["wheel", "--stations", "8", "--centre-distance", "120", "--play", "0.06"]);
+    let shown = |name: &str| moved.numbers.iter().find(|number| number.name == name).expect(name).value;
+    for (name, key) in
+        [("centres", "centre_distance_mm"), ("crank-radius", "crank_radius_mm"), ("disc", "locking_radius_mm")]
+    {
+        assert_eq!(shown(name), number(&found, key), "{key}");
+    }
+}

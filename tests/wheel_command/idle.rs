@@ -60,10 +60,9 @@ fn of_two_that_contradict_each_other_both_are_named() {
 }
 
 #[test]
-fn beside_wanted_times_only_the_kind_and_the_format_count() {
+fn beside_wanted_times_only_stations_kind_and_format_count() {
     let times = ["wheel", "--index-time", "1", "--dwell-time", "2"];
     for (option, value) in [
-        ("--stations", "6"),
         ("--pins", "1"),
         ("--rpm", "60"),
         ("--crank-radius", "50"),
@@ -77,8 +76,10 @@ fn beside_wanted_times_only_the_kind_and_the_format_count() {
         ("--format", "svg"),
         ("--format", "fields"),
     ] {
-        let said = refused(&[&times[..], &[option, value]].concat());
-        assert!(said.contains(&format!("{option} {value}")) && said.contains("propose"), "{option}: {said}");
+        for stations in [&[][..], &["--stations", "6"]] {
+            let said = refused(&[&times[..], stations, &[option, value]].concat());
+            assert!(said.contains(&format!("{option} {value}")) && said.contains("propose"), "{option}: {said}");
+        }
     }
 }
 

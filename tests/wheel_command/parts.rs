@@ -17,6 +17,7 @@ fn the_parts_are_those_of_the_library() {
         let sizes = Sizes::new(wheel, scale, &choices).expect("it fits");
         let least = sizes.clearance().least();
         let disc = sizes.locking_disc.expect("a dwell");
+        let shared = sizes.shared_tolerance().expect("play enough");
         let (tolerance, play) = (sizes.centre_tolerance(), sizes.dwell_play().expect("a dwell"));
         for (key, right) in [
             ("crank_radius_mm", sizes.crank_radius),
@@ -44,11 +45,21 @@ fn the_parts_are_those_of_the_library() {
             ("driver_shaft_mm", sizes.driver_shaft),
             ("driver_shaft_limit_mm", sizes.driver_shaft_limit),
             ("driver_bore_mm", sizes.driver_shaft + 0.01),
+            ("disc_web_mm", disc.crescent.centre - disc.crescent.radius - (sizes.driver_shaft + 0.01) / 2.0),
+            ("crescent_web_mm", 2.0 * (disc.crescent.centre - disc.crescent.radius)),
+            ("plate_rim_mm", sizes.plate_radius - sizes.crank_radius - 3.0),
             ("centres_nearer_mm", tolerance.nearer),
             ("centres_farther_mm", tolerance.farther),
             ("least_clearance_mm", least.distance),
             ("least_clearance_at_deg", least.crank_angle.to_degrees()),
             ("bottom_gap_mm", 0.3 + 0.02),
+            ("all_locking_mm", shared.locking),
+            ("all_nearer_mm", shared.nearer),
+            ("all_farther_mm", shared.farther),
+            ("all_crank_radius_mm", shared.crank),
+            ("all_width_mm", shared.width),
+            ("all_slot_direction_at_rim_mm", shared.direction * sizes.wheel_radius),
+            ("all_slot_end_mm", shared.slot_end),
             ("crank_radius_tolerance_mm", sizes.crank_radius_tolerance().expect("a disc")),
             ("locking_gap_mm", sizes.locking_gap().expect("a disc")),
             ("slot_direction_tolerance_deg", sizes.slot_direction_tolerance().expect("a disc").to_degrees()),
@@ -127,12 +138,37 @@ fn sizes_that_had_better_not_be_made_are_made_with_a_warning() {
         (&["--play", "0"][..], "without play"),
         (&["--pin-diameter", "1", "--play", "0.2"], "hits its rim"),
         (&["--horn", "0.5"], "the horn is only 0.500 mm thick"),
+        (&["--driver-shaft", "10.4"], "between crescent and bore is only 0.042 mm thick"),
     ] {
         let found = warnings(options);
         assert!(
             found.iter().any(|text| text.as_str().is_some_and(|text| text.contains(said))),
             "{options:?}: {found:?}"
         );
+    }
+}
+
+#[test]
+fn a_shaft_that_leaves_the_disc_a_thin_wall_is_noticed() {
+    let wheel = ["wheel", "--stations", "8", "--centre-distance", "120", "--pin-diameter", "14", "--play", "0.06"];
+    for (shaft, thickness) in [("13.5", 0.108), ("12", 0.858)] {
+        let found = object(&[&wheel[..], &["--driver-shaft", shaft]].concat());
+        approx::assert_abs_diff_eq!(number(&found, "disc_web_mm"), thickness, epsilon = 5e-4);
+        let said = format!("the locking disc between crescent and bore is only {thickness:.3} mm thick");
+        let warnings = found["warnings"].as_array().expect("a list");
+        assert!(warnings.iter().any(|text| text.as_str().is_some_and(|text| text.contains(&said))), "{warnings:?}");
+    }
+}
+
+#[test]
+fn a_play_that_the_program_chose_is_compared_with_a_fit() {
+    let wheel = ["wheel", "--stations", "8", "--centre-distance", "120", "--pin-diameter", "14"];
+    let said = "the program's play of 0.120 mm is more than a fit H8/e8 has for this pin, 0.032 to 0.086 mm";
+    for (options, is_loose) in [(&[][..], true), (&["--play", "0.12"], false), (&["--play", "0.06"], false)] {
+        let found = object(&[&wheel[..], options].concat());
+        let warnings = found["warnings"].as_array().expect("a list");
+        let has = warnings.iter().any(|text| text.as_str().is_some_and(|text| text.contains(said)));
+        assert_eq!(has, is_loose, "{options:?}: {warnings:?}");
     }
 }
 
@@ -151,6 +187,9 @@ fn no_tolerance_is_zero_where_there_is_play() {
             assert!(found[key].as_f64().is_none_or(|length| length > 0.0), "{options:?} {key}: {}", found[key]);
             assert!(!is_found || found[key].is_number(), "{options:?} {key}: {}", found[key]);
         }
+        let limits = ["all_locking_mm", "all_width_mm"].map(|key| found[key].as_f64());
+        assert!(limits.iter().flatten().all(|limit| *limit > 0.0), "{options:?}: {limits:?}");
+        assert_eq!(limits[0].is_some(), is_found, "{options:?}");
         let play = number(&found, "bore_play_mm");
         assert!(!is_found || number(&found, "centres_nearer_mm") > play, "{options:?}");
     }

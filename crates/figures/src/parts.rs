@@ -2,7 +2,7 @@
 
 use crate::number::{degrees, round_step, trimmed};
 use crate::svg::{
-    Canvas, DASHED, Label, Path, Pixels, Place, Placing, Sense, Shape, angle_of, around, beside_line, heading,
+    Canvas, DASHED, Label, Path, Pixels, Place, Placing, Sense, Shape, angle_of, around, beside_line, heading, leader,
 };
 use crate::theme::{Colour, DRIVER, GRID, INK, PAPER};
 use nalgebra::Vector2;
@@ -217,7 +217,10 @@ pub fn angle(
     placing.avoid_arc(corner, radius, from, to, 1.5);
     let middle = (from + to) / 2.0;
     let elsewhere = around(&(corner + heading(middle) * radius), middle, &NEAR);
-    placing.put(canvas, label, along_arc(corner, radius, (from, to), &NEAR).into_iter().chain(elsewhere));
+    let places = along_arc(corner, radius, (from, to), &NEAR).into_iter().chain(elsewhere);
+    if let Some(place) = placing.put(canvas, label, places) {
+        leader(canvas, &place);
+    }
 }
 
 /// A symbol with its angle, which is given in radians.

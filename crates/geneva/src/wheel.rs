@@ -8,7 +8,7 @@ use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use geneva_ask::wheel::{ARGUMENTS, ActsOn, Argument, Design, Kind, Place, Question, Times, proposals};
+use geneva_ask::wheel::{ARGUMENTS, ActsOn, Argument, Design, Kind, Place, Question, Times, proposals, speeds};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// Options of `geneva wheel`.
@@ -17,11 +17,11 @@ pub struct WheelArguments {
     /// What is asked of the wheel.
     #[command(flatten)]
     pub asked: Asked,
-    /// Time that one index should take, in seconds; give it with --dwell-time, and instead of --stations and --rpm, to get
-    /// the wheels that come nearest
+    /// Time that one index should take, in seconds; give it with --dwell-time, and instead of --rpm, to get the wheels that
+    /// come nearest. With --stations it is the longest that you allow, and you get the pins and speeds that fulfil both
     #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "dwell_time")]
     pub index_time: Option<f64>,
-    /// Time that one dwell should take, in seconds
+    /// Time that one dwell should take, in seconds; with --stations, the shortest that you allow
     #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "index_time")]
     pub dwell_time: Option<f64>,
     /// Output format
@@ -125,7 +125,11 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
     let (format, question) = (wanted.format, wanted.asked.0.clone());
     if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
         beside_times(&question, format)?;
-        let answer = proposals(Times { index, dwell }, question.kind);
+        let times = Times { index, dwell };
+        let answer = match question.stations {
+            Some(stations) => speeds(times, stations, question.kind)?,
+            None => proposals(times, question.kind),
+        };
         return match format {
             Format::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
             Format::Json => fields::json(&answer),
@@ -164,7 +168,7 @@ fn none_of(wanted: &Question, refused: impl Fn(&Argument) -> bool, why: &str) ->
 fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
     none_of(
         wanted,
-        |_| true,
+        |argument| argument.name != "stations",
         "with --index-time and --dwell-time, which propose wheels and their speeds; leave it out now, and give it with the \
          --stations and --rpm of the wheel you choose",
     )?;
@@ -184,7 +188,7 @@ fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
     if !gives_numbers(format) {
         bail!(
             "--format {}: --index-time and --dwell-time propose several wheels; to draw one of them, give its --stations \
-             instead",
+             without the times",
             format.name()
         );
     }

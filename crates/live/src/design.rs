@@ -6,19 +6,20 @@ use geneva_ask::Error;
 use geneva_ask::wheel::{Design, Effort, Question};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
-use geneva_kinematics::wheel::{Contact, Nearest, Sizes};
+use geneva_kinematics::wheel::{Contact, Nearest, Sizes, Warning};
 
 pub const LIVE: Live = Live {
     name: "design",
     figure: "wheel-dimensions",
     hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by \
            hand. Make the pin thicker until it no longer fits. Double the speed: without friction the force of the pin \
-           grows fourfold. Move the axes apart by 0.02 mm, and the pin knocks less hard. At 0.06 mm it meets a corner \
-           of its slot.",
+           grows fourfold. With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm, and the \
+           pin knocks less hard. At 0.06 mm it meets a corner of its slot.",
     controls: &[
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
         Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
-        Control::slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0).typed([0.1, 10_000.0]),
+        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0).typed([0.1, 10_000.0]),
+        Control::choice("size", "this size is the", &["crank radius", "centre distance"], 0),
         Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).typed([0.001, 10_000.0]),
         Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
         Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).typed([0.001, 100_000.0]),
@@ -34,17 +35,17 @@ pub const LIVE: Live = Live {
     presets: &[
         Preset {
             name: "six stations",
-            arguments: "stations=6&pins=1&radius=25&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
+            arguments: "stations=6&pins=1&radius=25&size=0&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
                         bore-play=&thickness=10&material=3",
         },
         Preset {
             name: "eight stations, two pins",
-            arguments: "stations=8&pins=2&radius=20&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
+            arguments: "stations=8&pins=2&radius=20&size=0&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
                         bore-play=&thickness=10&material=3",
         },
         Preset {
             name: "a pin too thick",
-            arguments: "stations=6&pins=1&radius=25&pin=20&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
+            arguments: "stations=6&pins=1&radius=25&size=0&pin=20&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
                         bore-play=&thickness=10&material=3",
         },
     ],
@@ -67,6 +68,7 @@ pub const LIVE: Live = Live {
         Quantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
     ],
     others: &[
+        Quantity::new("crank-radius", "crank radius"),
         Quantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
         Quantity::new("own", "the wheel's own part of the inertia"),
         Quantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
@@ -113,10 +115,12 @@ const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze
 /// The wheel of these settings, whose clearances are looked for no longer than a tenth of a second.
 fn design(settings: &Settings) -> Result<Design, String> {
     let wall = *MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
+    let (size, is_crank) = (settings.value("radius")?, settings.choice("size")? == 0);
     let question = Question {
         stations: Some(settings.count("stations")?),
         pins: Some(settings.count("pins")?),
-        crank_radius: Some(settings.value("radius")?),
+        crank_radius: Some(size).filter(|_| is_crank),
+        centre_distance: Some(size).filter(|_| !is_crank),
         pin_diameter: settings.moved("pin")?,
         play: settings.moved("play")?,
         bore_play: settings.moved("bore-play")?,
@@ -134,8 +138,8 @@ fn design(settings: &Settings) -> Result<Design, String> {
     Design::new(question).map_err(words)
 }
 
-/// A wheel without a crank radius, which the control always gives.
-const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radius";
+/// A wheel without a size, which the controls always give.
+const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radius or a centre distance";
 
 /// An error without the arguments that only the command line has.
 fn words(error: Error) -> String {
@@ -197,6 +201,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
             Number::of(of.name, fields.iter().find(|field| field.key == key)?).map(|number| worded(number, key, sizes))
         }
         None => match of.name {
+            "crank-radius" => Some(Number::new("crank-radius", sizes.crank_radius, 3, "mm")),
             "own" => own.flatten().map(|own| Number::significant("own", own, 3, "kg m²")),
             "clearance" => clearance
                 .map(|(nearest, tolerance)| Number::new("clearance", nearest.distance, decimals(tolerance), "mm")),
@@ -218,7 +223,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     ];
     let depth = clearance.map(|(nearest, _)| nearest.distance);
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
-    let message = message(sizes, error, is_met, depth, is_late);
+    let message = message(&design.warnings(), error, is_met, depth, is_late);
     Ok(Answer { further, followers, message, ..Answer::new(stations::dimensions_on_a_page(sizes), numbers) })
 }
 
@@ -248,7 +253,7 @@ fn place(nearest: &Nearest) -> Number {
 }
 
 /// What is to be said of the setting; `depth` is the least clearance in millimetres, if it was found.
-fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
+fn message(warnings: &[Warning], error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
     if depth.is_some_and(|depth| depth < 0.0) {
         return Some(
             "With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much."
@@ -258,7 +263,7 @@ fn message(sizes: &Sizes, error: f64, is_met: bool, depth: Option<f64>, is_late:
     if !is_met {
         return Some("With the axes at this distance the pin does not meet the slot.".to_owned());
     }
-    let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
+    let warnings = warnings.iter().map(|warning| format!("Before you make it: {warning}."));
     let moved = (error != 0.0).then(|| {
         "Clearance and knock are for the axes as you moved them. Sizes, times and loads are for the right distance, \
          and we know the backlash only there."

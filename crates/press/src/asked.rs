@@ -53,7 +53,6 @@ const QUESTIONS: &[(&str, &str)] = &[
     ("worked-two-pins", "wheel --stations 6 --pins 2 --crank-radius 25"),
     ("twelve", "wheel --stations 12 --crank-radius 25"),
     ("twelve-two-pins", "wheel --stations 12 --pins 2 --crank-radius 25"),
-    ("looser", "wheel --stations 6 --crank-radius 80"),
     ("internal", "wheel --stations 6 --type internal"),
     ("instant", "wheel --stations 6 --rpm 200 --at -20"),
     ("sized", "wheel --stations 8 --centre-distance 120 --rpm 30"),

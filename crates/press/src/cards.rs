@@ -21,7 +21,13 @@ pub fn labelled(page: &str) -> String {
 /// a number.
 fn with_labels(table: &str) -> String {
     let (head, body) = table.split_at(table.find("</thead>").unwrap_or(0));
-    let heads: Vec<String> = head.split("<th").skip(2).map(|cell| escape(&plain(&format!("<{cell}")))).collect();
+    let mut heads: Vec<String> = head.split("<th").skip(2).map(|cell| escape(&plain(&format!("<{cell}")))).collect();
+    // A number at the head of a column is one of what the first head says.
+    if let Some((first, numbers)) = heads.split_first_mut()
+        && numbers.iter().all(|head| head.starts_with(|c: char| c.is_ascii_digit()))
+    {
+        numbers.iter_mut().for_each(|head| *head = format!("{first} {head}"));
+    }
     let mut out = head.to_owned();
     for (k, row) in body.split("<tr>").enumerate() {
         if k > 0 {
@@ -58,5 +64,8 @@ mod tests {
         );
         assert!(cards.contains("<tr><td data-label=\"what \">2</td><td data-label=\"size b \"></td></tr>"), "{cards}");
         assert_eq!(cards.replace(" data-label=\"size b \"", "").replace(" data-label=\"what \"", ""), page);
+        let page = "<div class=\"table-wrapper\"><table><thead><tr><th>slots</th><th>3</th></tr></thead><tbody>\n\
+                    <tr><td>share</td><td>0.2</td></tr>\n</tbody></table>\n</div>";
+        assert!(labelled(page).contains("<td data-label=\"slots 3 \">0.2</td>"), "{}", labelled(page));
     }
 }

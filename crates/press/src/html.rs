@@ -191,9 +191,9 @@ impl Table {
     }
 }
 
-/// Whether a cell only says, by a dash, that there is nothing to say: a card leaves it out.
+/// Whether a cell says nothing, or only says so, by a dash: a card leaves it out.
 fn is_empty(cell: &str) -> bool {
-    plain(cell) == "–"
+    ["", "–"].contains(&plain(cell).as_str())
 }
 
 /// Markup in which each formula that says its text gives way to it: a `span` with an attribute `data-text`.

@@ -8,6 +8,7 @@ use crate::data::File;
 use crate::edition::Edition;
 use crate::html::{Table, code, escape, plain};
 use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
+use crate::pages::LEDGER;
 use crate::{
     address, asked, bibliography, citing, computed, figures, live, maths, measurements, options, proofread, tables,
     units,
@@ -217,11 +218,12 @@ pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(S
         }
     }
     ensure!(errors.is_empty(), "{}", errors.join("\n"));
+    let tie = if page.name == LEDGER { units::tied_without_tags } else { units::tied };
     let mut page = inline::glued(&maths::apply(chapter, &edits));
     for id in marked {
         page.push_str(&format!("\n{}\n", inline::note(id)?));
     }
-    Ok((options::in_one_piece(&units::tied(&page)), files))
+    Ok((options::in_one_piece(&tie(&page)), files))
 }
 
 /// The placeholders of our keys.

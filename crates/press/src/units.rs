@@ -1,4 +1,7 @@
-//! A number and its unit stay on one line, and so does a letter with the number that it is equal to.
+//! A number and its unit stay on one line, and so does a letter with the number that it is equal to, and the number of an
+//! equation.
+
+use crate::ledger_pages::inline::GLUED;
 
 /// The units that the pages write behind a number, as they stand in text: those of several words first.
 const UNITS: &[&str] = &[
@@ -58,8 +61,18 @@ const KEPT: &[&str] = &["pre", "code", "math", "svg", "script", "style", "textar
 /// The words of a caption: of a figure that moves, its script compares them, too. Other captions come here as they are to stay.
 const SAYS: &str = "<span class=\"says\"";
 
-/// A page in Markdown or HTML, with a space that breaks no line between each number and its unit.
+/// A page in Markdown or HTML, with a space that breaks no line between each number and its unit, and with the numbers of
+/// equations in one piece.
 pub fn tied(page: &str) -> String {
+    tie(page, true)
+}
+
+/// A page as [`tied`] has it, but without a tag around the numbers of equations, of which the ledger has too many.
+pub fn tied_without_tags(page: &str) -> String {
+    tie(page, false)
+}
+
+fn tie(page: &str, with_tags: bool) -> String {
     let mut out = String::with_capacity(page.len() + page.len() / 64);
     let mut rest = page;
     while !rest.is_empty() {
@@ -89,16 +102,30 @@ pub fn tied(page: &str) -> String {
         }
         if rest.starts_with(" = ")
             && ends_with_letter(&out)
-            && rest[3..].starts_with(|c: char| c.is_ascii_digit() || c == '−')
+            && rest[3..].trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit() || c == '−')
         {
             out.push_str("\u{a0}=\u{a0}");
             rest = &rest[3..];
+            continue;
+        }
+        let numbers = if with_tags { hyphenated(rest) } else { 0 };
+        if numbers > 0 && out.ends_with(['(', ' ', '\n', '\u{a0}']) {
+            out.push_str(&format!("{GLUED}{}</span>", &rest[..numbers]));
+            rest = &rest[numbers..];
             continue;
         }
         out.push(c);
         rest = &rest[c.len_utf8()..];
     }
     out
+}
+
+/// How long the numbers are that begin here and are joined by hyphens, such as those of an equation or of a day.
+fn hyphenated(text: &str) -> usize {
+    let length = text.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(text.len());
+    let parts = text[..length].split('-');
+    let is_one = parts.clone().count() > 1 && parts.into_iter().all(|part| !part.is_empty());
+    if is_one && text[length..].starts_with([')', ' ', '\n', '.', ',', ';', ':']) { length } else { 0 }
 }
 
 /// A digit, or one of an exponent.
@@ -149,7 +176,7 @@ fn unit(text: &str) -> Option<(&'static str, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use super::tied;
+    use super::{tied, tied_without_tags};
 
     #[test]
     fn a_number_keeps_its_unit() {
@@ -158,6 +185,11 @@ mod tests {
         assert_eq!(tied("95 % of 2 kg m²"), "95\u{a0}% of 2\u{a0}kg\u{a0}m²");
         assert_eq!(tied("3 · 10⁻⁶ in lb s²"), "3\u{a0}·\u{a0}10⁻⁶\u{a0}in\u{a0}lb\u{a0}s²");
         assert_eq!(tied("at φ = 20°, θ = −5"), "at φ\u{a0}=\u{a0}20°, θ\u{a0}=\u{a0}−5");
+        assert_eq!(tied("μ = .30"), "μ\u{a0}=\u{a0}.30");
+        let in_one_piece = "so (<span class=\"glued\">1-18</span>) of <span class=\"glued\">2026-11-23</span>.";
+        assert_eq!(tied("so (1-18) of 2026-11-23."), in_one_piece);
+        assert_eq!(tied(in_one_piece), in_one_piece);
+        assert_eq!(tied_without_tags("(1-18) at 5 mm"), "(1-18) at 5\u{a0}mm");
     }
 
     #[test]
@@ -170,6 +202,7 @@ mod tests {
             "in 1973\n\nm is",
             "a < 5 and mm",
             "pins = 3, a = b",
+            "[a](ledger.md#eq-1-18), 1-, five-digit, a (1-pin) wheel, --at -30",
         ] {
             assert_eq!(tied(text), text);
         }

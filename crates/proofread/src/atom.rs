@@ -6,7 +6,8 @@ use crate::printed::{Mode, Printed, power_of_ten};
 use crate::reading::Reading;
 use crate::token::{Kind, Token, any};
 use crate::unit::{is_ambiguous, unit};
-use crate::value::{Evaluated, Literal, Obstacle, Value};
+use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
+use std::f64::consts::PI;
 
 impl Evaluator<'_> {
     /// A printed number with its power of ten and its unit.
@@ -19,6 +20,19 @@ impl Evaluator<'_> {
         if let Some(power) = next.and_then(Token::word).and_then(large_number) {
             cursor.at = at + 1;
             scale = Some(power);
+        }
+        if let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here()
+            && matches!(exponent.as_slice(), [zero] if zero.number() == Some("0"))
+            && text != "10"
+        {
+            self.noticed.note(Reading::ZERO_DEGREES);
+            if self.chosen(Reading::ZERO_DEGREES) {
+                cursor.at += 1;
+                let mut value = Value::of(Interval::around(printed.value, printed.open(self.mode, false).0));
+                value = Value { literal: Literal::Number, ..value.scaled(PI / 180.0) };
+                value.angle = Some(Angle::Degrees);
+                return Ok(value);
+            }
         }
         let (next, at) = cursor.look(cursor.at);
         if scale.is_none() && next.is_some_and(|token| token.is_one_of("×·*")) {
@@ -128,7 +142,7 @@ impl Evaluator<'_> {
         match name {
             "π" => {
                 cursor.at += 1;
-                self.followed(Value::of(Interval::exact(std::f64::consts::PI)), cursor)
+                self.followed(Value::of(Interval::exact(PI)), cursor)
             }
             "e" => {
                 let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.tokens.get(cursor.at + 1) else {
@@ -200,4 +214,22 @@ pub(crate) fn factorial(value: &Value) -> Evaluated<Value> {
     }
     let product = (1..=n as u32).map(f64::from).product();
     Ok(Value { operations: value.operations + 1, ..Value::of(Interval::exact(product)) })
+}
+
+/// Whether brackets around it make the number of an equation.
+pub(crate) fn is_equation_number(text: &str) -> bool {
+    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
+    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
+}
+
+/// The letters among tokens, without π and e.
+pub(crate) fn letters(tokens: &[Token], out: &mut Vec<String>) {
+    for token in tokens {
+        if let Kind::Name(name) = &token.kind
+            && !matches!(name.as_str(), "π" | "e")
+        {
+            out.push(name.clone());
+        }
+        token.inner().into_iter().for_each(|inner| letters(inner, out));
+    }
 }

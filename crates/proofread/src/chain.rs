@@ -51,6 +51,9 @@ pub struct Chain {
     pub parted: Parted,
 }
 
+/// The width of the space that stands for the end of a row within a side.
+pub(crate) const ROW_END: u8 = 8;
+
 fn relation(token: &Token) -> Option<Relation> {
     match token.kind {
         Kind::Operator('=') => Some(Relation::Equal),
@@ -121,6 +124,15 @@ impl Splitter {
     }
 }
 
+/// Whether a number in brackets that no sign joins to the number behind it begins at a place.
+fn is_item(tokens: &[Token], at: usize) -> bool {
+    let [open, number, close, space, rest @ ..] = &tokens[at..] else { return false };
+    let next = rest.iter().find(|token| !token.is_space());
+    let short = number.number().is_some_and(|digits| digits.len() < 3 && digits.chars().all(|c| c.is_ascii_digit()));
+    let starts = next.is_some_and(|next| matches!(next.kind, Kind::Number(_) | Kind::Function(_)) || next.is('√'));
+    open.is_one_of("([") && close.is_one_of(")]") && short && space.is_space() && starts
+}
+
 /// The chains of a formula.
 pub fn chains(formula: &[Token]) -> Vec<Chain> {
     let tokens = joined(formula);
@@ -134,8 +146,22 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
     }
     let mut previous_is_line = false;
     let (mut in_remark, mut in_row) = (false, false);
+    let mut marked = 0;
     for (at, token) in tokens.iter().enumerate() {
+        if at < marked {
+            continue;
+        }
         let next = tokens.get(following[at + 1]);
+        // The number of an equation in a list: (1) 5 + 1 = 6 (2) 5 + 2 = 7.
+        if depth == 0 && is_item(&tokens, at) {
+            let starts = splitter.last().is_none() && splitter.sides.is_empty();
+            let ends = splitter.relation.is_some() && splitter.side.last().is_some_and(Token::is_space);
+            if starts || ends {
+                splitter.end_chain(false, false);
+                marked = at + 3;
+                continue;
+            }
+        }
         // Behind the signs of because and for all, the row says why or where it holds.
         let for_all = token.is('∀') && next.is_some_and(|next| !matches!(next.kind, Kind::Operator(_)));
         in_remark = (in_remark || (in_row && (token.is('∵') || for_all))) && token.kind != Kind::Line;
@@ -162,7 +188,7 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                 splitter.side.push(Token::new(Kind::Unknown("the end of a list".to_owned()), token.span));
             }
             if continues {
-                splitter.side.push(Token::new(Kind::Space(2), token.span));
+                splitter.side.push(Token::new(Kind::Space(if line { ROW_END } else { 2 }), token.span));
                 continue;
             }
             let last = splitter.last();
@@ -202,6 +228,11 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     splitter.side.push(Token::new(Kind::Unknown("a colon between numbers".to_owned()), token.span));
                     continue;
                 }
+                // Resistances side by side.
+                if token.is('∥') && splitter.side.last().is_some() && is(next) && has_number(&splitter.side) {
+                    splitter.side.push(Token::new(Kind::Unknown("a parallel".to_owned()), token.span));
+                    continue;
+                }
                 // A factorial, not the end of a sentence.
                 let ends = following[at + 1] >= tokens.len();
                 if token.is('!') && splitter.last().is_some() && !ends {
@@ -225,11 +256,22 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     && splitter.sides.is_empty()
                     && has_number(&splitter.side)
                     && !splitter.side.iter().any(named);
+                // A quotient with a colon, but no number of an item.
+                let tail = splitter.side.iter().rposition(named).map_or(0, |at| at + 1);
+                let tail = &splitter.side[tail..];
+                let quotient = token.is(':')
+                    && next
+                        .is_some_and(|next| matches!(next.kind, Kind::Number(_) | Kind::Fraction(..)) || next.is('('))
+                    && splitter.sides.is_empty()
+                    && has_number(tail)
+                    && (trimmed(tail).len() > 1
+                        || splitter.side.last().is_some_and(Token::is_space)
+                        || next.is_none_or(|next| next.number().is_none()));
                 let words = splitter.side.iter().any(|token| matches!(token.kind, Kind::Word(_) | Kind::Name(_)));
                 let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
                 splitter.end_chain(token.is('?'), false);
                 splitter.listed = token.is(',');
-                if joins {
+                if joins || quotient {
                     splitter.parted = Parted::FromNumbers;
                 } else if token.is_one_of(",.") {
                     splitter.parted = if numbers { Parted::FromNumbers } else { Parted::ByMark };

@@ -7,6 +7,7 @@ use crate::doubt::{Doubt, Factors, Place};
 use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
+use crate::notation;
 use crate::reader::{self, Format, Formula, Unreadable, Written};
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, has_number};
@@ -147,7 +148,9 @@ fn names_label(judgement: &Judgement) -> bool {
         Some((left, right)) => {
             let is_count = left.dimension.is_none() && left.factor == 1.0;
             let of_other_kinds = left.dimension != right.dimension || is_count;
-            left.is_literal() && left.has_unit && !right.is_literal() && of_other_kinds
+            // A temperature or a time beside what depends on it.
+            let depends = right.is_literal() && right.has_unit && left.dimension != right.dimension;
+            left.is_literal() && left.has_unit && (!right.is_literal() || depends) && of_other_kinds
         }
         None => false,
     }
@@ -254,6 +257,19 @@ impl Check<'_> {
         if computes && judgement.verdict > Verdict::Units && self.results.explain(formula.scope, left, right) {
             judgement.verdict = Verdict::Rounded;
         }
+        let steps = judgement.values.as_ref().is_some_and(|(left, right)| left.is_literal() && right.is_literal());
+        if steps && judgement.verdict > Verdict::Units {
+            // What is in base units of the SI may lack its unit.
+            let agree = |one: &Side, other: &Side, least: Verdict| {
+                let verdict = judge(&one.tokens, &other.tokens, relation, bindings).verdict;
+                verdict <= least || verdict == Verdict::Units
+            };
+            // A side before the last one gives both: the step between was rounded.
+            let gives = |first: &Side| agree(first, left, Verdict::Rounded) && agree(first, right, Verdict::Consistent);
+            if chain.sides[..at - 1].iter().rev().take(3).any(gives) {
+                judgement.verdict = Verdict::Rounded;
+            }
+        }
         if let Some(values) = judgement.values.as_ref().filter(|_| computes) {
             self.results.note(formula.scope, left, right, values);
         }
@@ -263,7 +279,15 @@ impl Check<'_> {
         // What the text says in words may explain the difference.
         let unit = if ends { surroundings::unit_behind(self.text, formula.span) } else { Vec::new() };
         if !unit.is_empty() {
-            let with = [right.tokens.as_slice(), &unit].concat();
+            let mut with = [right.tokens.as_slice(), &unit].concat();
+            // The scale of a temperature behind its degree sign.
+            let scale = unit.last().and_then(Token::word).filter(|word| matches!(*word, "C" | "F"));
+            if let (Some(scale), Some(last)) = (scale, right.tokens.last())
+                && last.word() == Some("°")
+            {
+                with.truncate(right.tokens.len() - 1);
+                with.push(Token::new(Kind::Word(format!("°{scale}")), last.span));
+            }
             let other = judge(&left.tokens, &with, relation, bindings);
             // The other numbers of the chain lack their unit, too.
             if agrees(&other) || other.verdict == Verdict::Units {
@@ -281,6 +305,27 @@ impl Check<'_> {
             if agrees(&other) {
                 judgement = Judgement { verdict: Verdict::Doubtful, ..other };
             }
+        }
+        let others = if judgement.verdict > Verdict::Units {
+            notation::others(self.text, formula, left, right)
+        } else {
+            Vec::new()
+        };
+        for [one, other] in others {
+            let other = judge(&one, &other, relation, bindings);
+            if other.verdict < Verdict::Doubtful {
+                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
+                break;
+            }
+            if other.verdict == Verdict::Units {
+                judgement = other;
+            }
+        }
+        if let Some((one, other)) = &judgement.values
+            && (notation::differ_by_turns(one, other)
+                || (relation == Relation::Approximate && notation::counts_up(one, other)))
+        {
+            judgement.verdict = judgement.verdict.min(Verdict::Doubtful);
         }
         let values = judgement.values.as_ref();
         let printed = values.is_some_and(|(left, right)| {

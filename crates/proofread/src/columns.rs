@@ -1,6 +1,7 @@
 //! Aligned equations side by side that go on in the rows below: each column of equations is read down.
 
-use crate::token::{Kind, Token, trimmed};
+use crate::token::{Kind, Token, any, trimmed};
+use crate::unit::unit;
 
 /// The rows of a formula, each with its cells.
 fn cells(tokens: &[Token]) -> Vec<Vec<&[Token]>> {
@@ -10,6 +11,40 @@ fn cells(tokens: &[Token]) -> Vec<Vec<&[Token]>> {
 
 fn begins_with_relation(cell: &[Token]) -> bool {
     trimmed(cell).first().is_some_and(|first| first.is_one_of("=≈"))
+}
+
+/// Whether a cell is a remark: words, or a number in brackets, and no equation.
+fn is_remark(cell: &[Token]) -> bool {
+    let prose = |kind: &Kind| matches!(kind, Kind::Word(word) if word.chars().count() > 1 && unit(word).is_none());
+    let bracketed = matches!(trimmed(cell), [open, .., close] if open.is('(') && close.is(')'));
+    let relation = |kind: &Kind| matches!(kind, Kind::Operator('=' | '≈'));
+    (any(cell, &prose) || bracketed) && !cell.iter().any(|token| relation(&token.kind))
+}
+
+/// The rows of aligned equations without the remarks in the cells behind them, or none if there are no such remarks.
+pub(crate) fn without_remarks(tokens: &[Token]) -> Option<Vec<Token>> {
+    let mut rows = cells(tokens);
+    let mut found = false;
+    for row in &mut rows {
+        let aligned = row.len() > 2 && begins_with_relation(row[1]) && trimmed(row[1]).len() > 1;
+        let keep = row.iter().skip(2).position(|cell| is_remark(cell)).filter(|_| aligned);
+        if let Some(keep) = keep.filter(|keep| row[2..2 + keep].iter().all(|cell| trimmed(cell).is_empty())) {
+            row.truncate(2 + keep);
+            found = true;
+        }
+    }
+    let at = tokens.first()?.span;
+    let mut out = Vec::with_capacity(tokens.len());
+    for row in rows.into_iter().filter(|_| found) {
+        out.push(Token::new(Kind::Line, at));
+        for (which, cell) in row.into_iter().enumerate() {
+            if which > 0 {
+                out.push(Token::new(Kind::Cell, at));
+            }
+            out.extend_from_slice(cell);
+        }
+    }
+    found.then_some(out)
 }
 
 /// Whether the second equation of a row goes on from the row above: nothing stands before its equals sign.

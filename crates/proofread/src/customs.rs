@@ -2,7 +2,7 @@
 //! between their units is rounded.
 
 use crate::token::{Kind, Token, any, trimmed};
-use crate::unit::{Dimension, unit, without_prefix};
+use crate::unit::{Dimension, is_percent, unit, without_prefix};
 use crate::value::{Angle, Value};
 use std::f64::consts::PI;
 
@@ -130,6 +130,9 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     if decibels == [true, true] && (are_added(left) || are_added(right)) {
         return true;
     }
+    if has(left, &["Np"]) != has(right, &["Np"]) && (decibels[0] || decibels[1]) {
+        return true;
+    }
     // A ratio and its size in decibels.
     let in_decibels = |ratio: &Value, level: &Value| match (ratio.number(), level.number()) {
         (Ok(of), Ok(level)) if of.point > 0.0 && !ratio.has_unit => {
@@ -142,6 +145,17 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
     };
     if (decibels == [false, true] && in_decibels(one, other)) || (decibels == [true, false] && in_decibels(other, one))
     {
+        return true;
+    }
+    // Temperatures without their degree sign.
+    let scales = |tokens: &[Token]| has(tokens, &["C", "F"]);
+    let kelvins = |tokens: &[Token]| has(tokens, &["C", "F", "K", "°C", "°F"]);
+    if both_printed && ((scales(left) && kelvins(right)) || (scales(right) && kelvins(left))) && left != right {
+        return true;
+    }
+    // A share and what it amounts to.
+    let shares = |tokens: &[Token]| tokens.iter().filter_map(Token::word).any(is_percent);
+    if both_printed && (shares(left) && !other.dimension.is_none() || shares(right) && !one.dimension.is_none()) {
         return true;
     }
     // A price.

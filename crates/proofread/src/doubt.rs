@@ -5,9 +5,11 @@
 
 use crate::chain::{Chain, Parted, Side};
 use crate::evaluate::Evaluator;
+use crate::notation;
 use crate::printed::Mode;
 use crate::reader::{Formula, Written};
 use crate::reading::Reading;
+use crate::substitution;
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, any};
 use crate::unit::unit;
@@ -68,6 +70,9 @@ impl Place<'_> {
         if self.is_cut(judgement) {
             return Some(Doubt::Cut);
         }
+        if self.is_other_notation(judgement) {
+            return Some(Doubt::Unknown);
+        }
         if self.is_fragment(judgement) {
             return Some(Doubt::Fragment);
         }
@@ -122,13 +127,68 @@ impl Place<'_> {
                 Parted::ByMark => literal,
                 Parted::FromNumbers => true,
             };
-            if joined_on || glued || signed || parted {
+            let by_word = surroundings::is_joined_by_word(self.text, self.left.span)
+                || (inside || self.formula.written == Written::Plain)
+                    && surroundings::is_joined_by_sign(self.text, self.left.span);
+            // What is named, with a number in its name: the interest on 8000 = 8820 − 8000.
+            let plain = self.formula.written == Written::Plain;
+            let result = judgement.values.as_ref().is_some_and(|(_, right)| right.is_literal());
+            // So does what bears a number: No. 200 = 75 μm.
+            let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
+            let named = plain && literal && (!result || size) && surroundings::follows_name(self.text, self.left.span)
+                || plain && surroundings::follows_label(self.text, self.left.span);
+            // So is what stands before a function: mg cos 30°.
+            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, Kind::Function(_)));
+            let named = named || plain && function && surroundings::follows_name(self.text, self.left.span);
+            if joined_on || glued || signed || parted || by_word || named {
                 return true;
             }
         }
         let end = self.right.span.end as usize;
         let (behind, far) = (at(Some(end)), at(Some(end + 1)));
-        self.ends_chain() && mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far))
+        let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
+        let wraps = self.formula.written == Written::Plain && surroundings::goes_on_below(self.text, self.right.span);
+        self.ends_chain() && (goes_on || wraps || surroundings::goes_on_in_words(self.text, self.right.span))
+            || surroundings::goes_on_with_arrow(self.text, self.right.span)
+    }
+
+    /// Whether the sides may be written in a way in which their numbers mean something else.
+    fn is_other_notation(&self, judgement: &Judgement) -> bool {
+        let [left, right] = [self.left, self.right].map(|side| side.tokens.as_slice());
+        let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
+        let plain = self.formula.written == Written::Plain;
+        let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
+        substitution::substitutes(left, right)
+            || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
+            || (notation::is_bracketed_number(right) && right[0].is('['))
+            || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
+            || notation::is_mark(right)
+            || notation::is_bracketed_number(left)
+            || (plain && notation::are_references(left))
+            || self.is_one_of_two()
+            || (plain && notation::is_range(self.text, left))
+            || (self.formula.written == Written::Plain && self.begins_chain() && self.is_station())
+            || (bare && (notation::has_bits(left) || notation::has_bits(right)))
+            || (bare
+                && surroundings::base_named(self.text, around).is_none()
+                && surroundings::speaks_of_other_arithmetic(self.text, around))
+    }
+
+    /// Whether a sign in one of the sides parts two equations.
+    fn is_one_of_two(&self) -> bool {
+        let at = self.chain.sides.iter().position(|side| side.span == self.right.span).unwrap_or(0);
+        let three = |from: usize| match self.chain.sides.get(from..from + 3) {
+            Some([one, two, three]) => notation::are_two_equations([&one.tokens, &two.tokens, &three.tokens]),
+            _ => false,
+        };
+        at > 0 && (three(at - 1) || (at > 1 && three(at - 2)))
+    }
+
+    /// Whether the left side is a place on a line that is surveyed: Sta. 12+50.
+    fn is_station(&self) -> bool {
+        let before =
+            self.text.get(..self.left.span.start as usize).unwrap_or_default().trim_end_matches([' ', '.', ':']);
+        notation::is_mark(&self.left.tokens) && before.ends_with(|c: char| c.is_alphabetic())
     }
 
     /// Whether a quantity equals a bare number at the end of the formula, behind which a unit may stand that is not known.
@@ -169,6 +229,11 @@ impl Place<'_> {
         let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
         // A quantity and its size, whose direction is said in words.
         let both = left.literal == Literal::Number && right.literal == Literal::Number;
+        // Twice what a letter stands for: 2M = 18.0 g/mol.
+        let times_letter = matches!(&self.left.tokens[..], [digit, letter] if digit.number().is_some_and(|of| of.len() == 1) && letter.word().is_some_and(|word| word.chars().count() == 1));
+        if times_letter && judgement.verdict == Verdict::Dimensions {
+            return true;
+        }
         let opposite = both && left.dimension == right.dimension && left.clone().negated().meets(right, ROUGH);
         lacks_unit || opposite || (bare(left) && (is_small || (bare(right) && apart)))
     }

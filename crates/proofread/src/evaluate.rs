@@ -1,12 +1,12 @@
 //! The value of a side under one reading: sums, products, powers and groups.
 
-use crate::atom::factorial;
+use crate::atom::{factorial, is_equation_number, letters};
 use crate::interval::Interval;
 use crate::printed::{Mode, Printed};
 use crate::reading::Reading;
 use crate::token::{Kind, Token, has_number, trimmed};
 use crate::unit::unit;
-use crate::value::{Evaluated, Literal, Obstacle, Value};
+use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
 use std::collections::HashMap;
 
 /// Names with their values.
@@ -124,6 +124,11 @@ impl<'b> Evaluator<'b> {
         if !has_number(tokens) && self.bindings.is_none() {
             return Err(Obstacle::NoNumber);
         }
+        let words = |token: &Token| matches!(&token.kind, Kind::Word(word) if word != "e") || token.is_space();
+        let is_letter = |token: &Token| words(token) || matches!(token.kind, Kind::Power(_)) || token.is_one_of("·/");
+        if self.bindings.is_none() && tokens.iter().all(is_letter) {
+            return Err(Obstacle::NoNumber);
+        }
         if let Some(value) = self.bar(tokens) {
             return value;
         }
@@ -236,7 +241,18 @@ impl<'b> Evaluator<'b> {
         }
         let mut sum = self.product(cursor)?;
         if negative {
+            let scale = cursor.before().and_then(Token::word).filter(|_| self.chosen(Reading::POINTS));
+            let literal = sum.literal == Literal::Number;
+            // Below zero of the scale: the sign belongs to what is printed, not to the kelvins.
+            let zero = match scale {
+                Some("°C") if literal => 2.0 * 273.15,
+                Some("°F") if literal => 2.0 * 273.15 - 64.0 * 5.0 / 9.0,
+                _ => 0.0,
+            };
             sum = sum.negated();
+            if zero > 0.0 {
+                sum.parts = sum.parts.map(|part| part.moved(zero));
+            }
         }
         while let Some(token) = cursor.peek() {
             if token.is_one_of("±∓") {
@@ -271,6 +287,11 @@ impl<'b> Evaluator<'b> {
             } else if token.is('/') {
                 cursor.at += 1;
                 product = self.quotient(product, cursor)?;
+            } else if token.number().is_some()
+                && product.literal == Literal::Number
+                && product.angle == Some(Angle::Degrees)
+            {
+                return Err(Obstacle::Unclear("two numbers side by side"));
             } else if token.number().is_some() && literal_with_unit && !product.dimension.is_none() {
                 // 2 min 30 s
                 let more = self.factor(cursor)?;
@@ -348,10 +369,10 @@ impl<'b> Evaluator<'b> {
             *cursor = ahead;
             return Ok(true);
         }
+        let apart = cursor.at.checked_sub(1).and_then(|at| cursor.tokens.get(at)).is_some_and(Token::is_space);
         if let [Token { kind: Kind::Number(number), .. }] = core.as_slice()
             && ends
-            && value.has_unit
-            && value.literal == Literal::Number
+            && (apart || value.has_unit)
             && is_equation_number(number)
         {
             self.noticed.note(Reading::TAG);
@@ -458,6 +479,9 @@ impl<'b> Evaluator<'b> {
                 value = self.raised(&value, exponent)?;
             } else if token.is('!') {
                 cursor.at += 1;
+                if cursor.here().is_some_and(|next| next.is('!')) {
+                    return Err(Obstacle::Unclear("a double factorial"));
+                }
                 value = factorial(&value)?;
             } else {
                 break;
@@ -500,6 +524,9 @@ impl<'b> Evaluator<'b> {
             }
             Kind::Root(of, index) => {
                 cursor.at += 1;
+                if matches!(of.as_slice(), [minus, one] if minus.is('-') && one.number() == Some("1")) {
+                    return Err(Obstacle::Unclear("an imaginary number"));
+                }
                 let index = if index.is_empty() { 2.0 } else { self.exponent(index)?.point };
                 let value = self.whole(of)?.power(Interval::exact(1.0 / index))?;
                 let value = self.followed(value, cursor)?;
@@ -560,22 +587,5 @@ pub(crate) fn leftover(token: &Token) -> Obstacle {
         Kind::Unknown(_) => Obstacle::Unclear("it has a sign or command that is not known"),
         Kind::Limits(..) => Obstacle::Unclear("a bar in the middle of an expression"),
         _ => Obstacle::Unclear("it has a sign in a place where none is expected"),
-    }
-}
-
-/// Whether brackets around it make the number of an equation.
-fn is_equation_number(text: &str) -> bool {
-    text.split_once('.').is_some_and(|(chapter, number)| chapter.len() <= 2 && (1..=3).contains(&number.len()))
-}
-
-/// The letters among tokens, without π and e.
-fn letters(tokens: &[Token], out: &mut Vec<String>) {
-    for token in tokens {
-        if let Kind::Name(name) = &token.kind
-            && !matches!(name.as_str(), "π" | "e")
-        {
-            out.push(name.clone());
-        }
-        token.inner().into_iter().for_each(|inner| letters(inner, out));
     }
 }

@@ -11,6 +11,7 @@ use crate::token::{Function, Kind, Span, Token, any, show, trimmed};
 /// Joins the tokens of a formula.
 pub(crate) fn joined(tokens: &[Token]) -> Vec<Token> {
     let rows = rows(tokens);
+    let rows = columns::without_remarks(&rows).unwrap_or(rows);
     let rows = columns::read_down(&rows).unwrap_or(rows);
     merged(flat(&rows))
 }
@@ -105,8 +106,19 @@ fn flat(tokens: &[Token]) -> Vec<Token> {
         match &token.kind {
             Kind::Cell => {
                 let next = tokens[at + 1..].iter().find(|token| !token.is_space());
-                let continues =
-                    next.is_none_or(|next| matches!(next.kind, Kind::Operator(_) | Kind::Line | Kind::Cell));
+                // Two of them part two equations.
+                let doubled = at > 0
+                    && tokens[..at]
+                        .iter()
+                        .rev()
+                        .find(|token| !token.is_space())
+                        .is_some_and(|before| before.kind == Kind::Cell);
+                let goes_on = |next: &Token| match next.kind {
+                    Kind::Operator(c) => !doubled || !"([√".contains(c),
+                    Kind::Line | Kind::Cell => true,
+                    _ => false,
+                };
+                let continues = next.is_none_or(goes_on);
                 if related && !continues {
                     out.push(Token::new(Kind::Space(20), span));
                     related = false;
@@ -197,6 +209,7 @@ fn scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token>) {
         out.push(match (function, of.as_str()) {
             (Function::Log, "10") => Token::new(Kind::Function(Function::Lg), span),
             (Function::Log, "e") => Token::new(Kind::Function(Function::Ln), span),
+            (Function::Log, _) if show(sub).contains(['.', ',']) => unknown("a function with a subscript", span),
             (Function::Log, base) if base.parse().is_ok_and(|base: u8| base > 1) => {
                 Token::new(Kind::Function(Function::LogTo(base.parse().unwrap_or(2))), span)
             }
@@ -232,9 +245,10 @@ fn raised(base: &[Token], sup: &[Token], span: Span, out: &mut Vec<Token>) {
     let mark = show(sup);
     let mark = mark.trim();
     let power = || Token::new(Kind::Power(inside(sup)), crate::token::span_of(sup));
-    if matches!(mark, "°" | "o" | "∘" | "0°" | "○") {
+    let scale = mark.strip_prefix(['°', 'o']).map(str::trim).filter(|scale| matches!(*scale, "C" | "F"));
+    if matches!(mark, "°" | "o" | "∘" | "0°" | "○") || scale.is_some() {
         out.extend(flat(base));
-        out.push(Token::new(Kind::Word("°".to_owned()), span));
+        out.push(Token::new(Kind::Word(format!("°{}", scale.unwrap_or_default())), span));
         return;
     }
     if base.is_empty() {
@@ -333,7 +347,12 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
                 out.truncate(whole - taken);
                 out.push(Token::new(Kind::Number(text), start.join(token.span)));
             }
-            None => out.push(token),
+            None => {
+                // A part of a date, of an angle or of a code, or a number in base two.
+                let code = text.len() > 1 && text.starts_with('0') && !text.contains(['.', ',']);
+                let decimals = out.last().is_some_and(|last| last.is_one_of(".,·"));
+                out.push(if code && !decimals { unknown("digits behind a zero", token.span) } else { token });
+            }
         }
     }
     out
@@ -341,7 +360,7 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
 
 /// Joins what belongs to one unit or one name.
 fn merged(tokens: Vec<Token>) -> Vec<Token> {
-    let tokens = pieces::split(pieces::bracketed(numbers(tokens)));
+    let tokens = pieces::split(pieces::bracketed(pieces::scaled(numbers(tokens))));
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
@@ -372,9 +391,17 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
                 None
             }
             "μ" | "k" | "M" | "n" | "m" | "G" | "p" | "c" => {
-                prefixed(token, text, next(if text == "μ" { 3 } else { 0 }), &out)
+                let unit = next(if text == "μ" { 3 } else { 0 });
+                let below = unit.and_then(|(_, at)| tokens.get(at + 1)).is_some_and(pieces::is_below);
+                prefixed(token, text, unit, below, &out)
             }
             "mm" | "cm" | "in" | "inch" | "inches" if is_word => column(&tokens, at, text),
+            "deg" if is_word && out.last().is_some_and(|last| last.number().is_some() || last.is_space()) => {
+                let behind = out.iter().rev().find(|token| !token.is_space());
+                let called = tokens.get(at + 1).is_some_and(|next| next.is('(') || next.number().is_some());
+                let fits = behind.is_some_and(|behind| behind.number().is_some()) && !called;
+                fits.then(|| (Kind::Word("°".to_owned()), at, token.span))
+            }
             "°" if is_word => next(5).and_then(|(next, behind)| {
                 let scale = match &next.kind {
                     Kind::Word(scale) => scale,

@@ -59,15 +59,54 @@ fn run_together(text: &str) -> Option<Vec<&'static str>> {
     (2..=3).contains(&found.len()).then_some(found)
 }
 
+/// Whether it is a negative exponent.
+pub(crate) fn is_below(token: &Token) -> bool {
+    matches!(&token.kind, Kind::Power(power) if power.first().is_some_and(|first| first.is('-')))
+}
+
+/// Powers of ten in brackets behind a number, `6.7(10)⁻⁴` or `6.7(10⁻⁴)`, lose the brackets.
+pub(crate) fn scaled(tokens: Vec<Token>) -> Vec<Token> {
+    let is_ten = |token: Option<&Token>| token.and_then(Token::number) == Some("10");
+    if !tokens.windows(2).any(|pair| pair[0].is('(') && is_ten(pair.get(1))) {
+        return tokens;
+    }
+    let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        let last = out.iter().rev().find(|token| !token.is_space());
+        let signed = last.is_some_and(|last| last.is_one_of("×·"));
+        let behind = out.iter().rev().filter(|token| !token.is_space()).nth(usize::from(signed));
+        let number = behind.is_some_and(|before| before.number().is_some());
+        let power = match tokens.get(at + 1..).unwrap_or_default() {
+            [_, close, power, ..] if close.is(')') => Some((power, 4)),
+            [_, power, close, ..] if close.is(')') => Some((power, 4)),
+            _ => None,
+        };
+        if let Some((power, taken)) = power
+            && token.is('(')
+            && number
+            && is_ten(tokens.get(at + 1))
+            && matches!(power.kind, Kind::Power(_))
+        {
+            if !signed {
+                out.push(Token::new(Kind::Operator('×'), token.span));
+            }
+            out.extend([tokens[at + 1].clone(), power.clone()]);
+            at += taken;
+            continue;
+        }
+        out.push(token.clone());
+        at += 1;
+    }
+    out
+}
+
 /// Words that are several units become several words.
 pub(crate) fn split(tokens: Vec<Token>) -> Vec<Token> {
     let mut out = Vec::with_capacity(tokens.len());
     let mut rest = tokens.into_iter().peekable();
     while let Some(token) = rest.next() {
-        let below = rest.peek().is_some_and(|next| match &next.kind {
-            Kind::Power(power) => power.first().is_some_and(|first| first.is('-')),
-            _ => false,
-        });
+        let below = rest.peek().is_some_and(is_below);
         let text = token.word().unwrap_or_default();
         let parts = match pair(text) {
             Some((one, other)) if !matches!(text, "Wh" | "Ah") => vec![one, other],
@@ -189,6 +228,7 @@ pub(crate) fn prefixed(
     token: &Token,
     text: &str,
     next: Option<(&Token, usize)>,
+    below: bool,
     out: &[Token],
 ) -> Option<(Kind, usize, Span)> {
     let (next, at) = next?;
@@ -209,5 +249,7 @@ pub(crate) fn prefixed(
     });
     let follows = follows || out.last().is_none_or(Token::is_space);
     let takes = takes_prefix(unit) && (unit != "g" || text == "μ") && (follows || unit == "g");
-    takes.then(|| (Kind::Word(format!("{text}{unit}")), at, next.span))
+    // Metres and seconds below them, which only touch each other in this text: m s⁻¹.
+    let product = text == "m" && below;
+    (takes && !product).then(|| (Kind::Word(format!("{text}{unit}")), at, next.span))
 }

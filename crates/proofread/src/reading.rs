@@ -44,6 +44,9 @@ impl Reading {
     /// A percentage is a factor: also where it stands in brackets behind a number, and where no other unit counts.
     pub const SHARE: Self = Self(1 << 17);
 
+    /// An exponent of zero is a degree sign: `26^0`.
+    pub const ZERO_DEGREES: Self = Self(1 << 18);
+
     /// Whether all choices of another set are in this one.
     pub fn has(self, other: Self) -> bool {
         self.0 & other.0 == other.0
@@ -79,7 +82,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 17] = [
+        const WORDS: [(Reading, &str); 18] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -96,6 +99,7 @@ impl Reading {
             (Reading::CYCLES, "a hertz as a turn in a second"),
             (Reading::LOGARITHM_ABOVE, "the logarithm above the stroke"),
             (Reading::PERCENT, "a percentage of what stands before it"),
+            (Reading::ZERO_DEGREES, "an exponent of zero as a degree sign"),
             (Reading::SHARE, "a percentage as a factor"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()

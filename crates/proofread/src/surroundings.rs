@@ -1,7 +1,7 @@
 //! What the text around a formula says about it.
 
 use crate::join::joined;
-use crate::reader::{is_noun, running};
+use crate::reader::{is_noun, running, unit_sign};
 use crate::token::{Kind, Span, Token};
 use crate::unit::unit;
 
@@ -55,6 +55,15 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
     if asked && question {
         return true;
     }
+    // One of the answers to choose from.
+    if before.trim_end().ends_with("\\choice") || before.to_lowercase().contains("true or false") {
+        return true;
+    }
+    const REPORTS: [&str; 7] =
+        ["mistake", "wrongly", "incorrectly", "fallacy", "misconception", "you wrote", "not true"];
+    if REPORTS.iter().any(|report| sentence.contains(report)) {
+        return true;
+    }
     const DENIALS: [&str; 9] = [
         "is false",
         "not true",
@@ -105,20 +114,6 @@ fn behind_space(text: &str) -> &str {
     text.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}', '\u{2009}']).trim_start_matches("\\,")
 }
 
-/// Commands of TeX that make one sign of a unit.
-const SIGNS: [(&str, char); 10] = [
-    ("\\textohm", 'Ω'),
-    ("\\Omega", 'Ω'),
-    ("\\Ohm", 'Ω'),
-    ("\\ohm", 'Ω'),
-    ("\\textmu", 'μ'),
-    ("\\micro", 'μ'),
-    ("\\mu", 'μ'),
-    ("\\textdegree", '°'),
-    ("\\degree", '°'),
-    ("\\%", '%'),
-];
-
 /// The first word of a text with commands for signs of units as these signs: `k\Ohm` and `k$\Omega$` as kΩ.
 fn spelled(text: &str) -> String {
     let word = text.split(char::is_whitespace).next().unwrap_or_default();
@@ -126,10 +121,10 @@ fn spelled(text: &str) -> String {
     let mut rest = word;
     while let Some(next) = rest.chars().next() {
         let inner = rest.strip_prefix('$').unwrap_or(rest);
-        let command = SIGNS.iter().find_map(|(command, sign)| {
-            let behind = inner.strip_prefix(command)?;
-            let ends = *sign == '%' || !behind.starts_with(|c: char| c.is_ascii_alphabetic());
-            ends.then_some((*sign, behind))
+        let command = inner.strip_prefix('\\').and_then(|name| {
+            let length = name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len());
+            let name_of = |length: usize| unit_sign(name.get(..length)?).map(|sign| (sign, &name[length..]));
+            name_of(length.max(1))
         });
         match command {
             Some((sign, behind)) => {
@@ -164,8 +159,10 @@ pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
     let word = rest[..end].trim_end_matches(['.', ')', '!', '?', '"', '*', '_']);
     let mut tokens = joined(&running(word, span.end as usize));
     for token in &mut tokens {
-        if token.word().is_some_and(|word| matches!(word, "turn" | "turns")) {
-            token.kind = Kind::Word("revolution".to_owned());
+        match token.word() {
+            Some("turn" | "turns") => token.kind = Kind::Word("revolution".to_owned()),
+            Some("percentage") => token.kind = Kind::Word("percent".to_owned()),
+            _ => {}
         }
     }
     let is_unit = |token: &Token| match &token.kind {
@@ -192,6 +189,155 @@ pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
     }
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
     PREPOSITIONS.contains(&word.to_lowercase().as_str())
+}
+
+/// Whether a number and a word just before a place join it to what stands there: `5 times 3 = 15`, `80 % of 20 = 16`.
+pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
+    const JOINTS: [&str; 11] =
+        ["divided by", "multiplied by", "of", "to", "times", "plus", "minus", "over", "per", "by", "less"];
+    const BOTH: [&str; 6] = ["sum of", "mean of", "average of", "product of", "difference of", "between"];
+    let start = (span.start as usize).min(text.len());
+    let mut from = start.saturating_sub(NEAR / 2);
+    while !text.is_char_boundary(from) {
+        from -= 1;
+    }
+    let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
+    let before = text.get(from..start).unwrap_or_default().trim_end_matches(marks);
+    // The sum of 3 and 4 = 7.
+    let clause = before.rsplit(['.', '=', ';']).next().unwrap_or_default();
+    let both = BOTH.iter().any(|words| clause.contains(words));
+    let joint = JOINTS.iter().find_map(|joint| before.strip_suffix(joint));
+    let joint = joint.or_else(|| before.strip_suffix("and").filter(|_| both));
+    let Some(rest) = joint.filter(|rest| rest.ends_with(|c: char| c.is_whitespace() || c == '~')) else { return false };
+    let rest = rest.trim_end_matches(|c: char| c.is_whitespace() || "$)\\~".contains(c));
+    let counted = |rest: &str| rest.ends_with(|c: char| c.is_ascii_digit());
+    let word = rest.rsplit(|c: char| !(c.is_alphabetic() || c == '%')).next().unwrap_or_default();
+    let before_word =
+        rest[..rest.len() - word.len()].trim_end_matches(|c: char| c.is_whitespace() || "$\\~".contains(c));
+    counted(rest) || (unit(word).is_some() && counted(before_word))
+}
+
+/// Whether a word behind a place joins it to another number: `24 = 2 by 12`.
+pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
+    const JOINTS: [&str; 10] =
+        ["per", "in", "out of", "times", "by", "plus", "minus", "over", "divided by", "multiplied by"];
+    let marks = |c: char| c == ' ' || "$)\\~".contains(c);
+    let rest = behind(text, span).trim_start_matches(marks);
+    JOINTS.iter().filter_map(|joint| rest.strip_prefix(joint)).any(|rest| {
+        let next = rest.trim_start_matches(|c: char| c == ' ' || "$(\\~".contains(c));
+        rest.starts_with([' ', '~']) && next.starts_with(|c: char| c.is_ascii_digit())
+    })
+}
+
+/// Whether the line below goes on with a sign of a product or a relation.
+pub(crate) fn goes_on_below(text: &str, span: Span) -> bool {
+    let Some(below) = behind(text, span).trim_start_matches([' ', '\r']).strip_prefix('\n') else { return false };
+    let below = below.trim_start_matches([' ', '\t', '>']);
+    below.strip_prefix(['/', '×', '·', '÷', '=']).is_some_and(|rest| rest.starts_with(' '))
+}
+
+/// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.
+pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
+    let rest = behind(text, span).trim_start();
+    let arrows = ["-->", "->", "→", "\\to ", "\\rightarrow "];
+    let next = arrows.iter().find_map(|arrow| rest.strip_prefix(arrow));
+    next.is_some_and(|next| next.trim_start().starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Whether an operator joins a number in running text to what stands before it, on the line before or with words between: the
+/// difference of *28.47 − initial 0.32 = 28.15*.
+pub(crate) fn is_joined_by_sign(text: &str, span: Span) -> bool {
+    let start = (span.start as usize).min(text.len());
+    let mut from = start.saturating_sub(NEAR / 2);
+    while !text.is_char_boundary(from) {
+        from -= 1;
+    }
+    let before = text.get(from..start).unwrap_or_default();
+    let is_sign = |c: char| "+-−–×·*/÷=".contains(c);
+    let (above, line) = before.rsplit_once('\n').unwrap_or(("", before));
+    let marks = |c: char| c == ' ' || c == '>' || c == '\t';
+    let begins = line.trim_start_matches(marks);
+    let above = above.rsplit('\n').next().unwrap_or_default().trim_matches(marks);
+    if begins.is_empty() && !above.is_empty() {
+        let mut last = above.chars().rev();
+        let sign = last.next().filter(|c| is_sign(*c));
+        // A heading or a rule is underlined with more than one sign.
+        return sign.is_some() && last.next() != sign;
+    }
+    // A product that goes on in the next row looks like an item of a list.
+    let sign = begins.trim_end();
+    if sign.chars().count() == 1 && sign.starts_with(is_sign) && !above.is_empty() {
+        return !above.starts_with(sign)
+            && above.contains(|c: char| c.is_ascii_digit())
+            && !above.ends_with([':', '.']);
+    }
+    let words = line.trim_end_matches(|c: char| c.is_alphabetic() || c == ' ' || c == '.');
+    let between = &line[words.len()..];
+    let times = between.contains(" x ") || between.starts_with("x ");
+    let signed = times || (words.ends_with(|c: char| is_sign(c) && c != '=') && between.starts_with(' '));
+    let rest = words.trim_end_matches(|c: char| is_sign(c) || c == ' ');
+    signed
+        && between.contains(char::is_alphabetic)
+        && rest.ends_with(|c: char| c.is_alphanumeric() || c == ')')
+        && rest.contains(|c: char| c.is_ascii_digit())
+}
+
+/// Whether a word that names something stands just before a number in a line, so that the number may belong to its name: the
+/// interest on 8000.
+pub(crate) fn follows_name(text: &str, span: Span) -> bool {
+    const LINKS: &str = " is are was be so that then thus hence therefore get gets have has gives give equals equal result and or \
+        where since because if when but as now we it which yields find finds ";
+    let start = (span.start as usize).min(text.len());
+    let before = text.get(..start).unwrap_or_default();
+    let before = before.trim_end_matches([' ', '.']);
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    word.chars().count() > 1 && !LINKS.split_whitespace().any(|link| link.eq_ignore_ascii_case(word))
+}
+
+/// Whether a word that is numbered stands just before a number: line 12.
+pub(crate) fn follows_label(text: &str, span: Span) -> bool {
+    const LABELS: &str = " line lines row rows eq eqs equation equations step steps column item box no nos number sta station fig figure \
+        table section chapter page exercise example problem question part case test trial run room p pp see ";
+    let start = (span.start as usize).min(text.len());
+    let before = text.get(..start).unwrap_or_default();
+    let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
+    let word = before.trim_end_matches(['.', ' ']).rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    !word.is_empty() && LABELS.split_whitespace().any(|label| label.eq_ignore_ascii_case(word))
+}
+
+/// Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
+pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
+    const WORDS: [&str; 16] = [
+        "overflow",
+        "overflows",
+        "saturation",
+        "uint",
+        "mod",
+        "pmod",
+        "bmod",
+        "modulo",
+        "boolean",
+        "xor",
+        "binary",
+        "octal",
+        "hexadecimal",
+        "two\u{2019}s complement",
+        "two's complement",
+        "in base",
+    ];
+    let (before, after) = around(text, span);
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
+    let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
+    let near = format!("{sentence} {rest}").to_lowercase();
+    let source = text.get(span.range()).unwrap_or_default();
+    let is_word = |of: &str, at: usize, word: &str| {
+        let letter = |c: char| c.is_ascii_alphabetic();
+        !of[..at].ends_with(letter) && !of[at + word.len()..].starts_with(letter)
+    };
+    let has = |of: &str| WORDS.iter().any(|word| of.match_indices(word).any(|(at, word)| is_word(of, at, word)));
+    has(&near)
+        || has(source)
+        || ["mathbb{z}", "mathbb z", "mathbb{f", "mathbb f", "gf("].iter().any(|field| near.contains(field))
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.

@@ -238,7 +238,7 @@ const PREFIXES: &[(char, f64)] = &[
 
 /// Letters that are a product of quantities, or nothing, more often than a unit with a prefix.
 const NO_UNITS: &str = " as am aA aK aN aJ aV aT aH aC aF aL al ds dA dV dN dK dW dT dF dH dC dJ dS hm hs hA hV hT hH hF hN hK \
-    hJ hS hC PV PA PT PF PH PC PS PN PK Pm Ps ES EA EV ET EF EH EC EN EK Em Es TH TC TA TF TK TL Ts TS MA MT MC MF GM Mm cH cA \
+    hJ hS hC PV PA PT PF PH pH PC PS PN PK Pm Ps ES EA EV ET EF EH EC EN EK Em Es TH TC TA TF TK TL Ts TS MA MT MC MF GM Mm cH cA \
     cV cF cT cN cK cJ cS cW cC pcal fA Mbar kL nl pl fl ";
 
 /// Units whose letters also are a product of quantities: read as a unit only directly behind a number.

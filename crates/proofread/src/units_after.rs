@@ -53,6 +53,9 @@ impl Evaluator<'_> {
             let mut exponent = 1.0;
             if let Some(Token { kind: Kind::Power(power), .. }) = cursor.here() {
                 exponent = plain_exponent(power)?;
+                if is_percent(word) {
+                    return Err(Obstacle::Unclear("a power of a percentage"));
+                }
                 cursor.at += 1;
             }
             if below {
@@ -70,6 +73,9 @@ impl Evaluator<'_> {
         }
         if count != 1 {
             all.scale = None;
+        }
+        if count > 1 && all.angle == Some(Angle::Degrees) && self.chosen(Reading::NUMBERS) {
+            all.factor = 1.0;
         }
         if !all.factor.is_finite() || all.factor == 0.0 {
             return Err(Obstacle::Unclear("a unit beyond all bounds"));
@@ -196,7 +202,12 @@ impl Evaluator<'_> {
                 return Err(Obstacle::Letter(word.to_owned()));
             }
         }
-        if unit(word).is_none() {
+        // An upright e with such an exponent is the base of the logarithms, not a charge.
+        let raised = cursor.tokens.get(at + 1).is_some_and(|next| match &next.kind {
+            Kind::Power(power) => !plain_exponent(power).is_ok_and(|power| power > 0.0 && power.fract() == 0.0),
+            _ => false,
+        });
+        if unit(word).is_none() || (word == "e" && raised) {
             return Ok(value);
         }
         cursor.at = at;

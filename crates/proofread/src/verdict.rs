@@ -6,7 +6,7 @@ use crate::evaluate::{Bindings, Evaluator};
 use crate::interval::Interval;
 use crate::printed::Mode;
 use crate::reading::Reading;
-use crate::token::{Kind, Token};
+use crate::token::{Kind, Token, any};
 use crate::unrounded;
 use crate::value::{Evaluated, Obstacle, Value};
 use std::f64::consts::PI;
@@ -305,7 +305,7 @@ impl Pair<'_> {
         }
         let near = (literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left));
         // Three digits behind ≈ are meant to be right.
-        let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) };
+        let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) && !is_round(self.sides[1]) };
         let strictly = (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
         let rough = !exact || strictly;
         let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
@@ -373,6 +373,12 @@ fn is_plain_sum(side: &[Token]) -> bool {
     let products =
         side.windows(2).any(|pair| pair[1].is_one_of("([") && !pair[0].is_one_of("+-([") && !pair[0].is_space());
     side.iter().all(is_term) && side.iter().any(|token| token.is_one_of("+-")) && !products
+}
+
+/// Whether a side is a round expression, as in 0.0198 ≈ 1/50 and 2498 ≈ 50².
+fn is_round(side: &[Token]) -> bool {
+    let decimal = |kind: &Kind| matches!(kind, Kind::Number(digits) if digits.contains('.'));
+    side.len() > 1 && !any(side, &decimal)
 }
 
 /// Whether all units of one side are among those of another one.

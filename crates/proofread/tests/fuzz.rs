@@ -194,7 +194,9 @@ fn time_grows_as_the_text_does() {
             check(&text, format);
             begun.elapsed().as_secs_f64()
         };
-        let (short, long) = (time(30).max(time(30)).max(0.002), time(240));
+        // What else the machine does only adds to the time, so the shortest of several runs counts.
+        let shortest = |times: usize| (0..5).map(|_| time(times)).fold(f64::INFINITY, f64::min);
+        let (short, long) = (shortest(30).max(0.002), shortest(240));
         assert!(long < short * 8.0 * 6.0, "{format:?}: {short} s, and {long} s for 8 times as much");
     }
 }

@@ -10,11 +10,13 @@ mod doubts;
 mod formats;
 mod fuzz;
 mod judged;
+mod notations;
 mod plain;
 mod readings;
 mod remarks;
 mod units;
 mod unrounded;
+mod unusual;
 
 use proofread::{Follow, Format, List, Options, Report, proofread};
 

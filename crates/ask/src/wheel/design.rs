@@ -11,7 +11,7 @@ use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel,
+    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError, Warning, Wheel,
 };
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -142,6 +142,13 @@ impl Design {
         Ok(self.contact.map(|contact| contact.pressure(force)).transpose()?.map(|pressure| pressure / MEGA))
     }
 
+    /// What a maker should know about sizes that do fit: also that the play which the program chose is more than a fit has.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let Some(sizes) = &self.sizes else { return Vec::new() };
+        let loose = sizes.looser_than_fit().filter(|_| self.question.play.is_none());
+        sizes.warnings().into_iter().chain(loose).collect()
+    }
+
     /// Where driver and wheel come nearest over a whole turn, and the tolerance of the distance in millimetres; none without
     /// sizes, or where it would take too long to find.
     ///
@@ -163,6 +170,17 @@ impl Design {
     pub fn centre_tolerance(&self) -> Result<Option<CentreTolerance>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(None) };
         once(&self.centre_tolerance, || in_time(sizes.centre_tolerance_within(self.question.effort.tolerance)))
+    }
+
+    /// How far all sizes may be wrong together: none if it would take too long to find, and none within it without sizes, without
+    /// a disc, or where loose bores or too little play leave no room for errors.
+    ///
+    /// # Errors
+    ///
+    /// A distance of the axes at which the parts can't work together.
+    pub fn shared_tolerance(&self) -> Result<Option<Option<SharedTolerance>>, Error> {
+        let Some(sizes) = &self.sizes else { return Ok(Some(None)) };
+        in_time(sizes.shared_tolerance_within(self.question.effort.tolerance))
     }
 }
 

@@ -1,5 +1,4 @@
-//! What a maker asks of a wheel besides: contact and rubbing of the pin, backlash elsewhere, sizes that are wrong together, and a
-//! cam for comparison.
+//! What a maker asks of a wheel besides: contact and rubbing of the pin, backlash elsewhere, and a cam for comparison.
 //!
 //! Neither the command's sheet nor its data have these fields. Chapters show them.
 
@@ -28,7 +27,6 @@ impl Design {
         fields.extend(self.loads_compared()?);
         if let Some(sizes) = &self.sizes {
             fields.extend(self.play(sizes)?);
-            fields.extend(together(sizes));
         }
         Ok(fields)
     }
@@ -36,6 +34,7 @@ impl Design {
     fn drive(&self) -> Vec<Field> {
         let fourth = |radius: f64| libm::pow(radius / 1000.0, 4.0);
         let own = self.wheel_inertia.zip(self.crank_radius).map(|(own, radius)| own / fourth(radius));
+        let share = self.wheel_inertia.zip(self.question.inertia).map(|(own, given)| own / given);
         vec![
             Field::in_unit("driver_speed_rad_s", self.speed(), "rad/s").line("driver", "speed"),
             Field::in_unit("turn_s", self.question.rpm.map(|rpm| 60.0 / rpm), "s").line("", "time of a turn"),
@@ -43,6 +42,9 @@ impl Design {
             Field::in_unit("thickness_mm", self.question.thickness, "mm").line("thickness", "of the wheel"),
             Field::in_unit("wheel_inertia_factor_kg_m2", own, "kg/m²")
                 .line("wheel's inertia", "over the fourth power of the crank radius"),
+            Field::new("wheel_inertia_share", share)
+                .line("", "over the inertia that is given")
+                .rounded(Rounding::Percent(0)),
         ]
     }
 
@@ -133,21 +135,6 @@ impl Design {
             .line("knock at entry", "if the wheel is in the middle of its backlash")
             .rounded(Rounding::Significant(3))
     }
-}
-
-/// How far each size may be wrong if all are.
-fn together(sizes: &Sizes) -> Vec<Field> {
-    let shared = sizes.shared_tolerance();
-    let all = [
-        ("all_locking_mm", shared.map(|of| of.locking), "disc and arc", "radii, each"),
-        ("all_nearer_mm", shared.map(|of| of.nearer), "axes nearer", "besides loose bores"),
-        ("all_farther_mm", shared.map(|of| of.farther), "axes farther", "besides loose bores"),
-        ("all_crank_radius_mm", shared.map(|of| of.crank), "crank radius", "to either side"),
-        ("all_width_mm", shared.map(|of| of.width), "pin and slot", "width, each"),
-        ("all_slot_direction_at_rim_mm", shared.map(|of| of.direction * sizes.wheel_radius), "slot direction", ""),
-        ("all_slot_end_mm", shared.map(|of| of.slot_end), "slot end", "farther out"),
-    ];
-    all.into_iter().map(|(key, length, name, of)| Field::in_unit(key, length, "mm").line(name, of)).collect()
 }
 
 #[cfg(test)]

@@ -8,10 +8,12 @@ mod loads;
 mod making;
 mod parts;
 mod report;
+mod speeds;
 mod times;
 
 pub use design::Design;
 pub use kind::{AnyWheel, Kind};
+pub use speeds::speeds;
 pub use times::{Times, proposals};
 
 use crate::{Error, number, pairs};
@@ -209,15 +211,16 @@ pub const ARGUMENTS: [Argument; 21] = [
         "MM",
         Place::Length(|question| &mut question.wheel_shaft),
         &[Parts],
-        "Diameter of the wheel's shaft, in millimetres [default: half of the largest possible]",
+        "Diameter of the wheel's shaft, in millimetres [default: half of the largest possible, a placeholder that knows no \
+         load]",
     ),
     Argument::new(
         "driver-shaft",
         "MM",
         Place::Length(|question| &mut question.driver_shaft),
         &[Parts],
-        "Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the largest possible; \
-         none if that would be very thin]",
+        "Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the largest possible, a \
+         placeholder that knows no load; none if the disc would be too thin beside it]",
     ),
     Argument::new(
         "rpm",

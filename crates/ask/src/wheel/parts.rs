@@ -3,7 +3,7 @@
 use super::design::Design;
 use crate::written::degrees as degrees_told;
 use crate::{Error, Field, Rounding, Value};
-use geneva_kinematics::wheel::{Contact, Knock, Nearest, Sizes, Warning};
+use geneva_kinematics::wheel::{Contact, Knock, Nearest, SharedTolerance, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
 fn nearest_words(design: &Design, nearest: &Nearest) -> String {
@@ -28,6 +28,9 @@ pub fn parts(design: &Design) -> Vec<Field> {
     // A shaft that there is not has no diameter.
     let shaft = |length: fn(&Sizes) -> f64| of(length).filter(|diameter| *diameter > 0.0);
     let disc = sizes.and_then(|sizes| sizes.locking_disc);
+    let chosen = |given: Option<f64>, words: &'static str, placeholder: &'static str| {
+        if given.is_some() { words } else { placeholder }
+    };
     vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
         mm("play_mm", of(|sizes| sizes.play.slot))
@@ -57,15 +60,33 @@ pub fn parts(design: &Design) -> Vec<Field> {
         mm("crescent_centre_mm", disc.map(|disc| disc.crescent.centre))
             .line("crescent centre", "driver's axis to the cut's centre, towards the pin"),
         mm("plate_radius_mm", of(|sizes| sizes.plate_radius)).line("plate radius", "of the driver, behind the wheel"),
-        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).line("wheel shaft", "diameter"),
+        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).line(
+            "wheel shaft",
+            chosen(
+                design.question.wheel_shaft,
+                "diameter",
+                "diameter: a placeholder, half of the largest possible; set what your load needs",
+            ),
+        ),
         mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit))
             .line("wheel shaft limit", "the shaft must be thinner"),
         mm("wheel_bore_mm", shaft(Sizes::wheel_bore)).line("wheel bore", "diameter: shaft plus bore play"),
-        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft))
-            .line("driver shaft", "diameter in the plane of the wheel"),
+        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft)).line(
+            "driver shaft",
+            chosen(
+                design.question.driver_shaft,
+                "diameter in the plane of the wheel",
+                "diameter in the plane of the wheel: a placeholder as well",
+            ),
+        ),
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
             .line("driver shaft limit", "the shaft must be thinner"),
         mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft plus bore play"),
+        mm("disc_web_mm", sizes.and_then(Sizes::disc_web))
+            .line("web of the disc", "least thickness between crescent and bore"),
+        mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
+            .line("web between crescents", "least thickness of the disc between two of them"),
+        mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
     ]
 }
 
@@ -142,9 +163,34 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
     ])
 }
 
+/// How far each size may be wrong if all are, with shafts as loose as their bores allow; without numbers as of the parts.
+pub fn together(design: &Design) -> Result<Vec<Field>, Error> {
+    let found = design.shared_tolerance()?;
+    let (limits, radius) = (found.flatten(), design.sizes.map(|sizes| sizes.wheel_radius));
+    let of = |length: fn(&SharedTolerance) -> f64| limits.as_ref().map(length);
+    let locking = mm("all_locking_mm", of(|limit| limit.locking));
+    let has_disc = design.sizes.is_some_and(|sizes| sizes.locking_disc.is_some());
+    let locking = match found {
+        None => locking.words("disc and arc", "not found: the play is so small that the search would take too long"),
+        Some(None) if has_disc => locking.words("disc and arc", "no room is known for errors in all sizes at once"),
+        Some(_) => locking.line("disc and arc", "disc radius larger, arc radius smaller, each at most"),
+    };
+    let at_rim = limits.zip(radius).map(|(limit, radius)| limit.direction * radius);
+    Ok(vec![
+        locking,
+        mm("all_nearer_mm", of(|limit| limit.nearer)).line("axes nearer", "at most, besides the bore play"),
+        mm("all_farther_mm", of(|limit| limit.farther)).line("axes farther", "at most, besides the bore play"),
+        mm("all_crank_radius_mm", of(|limit| limit.crank)).line("crank radius", "longer or shorter at most"),
+        mm("all_width_mm", of(|limit| limit.width)).line("pin and slot", "pin thicker, slot narrower, each at most"),
+        mm("all_slot_direction_at_rim_mm", at_rim)
+            .line("slot direction", "at the wheel radius, to either side at most"),
+        mm("all_slot_end_mm", of(|limit| limit.slot_end)).line("slot end", "farther out at most"),
+    ])
+}
+
 /// What a maker should know about sizes that do fit.
 pub fn warnings(design: &Design) -> Vec<Field> {
-    let found = design.sizes.map(|sizes| sizes.warnings()).unwrap_or_default();
+    let found = design.warnings();
     let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();
     let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
     let field = Field::new("warnings", texts);

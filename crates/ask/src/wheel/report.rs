@@ -24,6 +24,7 @@ impl Design {
             ("Geometry", geometry(self, wheel)),
             ("Parts", parts::parts(self)),
             ("Play and tolerances of the parts", parts::tolerances(self)?),
+            ("Limits if all sizes are wrong at once", parts::together(self)?),
             ("Warnings", parts::warnings(self)),
             ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),

@@ -23,7 +23,7 @@ const PROPOSED: [&str; 5] = ["Nearest", "Second", "Third", "Fourth", "Fifth"];
 /// is said of these.
 const STATIONS: std::ops::RangeInclusive<u32> = 3..=60;
 /// A part of the cycle that is as wanted but for rounding.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// A kind, its numbers and the part of the cycle in which its wheel moves.
 #[derive(Clone, Copy)]

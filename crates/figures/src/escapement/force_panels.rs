@@ -98,6 +98,7 @@ pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
         placing.avoid(&at(-FLANK, near), &at(FLANK, near), 1.5);
     }
     canvas.draw(Shape::line(&at(-FLANK, 0.0), &at(FLANK, 0.0)).stroke(FOLLOWER, 1.2).dashed(DASHED));
+    placing.avoid(&at(-FLANK, 0.0), &at(FLANK, 0.0), 0.8);
     let pin = at(0.0, senses.normal * (HALF_SLOT - PIN));
     canvas.draw(Shape::circle(&pin, PIN).fill(PAPER).stroke(INK, 2.2).class("enlarged-pin"));
     placing.take([pin - Vector2::new(PIN, PIN), pin + Vector2::new(PIN, PIN)]);

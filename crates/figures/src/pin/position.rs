@@ -26,6 +26,8 @@ const AT_PIVOT: f64 = 46.0;
 const OUTLINE: f64 = 1.5;
 /// Room on the far side of the line of centres for the dimension of the centre distance, in pixels.
 const DIMENSION: f64 = 62.0;
+/// Room for the row of the crank angle beyond it.
+const ROW: f64 = 27.0;
 
 /// The narrowest angle at the pivot that has room for its mark, in radians.
 const NARROWEST: f64 = 0.25;
@@ -49,7 +51,7 @@ impl Layout {
         let disc = DISC * r;
         let scale = (WIDTH - 2.0 * MARGIN) / (rim + l + disc);
         let reach = rim.max(disc) * scale + MARGIN;
-        let height = 2.0 * reach + DIMENSION - MARGIN / 2.0;
+        let height = 2.0 * reach + DIMENSION + ROW - MARGIN / 2.0;
         let side = instant.side();
         let level = if side > 0.0 { reach } else { height - reach };
         let view = View { origin: Vector2::new(MARGIN + rim * scale, level), scale };
@@ -120,7 +122,8 @@ fn bodies(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Insta
 
 /// The three sides with their lengths, and the corners.
 fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
-    let row = if at.side > 0.0 { at.height - 0.55 * DIMENSION } else { 0.55 * DIMENSION };
+    let beyond = 0.55 * DIMENSION + ROW;
+    let row = if at.side > 0.0 { at.height - beyond } else { beyond };
     let drop = Vector2::new(0.0, row - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &drop);
     let triangle =
@@ -133,12 +136,14 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
 
     let length =
         |letter: &str, ratio: f64| Label::part(letter).and(&format!(" = {} ", significant(ratio, 4))).and_symbol("R");
-    // The lengths and the angle that have no room at their places stand in the dimension's row.
+    // The lengths and the angles that have no room at their places stand in the dimension's row and beyond it.
     let (right, level) = (Vector2::new(1.0, 0.0), middle + Vector2::new(0.0, -14.0));
     canvas.label(&level, &Pixels::zeros(), 0.0, &length("l", mechanism.ratio()));
     let r = length("r", instant.radius_ratio).in_colour(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, level.y), &-right, MARGIN, &r);
     canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("φ", -instant.slot_angle).of_part("φ"));
+    let beyond = Vector2::new(0.0, level.y + at.side * ROW);
+    canvas.label(&beyond, &right, MARGIN, &angle_label("θ", instant.crank_angle - PI).of_part("θ"));
     let across = heading(instant.slot_angle + at.side * PI / 2.0);
     canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::part("r").in_colour(FOLLOWER));
     let across = heading(instant.crank_angle - at.side * PI / 2.0);
@@ -164,8 +169,7 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     // θ is too narrow for its label: the arc leads out of the triangle to it.
     let out = half_turn + at.side * 0.3;
     part(canvas, "θ", |canvas| arc(canvas, &at.axis, 58.0, crank, out, INK, 1.5));
-    let rest = angle_label("θ", instant.crank_angle - PI).of_part("θ");
-    canvas.label(&(at.axis + heading(out) * 58.0), &at.towards(-109.0), 20.0, &rest);
+    canvas.label(&(at.axis + heading(out) * 58.0), &at.towards(-80.0), 18.0, &Label::part("θ"));
 }
 
 /// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.

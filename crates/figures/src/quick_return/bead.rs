@@ -64,7 +64,7 @@ pub fn bead_on_a_lever() -> Figure {
          and the carry is longer because the bead is farther out. Each is v Δt times ω Δt.",
         "A bead on a turning lever, at three moments Δt apart. In each step the bead slides along the lever (green), \
          and the lever carries it around the pivot (blue). The dashed line is the first slide, drawn again at B. \
-         Across the lever, the second step goes farther than the first by two strips, each v Δt · ω Δt long. The \
+         Across the lever, the second step goes farther than the first by two strips, each v Δt · ω Δt long. The \
          speeds v and ω are constant, and the angles are exaggerated for clarity.",
     );
     words.figure(canvas, Kind::Mechanism, series)

@@ -89,12 +89,12 @@ fn angles(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixels
     canvas.label(&(at.pivot + heading(one) * near), &heading(one), beyond, &label);
     let label = Label::words("2").and_symbol("α");
     canvas.label(&(at.pivot + heading(both) * far), &heading(both), beyond, &label);
-    let radius = 0.28 * scale;
+    let radius = 0.23 * scale;
     part(canvas, "θ", |canvas| arc(canvas, &at.axis, radius, PI, PI + theta, INK, 1.5));
-    let label = Label::words("π/2 − ").and_symbol("α");
+    let label = Label::words("π/2\u{2009}−\u{2009}").and_symbol("α");
     if scale > SMALL {
         let middle = heading(PI + 0.6 * theta);
-        canvas.label(&(at.axis + middle * radius), &middle, 8.0, &label);
+        canvas.label(&(at.axis + middle * radius), &middle, 7.0, &label);
     } else {
         let down = Vector2::new(0.0, 1.0);
         canvas.label(&(at.axis + down * scale), &down, 34.0, &label.and(" at B"));

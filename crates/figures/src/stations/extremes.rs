@@ -46,7 +46,13 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
     }
     for (value, order, colour, _, name) in CURVES {
         let power = if order == 1 { "" } else { "²" };
-        let label = Label::words(name).and_rate("φ", order).and(" / ").and_rate("θ", 1).and(power).in_colour(colour);
+        let label = Label::words(name)
+            .and_rate("φ", order)
+            .and(" / ")
+            .and_rate("θ", 1)
+            .and(power)
+            .and("\u{a0}")
+            .in_colour(colour);
         panel = panel.near(points(value).take(1), PI, label);
     }
     let series = Series::of_items(

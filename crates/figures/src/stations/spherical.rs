@@ -3,7 +3,7 @@
 use super::pose::counted;
 use crate::number::{degrees, significant};
 use crate::parts::{self, WIDTH};
-use crate::svg::{Canvas, Kind, Label, Path, Pixels, Shape, View};
+use crate::svg::{Canvas, Kind, Label, Path, Pixels, Place, Shape, View, leader};
 use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, INK, PAPER};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
@@ -24,12 +24,14 @@ const PLATE: f64 = 1.35;
 const PLATE_RADIUS: f64 = 1.12;
 /// From the centre to the end of the wheel's axis, and from the plate to that of the driver's, in radii of the sphere.
 const AXIS: f64 = 1.3;
-const BEYOND_PLATE: f64 = 0.35;
+const BEYOND_PLATE: f64 = 1.1;
 /// Degrees between points of a curve.
 const STEP: f64 = 6.0;
-/// Free space around the sphere, in pixels.
+/// Free space above and below the sphere, in pixels.
 const MARGIN: f64 = 40.0;
 const HEIGHT: f64 = 500.0;
+/// Free space at its left, and at its right, where the name of the driver's axis is, in pixels.
+const SIDES: [f64; 2] = [16.0, 164.0];
 
 /// Parallel projection: the directions of the page in space.
 struct Sight {
@@ -49,8 +51,10 @@ impl Sight {
         let ends = [Vector3::z() * AXIS, right, -right, driver_axis(alpha)];
         let shown = ends.into_iter().chain(circle(PLATE_RADIUS * alpha, PLATE, 0.0, 2.0 * PI));
         let points = shown.map(|at| Vector2::new(at.dot(&right), at.dot(&up)));
-        let room = Vector2::new(WIDTH, HEIGHT) - Vector2::new(2.0, 2.0) * MARGIN;
-        Self { right, up, towards, view: View::fitting(points, room, Vector2::new(WIDTH, HEIGHT) / 2.0) }
+        let [left, rest] = SIDES;
+        let room = Vector2::new(WIDTH - left - rest, HEIGHT - 2.0 * MARGIN);
+        let centre = Vector2::new(left + room.x / 2.0, HEIGHT / 2.0);
+        Self { right, up, towards, view: View::fitting(points, room, centre) }
     }
 
     fn place(&self, at: &Vector3<f64>) -> Pixels {
@@ -226,11 +230,14 @@ fn names(canvas: &mut Canvas, sight: &Sight, alpha: f64) {
     dashed(canvas, &sight.place(&Vector3::zeros()), &sight.place(&top), FOLLOWER);
     dashed(canvas, &sight.place(&Vector3::zeros()), &sight.place(&end), DRIVER);
     parts::axis(canvas, &sight.place(&plate), DRIVER);
-    let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, -1.0));
+    let right = Vector2::new(1.0, 0.0);
     canvas.label(&sight.place(&top), &right, 10.0, &Label::words("wheel’s axis").in_colour(FOLLOWER));
-    canvas.label(&sight.place(&end), &-up, 16.0, &Label::words("driver’s axis").in_colour(DRIVER));
+    canvas.label(&sight.place(&end), &Vector2::new(0.4, 0.9), 14.0, &Label::words("driver’s axis").in_colour(DRIVER));
     let pin = on_sphere(0.0, alpha) * PLATE;
-    canvas.label(&sight.place(&pin), &Vector2::new(0.5, -0.9), 24.0, &Label::words("pin"));
+    // Beyond the wheel's outline.
+    let place = Place { point: sight.place(&pin), towards: Vector2::new(0.8, -0.6), distance: 62.0 };
+    canvas.label(&place.point, &place.towards, place.distance, &Label::words("pin"));
+    leader(canvas, &place);
 }
 
 fn dashed(canvas: &mut Canvas, from: &Pixels, to: &Pixels, colour: Colour) {

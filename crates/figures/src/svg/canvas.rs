@@ -1,6 +1,6 @@
 //! The page: shapes first, labels on top, then the frame that makes it an image with words.
 
-use super::ground::{Face, below};
+use super::ground::{Face, astray, below};
 use super::label::{Label, TEXT_SIZE, escape};
 use super::placing::Place;
 use super::shape::Shape;
@@ -75,6 +75,11 @@ impl Canvas {
     /// faces below it.
     pub fn label(&mut self, point: &Pixels, towards: &Pixels, distance: f64, label: &Label) {
         self.labels.push((label.clone(), Place { point: *point, towards: *towards, distance }));
+    }
+
+    /// How much of a label between two corners is beyond the ground under most of it, between 0 and 1.
+    pub fn astray(&self, corners: &[Pixels; 2]) -> f64 {
+        astray(&self.faces, corners)
     }
 
     /// The drawing as one `svg` element, named and described for those who cannot see it.

@@ -51,20 +51,44 @@ pub struct Face {
 /// The colour of what is below a label between two corners: of the faces that are under most of it.
 ///
 /// The fully covering colours of arrow heads and dots are no ground: a label covers them.
-pub fn below(faces: &[Face], [least, greatest]: &[Pixels; 2]) -> String {
+pub fn below(faces: &[Face], corners: &[Pixels; 2]) -> String {
+    let under = |place: Pixels| faces.iter().filter(move |face| face.area.contains(&place));
+    let grounds = counted(corners, |place| under(place).fold(PAPER.0.to_owned(), over));
+    let most = grounds.iter().map(|(_, count)| *count).max();
+    grounds.into_iter().find(|(_, count)| Some(*count) == most).map_or(PAPER.0.to_owned(), |(ground, _)| ground)
+}
+
+/// How much of a label between two corners is beyond the ground under most of it, between 0 and 1.
+pub fn astray(faces: &[Face], corners: &[Pixels; 2]) -> f64 {
+    let grounds = counted(corners, |place| {
+        let under = faces.iter().enumerate().filter(|(_, face)| face.area.contains(&place));
+        under.fold(Vec::new(), |mut under, (k, face)| {
+            match face.colour {
+                PAPER => under.clear(),
+                FILL => under.push(k),
+                _ if face.share < 1.0 => under.push(k),
+                _ => {}
+            }
+            under
+        })
+    });
+    let most = grounds.iter().map(|(_, count)| *count).max().unwrap_or_default();
+    1.0 - most as f64 / grounds.iter().map(|(_, count)| *count).sum::<usize>() as f64
+}
+
+/// What is found at places all over a label between two corners, and at how many of them.
+fn counted<T: PartialEq>([least, greatest]: &[Pixels; 2], at: impl Fn(Pixels) -> T) -> Vec<(T, usize)> {
     let size = greatest - least;
     let places =
         DOWN.iter().flat_map(|down| ACROSS.map(|across| least + size.component_mul(&Pixels::new(across, *down))));
-    let mut grounds: Vec<(String, usize)> = Vec::new();
-    for place in places {
-        let ground = faces.iter().filter(|face| face.area.contains(&place)).fold(PAPER.0.to_owned(), over);
-        match grounds.iter_mut().find(|(known, _)| *known == ground) {
+    let mut found: Vec<(T, usize)> = Vec::new();
+    for what in places.map(at) {
+        match found.iter_mut().find(|(known, _)| *known == what) {
             Some((_, count)) => *count += 1,
-            None => grounds.push((ground, 1)),
+            None => found.push((what, 1)),
         }
     }
-    let most = grounds.iter().map(|(_, count)| *count).max();
-    grounds.into_iter().find(|(_, count)| Some(*count) == most).map_or(PAPER.0.to_owned(), |(ground, _)| ground)
+    found
 }
 
 /// The colour of a ground with a face over it.
@@ -125,6 +149,15 @@ mod tests {
         assert_eq!(under(&[wheel.clone(), square(5.0, 45.0).fill(PAPER)], [10.0, 10.0], [40.0, 30.0]), PAPER.0);
         assert_eq!(under(&[wheel, square(5.0, 45.0).fill(INK)], [10.0, 10.0], [40.0, 30.0]), face);
         assert_eq!(under(&[square(0.0, 50.0)], [10.0, 10.0], [40.0, 30.0]), PAPER.0);
+    }
+
+    #[test]
+    fn a_label_across_an_edge_is_partly_astray() {
+        let faces: Vec<Face> = [square(0.0, 100.0).fill(FILL)].iter().filter_map(Shape::face).collect();
+        let astray = |least: f64| astray(&faces, &[[least, 10.0].into(), [least + 100.0, 30.0].into()]);
+        assert_eq!([0.0, 100.0].map(astray), [0.0, 0.0]);
+        approx::assert_relative_eq!(astray(40.0), 0.4, max_relative = 1e-12);
+        approx::assert_relative_eq!(astray(80.0), 0.2, max_relative = 1e-12);
     }
 
     #[test]

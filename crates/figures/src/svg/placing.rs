@@ -7,10 +7,12 @@ use super::view::{Pixels, clipped, heading};
 use crate::theme::INK;
 use std::f64::consts::PI;
 
-/// Cost of a pixel of distance, of a pixel outside the bounds, and of touching another label.
+/// Cost of a pixel of distance, of a pixel outside the bounds, of touching another label, and of a label that lies all
+/// on other grounds than most of it.
 const DISTANCE: f64 = 0.12;
 const OUTSIDE: f64 = 100.0;
 const TOUCHING: f64 = 2000.0;
+const ASTRAY: f64 = 60.0;
 /// A label farther from what it names than this has a line that leads to it, in pixels.
 const LEADER: f64 = 24.0;
 /// A place of no higher cost hides hardly anything.
@@ -104,7 +106,7 @@ impl Placing {
         label: &Label,
         places: impl IntoIterator<Item = Place>,
     ) -> Option<Place> {
-        let (cost, place) = self.best(label, places)?;
+        let (cost, place) = self.best(label, places, |extent| ASTRAY * canvas.astray(extent))?;
         self.spent += cost;
         self.take(label.extent(label.width(), &place.point, &place.towards, place.distance));
         canvas.label(&place.point, &place.towards, place.distance, label);
@@ -118,17 +120,27 @@ impl Placing {
 
     /// Whether the label has a place that hides hardly anything.
     pub fn has_room(&self, label: &Label, places: impl IntoIterator<Item = Place>) -> bool {
-        self.best(label, places).is_some_and(|(cost, _)| cost < ROOMY)
+        self.best(label, places, |_| 0.0).is_some_and(|(cost, _)| cost < ROOMY)
     }
 
-    fn best(&self, label: &Label, places: impl IntoIterator<Item = Place>) -> Option<(f64, Place)> {
+    /// The place of the least cost, to which `more` adds for what the label would stand on.
+    fn best(
+        &self,
+        label: &Label,
+        places: impl IntoIterator<Item = Place>,
+        more: impl Fn(&[Pixels; 2]) -> f64,
+    ) -> Option<(f64, Place)> {
         let mut best: Option<(f64, Place)> = None;
         let width = label.width();
         for place in places {
             let extent = label.extent(width, &place.point, &place.towards, place.distance);
             let cost = self.cost(&extent) + DISTANCE * place.distance;
-            if best.is_none_or(|(least, _)| cost < least - 1e-6) {
-                best = Some((cost, place));
+            let is_less = |cost: f64| best.is_none_or(|(least, _)| cost < least - 1e-6);
+            if is_less(cost) {
+                let cost = cost + more(&extent);
+                if is_less(cost) {
+                    best = Some((cost, place));
+                }
             }
         }
         best
@@ -193,6 +205,18 @@ mod tests {
         approx::assert_relative_eq!(length([1.0, -5.0], [1.0, 1.0]), 1.0, max_relative = 1e-12);
         assert_eq!(length([-1.0, 3.0], [9.0, 3.0]), 0.0);
         assert_eq!(length([1.0, 1.0], [1.0, 1.0]), 0.0);
+    }
+
+    #[test]
+    fn a_label_keeps_to_one_ground() {
+        let mut canvas = Canvas::new(300.0, 200.0);
+        let disc = Pixels::new(100.0, 100.0);
+        canvas.draw(Shape::circle(&disc, 60.0).tint(INK, 0.2));
+        let mut placing = Placing::within(Pixels::zeros(), Pixels::new(300.0, 200.0));
+        // From a point within, the nearest place is across the edge, and the next one beyond it.
+        let place = |distance| Place { point: disc, towards: Pixels::new(1.0, 0.0), distance };
+        let put = placing.put(&mut canvas, &Label::words("name"), [30.0, 66.0].map(place)).expect("a place");
+        assert_eq!(put.distance, 66.0);
     }
 
     #[test]

@@ -25,6 +25,7 @@ mod search;
 mod shared_tolerance;
 mod sizes;
 mod standard_fit;
+mod walls;
 mod warnings;
 
 pub use centres::CentreTolerance;
@@ -39,5 +40,5 @@ pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{Entry, EntryContact, Knock};
 pub use shared_tolerance::SharedTolerance;
 pub use sizes::{Choices, LockingDisc, Play, Scale, Sizes};
-pub use standard_fit::play_of_h8_e8;
+pub use standard_fit::{play_of_h8_e8, play_of_h8_e8_at};
 pub use warnings::Warning;

@@ -11,6 +11,7 @@
 
 use super::crescent::Crescent;
 use super::sizes::{LockingDisc, Sizes};
+use crate::KinematicsError;
 use crate::indexing::Indexing;
 
 /// How far every size may be wrong while all the others are wrong by as much as they may be, and the shafts as loose as their
@@ -57,23 +58,35 @@ impl Sizes {
     /// How far all sizes may be wrong together so that nothing touches. None without a locking disc, and where loose bores alone
     /// take all clearance.
     pub fn shared_tolerance(&self) -> Option<SharedTolerance> {
+        self.shared_tolerance_within(u32::MAX).ok().flatten()
+    }
+
+    /// How far all sizes may be wrong together, as [`shared_tolerance`](Self::shared_tolerance), with a limit on how many crank
+    /// angles are looked at for each of the clearances that it needs, 28 at most.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::TooManyAngles`] where the play is so small that more crank angles are needed.
+    pub fn shared_tolerance_within(&self, angles: u32) -> Result<Option<SharedTolerance>, KinematicsError> {
+        let Some(locking_gap) = self.locking_gap() else { return Ok(None) };
         let (sine, cosine) = libm::sincos(self.wheel.half_pitch_angle());
         let (gap, bore) = (self.slot_gap(), self.play.bore);
-        let locking = (self.locking_gap()? - bore) / IN_DWELL;
+        let locking = (locking_gap - bore) / IN_DWELL;
         // Axes that are too far apart by e let the pin in later: it is then (e cos α)²/(2 a) more beside the slot's middle.
         let late = (bore + gap / (AT_ENTRY * sine)) * cosine;
         let entry = (gap - bore * sine - late * late / (2.0 * self.crank_radius)) / AT_ENTRY;
         if locking <= 0.0 || entry <= 0.0 {
-            return None;
+            return Ok(None);
         }
         let (mut runs, mut fails) = (0, PARTS + 1);
         while fails - runs > 1 {
             let middle = (runs + fails) / 2;
             let part = f64::from(middle) / f64::from(PARTS);
-            if self.runs_with(&self.shares(part * locking, part * entry)) { runs = middle } else { fails = middle }
+            let limit = self.shares(part * locking, part * entry);
+            if self.runs_with(&limit, angles)? { runs = middle } else { fails = middle }
         }
         let part = f64::from(runs) / f64::from(PARTS);
-        (runs > 0).then(|| self.shares(part * locking, part * entry))
+        Ok((runs > 0).then(|| self.shares(part * locking, part * entry)))
     }
 
     /// The tolerances from the share of a size in the dwell and at entry, in millimetres.
@@ -93,17 +106,18 @@ impl Sizes {
     }
 
     /// Whether a whole turn is clear with all errors at these limits, in both senses of crank radius and centre distance.
-    fn runs_with(&self, limit: &SharedTolerance) -> bool {
-        let errors = [-self.play.bore - limit.nearer, self.play.bore + limit.farther];
-        errors.into_iter().all(|error| {
-            [-1.0, 1.0].into_iter().all(|sense| {
+    fn runs_with(&self, limit: &SharedTolerance, angles: u32) -> Result<bool, KinematicsError> {
+        for error in [-self.play.bore - limit.nearer, self.play.bore + limit.farther] {
+            for sense in [-1.0, 1.0] {
                 let wrong = self.with_errors(limit, sense);
-                let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return false };
+                let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return Ok(false) };
                 let tolerance = assembly.tolerance;
-                let least = assembly.least_within(u32::MAX, 0.0);
-                least.is_ok_and(|least| least.distance >= tolerance)
-            })
-        })
+                if assembly.least_within(angles, 0.0)?.distance < tolerance {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
     }
 
     /// The sizes with all errors but those of the axes and of the slot's direction at these limits, the crank longer or shorter

@@ -47,6 +47,9 @@ pub struct Play {
 /// locking arc leave half of their own play for that, and the crescents of few stations a little less.
 const OF_BORES: f64 = 0.25;
 
+/// The least diameter of a driver's shaft that the program chooses, over the pin's diameter, dimensionless.
+const OF_DRIVER_SHAFT: f64 = 0.4;
+
 /// The clearance at a slot's bottom over the pin's diameter, dimensionless.
 const OF_BOTTOM: f64 = 0.05;
 
@@ -77,7 +80,8 @@ pub struct Choices {
     /// Diameter of the wheel's shaft, in millimetres. By default half of the greatest.
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel, in millimetres. By default half of the greatest; none,
-    /// so that the shaft must end in the plate, where that would be less than a quarter of the pin's diameter.
+    /// so that the shaft must end in the plate, where that would be less than two fifths of the pin's diameter: beside a
+    /// bore as wide as half the room, the disc would be thinner than a fifth of the pin.
     pub driver_shaft: Option<f64>,
 }
 
@@ -233,7 +237,7 @@ impl Sizes {
         }
         sizes.wheel_shaft = shaft(ShaftOf::Wheel, choices.wheel_shaft, sizes.wheel_shaft_limit, 0.0)?;
         sizes.driver_shaft =
-            shaft(ShaftOf::Driver, choices.driver_shaft, sizes.driver_shaft_limit, pin_diameter / 4.0)?;
+            shaft(ShaftOf::Driver, choices.driver_shaft, sizes.driver_shaft_limit, OF_DRIVER_SHAFT * pin_diameter)?;
         Ok(sizes)
     }
 

@@ -19,3 +19,24 @@ pub fn play_of_h8_e8(over: f64, up_to: f64) -> [f64; 2] {
     let least = libm::round(11.0 * libm::pow(mean, 0.41));
     [least / MICROMETRES, (least + 2.0 * grade) / MICROMETRES]
 }
+
+/// Ranges of diameters of ISO 286, each over one and up to another number of millimetres. The first range is that up to 3 mm, whose
+/// mean the standard takes from 1 mm on.
+const RANGES: [[f64; 2]; 8] =
+    [[1.0, 3.0], [3.0, 6.0], [6.0, 10.0], [10.0, 18.0], [18.0, 30.0], [30.0, 50.0], [50.0, 80.0], [80.0, 120.0]];
+
+/// Least and greatest play in millimetres of the fit H8/e8 for a diameter in millimetres, above zero and up to 120; none for others.
+///
+/// For 30 to 50 mm the standard rounds the shaft's least play up to 0.050 mm, so its table has 1 µm more of either.
+///
+/// ```
+/// use geneva_kinematics::wheel::{play_of_h8_e8, play_of_h8_e8_at};
+///
+/// assert_eq!(play_of_h8_e8_at(7.5), Some(play_of_h8_e8(6.0, 10.0)));
+/// assert_eq!(play_of_h8_e8_at(10.0), Some(play_of_h8_e8(6.0, 10.0)));
+/// assert_eq!(play_of_h8_e8_at(121.0), None);
+/// ```
+pub fn play_of_h8_e8_at(diameter: f64) -> Option<[f64; 2]> {
+    let range = RANGES.into_iter().find(|[_, up_to]| diameter <= *up_to)?;
+    (diameter > 0.0).then(|| play_of_h8_e8(range[0], range[1]))
+}

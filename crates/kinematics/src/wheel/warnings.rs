@@ -4,6 +4,7 @@
 //! a look at the strength, and proves nothing.
 
 use super::sizes::Sizes;
+use super::standard_fit::play_of_h8_e8_at;
 use std::fmt;
 
 /// A reason to choose other sizes.
@@ -16,12 +17,19 @@ pub enum Warning {
         /// How far it turns, in radians.
         turns: f64,
     },
-    /// A wall of the wheel is thinner than a fifth of the pin.
+    /// A wall of wheel, locking disc or plate is thinner than a fifth of the pin.
     ThinWall {
         /// Which wall.
         wall: &'static str,
         /// Its thickness, in millimetres.
         thickness: f64,
+    },
+    /// The play is more than that of the fit H8/e8 for the pin. It is for a play that the program chose.
+    LooserThanFit {
+        /// Play of the slot, in millimetres.
+        play: f64,
+        /// Least and greatest play of the fit, in millimetres.
+        fit: [f64; 2],
     },
 }
 
@@ -41,6 +49,11 @@ impl fmt::Display for Warning {
             Self::ThinWall { wall, thickness } => {
                 write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
             }
+            Self::LooserThanFit { play, fit: [least, most] } => write!(
+                f,
+                "the program's play of {play:.3} mm is more than a fit H8/e8 has for this pin, {least:.3} to {most:.3} mm: set \
+                 the play yourself"
+            ),
         }
     }
 }
@@ -59,16 +72,26 @@ impl Sizes {
     pub fn warnings(&self) -> Vec<Warning> {
         let is_tight = self.play.slot == 0.0 || self.locking_gap() == Some(0.0);
         let turns = self.dwell_play().filter(|play| play.can_miss).map(|play| play.greatest);
-        let walls = [
-            ("the horn", self.horn_thickness),
-            ("the web between two slots", self.web),
-            ("the web at the bore", self.bore_web()),
-        ];
-        let thin = walls.into_iter().filter(|(_, thickness)| *thickness < THIN * self.pin_diameter);
+        let thin = self.walls().filter(|(_, thickness)| *thickness < THIN * self.pin_diameter);
         let tight = is_tight.then_some(Warning::NoPlay).into_iter();
         tight
             .chain(turns.map(|turns| Warning::CanMiss { turns }))
             .chain(thin.map(|(wall, thickness)| Warning::ThinWall { wall, thickness }))
             .collect()
+    }
+    /// The warning to someone who let the program choose the play, if it is more than that of the fit H8/e8.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// // For a pin of 7.5 mm the fit has a play of up to 0.069 mm, and for one of 15 mm up to 0.086 mm.
+    /// let of = |crank_radius| Sizes::new(Wheel::new(6)?, Scale::CrankRadius(crank_radius), &Choices::default());
+    /// assert!(of(25.0)?.looser_than_fit().is_none()); // a play of 0.05 mm
+    /// assert!(of(50.0)?.looser_than_fit().is_some()); // a play of 0.1 mm
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn looser_than_fit(&self) -> Option<Warning> {
+        let (play, fit) = (self.play.slot, play_of_h8_e8_at(self.pin_diameter)?);
+        (play > fit[1]).then_some(Warning::LooserThanFit { play, fit })
     }
 }

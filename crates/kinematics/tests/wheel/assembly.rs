@@ -39,7 +39,7 @@ pub(super) fn from_edge(edge: &Edge, p: &Point) -> f64 {
     }
 }
 
-fn points(edges: &[Edge]) -> Vec<Point> {
+pub(super) fn points(edges: &[Edge]) -> Vec<Point> {
     let along = |edge: &Edge| -> Vec<Point> {
         let length = match *edge {
             Edge::Line { from, to } => (to - from).norm(),

@@ -15,4 +15,5 @@ mod shared_tolerance;
 mod sizes;
 mod standard_fit;
 mod tolerances;
+mod walls;
 mod warnings;

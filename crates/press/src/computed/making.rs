@@ -5,7 +5,7 @@ use crate::asked::design;
 use crate::numbers::{fixed, significant};
 use anyhow::Context;
 use geneva_figures::stations;
-use geneva_kinematics::wheel::{Sizes, play_of_h8_e8};
+use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel, play_of_h8_e8};
 
 /// The numbers of the chapter that are of no answer.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -15,6 +15,18 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.fit-6", || Ok(fit(6.0, 10.0))),
     ("making.fit-10", || Ok(fit(10.0, 18.0))),
     ("making.fit-18", || Ok(fit(18.0, 30.0))),
+    ("making.fit-radius-4", || Ok(in_fit(4)?.0)),
+    ("making.fit-pin-4", || Ok(in_fit(4)?.1)),
+    ("making.fit-radius-5", || Ok(in_fit(5)?.0)),
+    ("making.fit-pin-5", || Ok(in_fit(5)?.1)),
+    ("making.fit-radius-6", || Ok(in_fit(6)?.0)),
+    ("making.fit-pin-6", || Ok(in_fit(6)?.1)),
+    ("making.fit-radius-8", || Ok(in_fit(8)?.0)),
+    ("making.fit-pin-8", || Ok(in_fit(8)?.1)),
+    ("making.fit-radius-10", || Ok(in_fit(10)?.0)),
+    ("making.fit-pin-10", || Ok(in_fit(10)?.1)),
+    ("making.fit-radius-12", || Ok(in_fit(12)?.0)),
+    ("making.fit-pin-12", || Ok(in_fit(12)?.1)),
 ];
 
 fn sizes_of(question: &str) -> anyhow::Result<Sizes> {
@@ -42,6 +54,23 @@ fn fit(over: f64, up_to: f64) -> String {
     format!("{least} to {most}&nbsp;mm")
 }
 
+/// The crank radius in whole millimetres up to which the program's play is no more than that of the fit, and the pin's diameter there.
+fn in_fit(stations: u32) -> anyhow::Result<(String, String)> {
+    let [radius, pin] = last_in_fit(stations)?;
+    Ok((format!("{}&nbsp;mm", fixed(radius, 0)), format!("{}&nbsp;mm", fixed(pin, 1))))
+}
+
+fn last_in_fit(stations: u32) -> anyhow::Result<[f64; 2]> {
+    let wheel = Wheel::new(stations)?;
+    let of = |radius: f64| Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default());
+    let mut tenths = 10;
+    while of(f64::from(tenths + 1) / 10.0)?.looser_than_fit().is_none() {
+        tenths += 1;
+    }
+    let radius = f64::from(tenths / 10);
+    Ok([radius, of(radius)?.pin_diameter])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -49,7 +78,7 @@ mod tests {
     use geneva_ask::Field;
     use geneva_ask::wheel::{Design, Question};
     use geneva_kinematics::indexing::Indexing;
-    use geneva_kinematics::wheel::{Choices, EntryContact, Play, Scale};
+    use geneva_kinematics::wheel::{EntryContact, Play};
     use geneva_live::Arguments;
 
     #[track_caller]
@@ -68,8 +97,12 @@ mod tests {
             let (asked, shown) = (asked("worked", key), shown(of.name));
             assert!((asked / shown - 1.0).abs() < 1e-12, "{key}: {asked} {shown}");
         }
-        // The hint: a little apart the pin knocks less, and farther apart it meets a corner.
-        assert!(live.hint.contains("apart by 0.02 mm") && live.hint.contains("At 0.06 mm"), "another hint");
+        // The hint: a little apart the pin knocks less, and farther apart it meets a corner. Another wheel may be another case.
+        let of_the_chapter = "With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm";
+        assert!(live.hint.contains(of_the_chapter) && live.hint.contains("At 0.06 mm"), "another hint");
+        assert!(live.presets.first().is_some_and(|preset| preset.name == "six stations"));
+        let other = design("sized").expect("fits").sizes.expect("a size");
+        assert_ne!(other.entry(0.06).expect("met").contact, EntryContact::Mouth);
         let sizes = sizes().expect("fits");
         assert_eq!(asked("worked-little-apart", "centre_error_mm"), 0.02);
         assert!(asked("worked-little-apart", "entry_knock_mm_s") < 0.8 * shown("blow"));
@@ -105,12 +138,20 @@ mod tests {
 
     #[test]
     fn the_chapters_words_about_the_fit_hold() {
-        let play = |sizes: &Sizes| (sizes.pin_diameter, sizes.play.slot);
-        // The program's play is in the fit for its own pin and beyond it for a larger one.
-        let [(pin, own), (large_pin, large)] = ["worked", "looser"].map(|name| play(&sizes_of(name).expect("fits")));
-        let [[least, most], [_, most_large]] = [play_of_h8_e8(6.0, 10.0), play_of_h8_e8(18.0, 30.0)];
-        assert!((6.0..10.0).contains(&pin) && (least..most).contains(&own));
-        assert!((18.0..30.0).contains(&large_pin) && large > 1.4 * most_large);
+        let (sizes, [least, most]) = (sizes().expect("fits"), play_of_h8_e8(6.0, 10.0));
+        assert!((6.0..10.0).contains(&sizes.pin_diameter) && (least..most).contains(&sizes.play.slot));
+        // Up to the radius of the table no play is more than the fit's, and a millimetre farther one is.
+        for stations in [4, 5, 6, 8, 10, 12] {
+            let wheel = Wheel::new(stations).expect("possible");
+            let is_loose = |radius: f64| {
+                let sizes = Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default()).expect("fits");
+                sizes.looser_than_fit().is_some()
+            };
+            let [last, pin] = last_in_fit(stations).expect("fits");
+            assert!((10..=10 * last as u32).all(|tenths| !is_loose(f64::from(tenths) / 10.0)), "{stations}: {last}");
+            assert!((0..=10).any(|tenths| is_loose(last + f64::from(tenths) / 10.0)), "{stations}: {last}");
+            assert!((3.0..=30.0).contains(&pin), "{stations}: a pin of no column");
+        }
     }
 
     #[test]

@@ -58,7 +58,7 @@ pub fn grave() -> anyhow::Result<Table> {
         ])
     });
     let head = ["Place, and what it says", "Printed", "Right", "What it does"];
-    table("What changes a result or a conclusion", Cells::Words, &head, rows)
+    table("What changes a result or a conclusion", Cells::Wide, &head, rows)
 }
 
 /// How many slips of the documents there are of each consequence, and how many without those of the copy.
@@ -150,8 +150,8 @@ fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String))
         entry("How we read it", escape(reading));
     }
     if !judged.findings.is_empty() {
-        // With the reading.
-        entry("How it was found", how(judged));
+        // With the reading; each route is a paragraph.
+        entry("How it was found", format!("<p>{}</p>", how(judged).replace("<br> ", "</p><p>")));
     }
     if places.claims.len() > 1 {
         entry("Other places", others(judged, places));

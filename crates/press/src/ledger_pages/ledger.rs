@@ -9,10 +9,10 @@ use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
 use crate::formula::broken;
-use crate::html::{escape, prose, tex_or_text};
+use crate::html::{prose, tex_or_text};
 use crate::lookup;
 use crate::pages::{SECTIONS, Section, page_of_slip};
-use crate::units::tied;
+use crate::units::tied_without_tags;
 use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, verdicts};
 use std::collections::BTreeMap;
 
@@ -35,7 +35,7 @@ pub fn page() -> anyhow::Result<String> {
 
 /// The scripts and the style of the page, and what is known of each claim.
 pub fn files() -> anyhow::Result<[File; 3]> {
-    let details = verdicts().iter().map(|judged| Ok((judged.claim.id, tied(&details(judged)?))));
+    let details = verdicts().iter().map(|judged| Ok((judged.claim.id, tied_without_tags(&details(judged)?))));
     let details: BTreeMap<_, _> = details.collect::<anyhow::Result<_>>()?;
     // A claim a line, so that two editions can be compared.
     let text = serde_json::to_string(&details)?.replace("\",\"", "\",\n\"");
@@ -113,7 +113,7 @@ fn row(judged: &Judged) -> anyhow::Result<String> {
         claim.kind.slug(),
         verdict.slug(),
         place(claim),
-        escape(claim.meaning),
+        prose(claim.meaning),
     ))
 }
 

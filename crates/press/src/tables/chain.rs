@@ -2,6 +2,8 @@
 
 use crate::formula::{broken, formula};
 use crate::html::escape;
+use crate::ledger_pages::inline::GLUED;
+use crate::maths::JOINED;
 use geneva_figures::with_minus_sign;
 use std::iter::Peekable;
 use std::str::Chars;
@@ -42,15 +44,22 @@ pub fn words(text: &str) -> anyhow::Result<String> {
         let start = rest[..start].strip_suffix('−').map_or(start, str::len);
         let (before, number) = rest.split_at(start);
         let (number, behind) = number.split_at(power(number));
+        rest = behind;
         out.push_str(&escape(before.trim_end_matches('^')));
         out.push_str(&match number {
             "2" if before.ends_with('^') => "²".to_owned(),
             "3" if before.ends_with('^') => "³".to_owned(),
             _ if before.ends_with('^') => format!("<sup>{number}</sup>"),
-            _ if number.contains(['^', 'e']) => chain(&number.replace('e', " × 10^"))?,
+            _ if number.contains(['^', 'e']) => {
+                // A sign behind a formula does not begin a line.
+                let signs = behind.len() - behind.trim_start_matches(JOINED).len();
+                let (signs, beyond) = behind.split_at(signs);
+                rest = beyond;
+                let formula = chain(&number.replace('e', " × 10^"))?;
+                if signs.is_empty() { formula } else { format!("{GLUED}{formula}{}</span>", escape(signs)) }
+            }
             _ => escape(number),
         });
-        rest = behind;
     }
     Ok(out + &escape(rest))
 }

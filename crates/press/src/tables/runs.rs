@@ -146,7 +146,8 @@ pub fn unexplained() -> anyhow::Result<Table> {
         }
         Ok(cells)
     });
-    let head = ["Pins", "μ", "K", "Printed", "Program's <br>value", "off by, <br>units", "Right", "off by, <br>units"];
+    let head =
+        ["Pins", "μ", "K", "Printed", "Program's <br>value", "off the <br>program's", "Right", "off the <br>right one"];
     table("The two peaks that the program does not reproduce to within one unit, in rad/s", Cells::Numbers, &head, rows)
 }
 

@@ -22,7 +22,10 @@ impl<'t> Joiner<'t> {
         match self.last.take() {
             None => {}
             Some(last) if !self.adjoin(last.span, next.span) => each(last),
-            Some(last) if is_cut(&last, &next) && self.displayed(last.span) == self.displayed(next.span) => {
+            Some(last)
+                if is_cut(&last, &next, self.starts_line(last.span, next.span))
+                    && self.displayed(last.span) == self.displayed(next.span) =>
+            {
                 let mut tokens = last.tokens;
                 tokens.push(Token::new(Kind::Line, next.span));
                 tokens.append(&mut next.tokens);
@@ -30,7 +33,8 @@ impl<'t> Joiner<'t> {
             }
             Some(last) => {
                 // A sign before the first term may belong to it or to what stands before.
-                next.continues = first(&next.tokens).is_some_and(|first| first.is_one_of("+-×·"));
+                let sign = last.tokens.iter().all(|token| token.is_space() || token.is_one_of("+-×·"));
+                next.continues = sign || first(&next.tokens).is_some_and(|first| first.is_one_of("+-×·"));
                 each(last);
             }
         }
@@ -46,6 +50,12 @@ impl<'t> Joiner<'t> {
     fn displayed(&self, of: Span) -> bool {
         let text = self.text.get(of.range()).unwrap_or_default();
         ["$$", "\\[", "\\\\[", "\\begin"].iter().any(|mark| text.starts_with(mark))
+    }
+
+    /// Whether the second one is in the sentence, and on a line of its own.
+    fn starts_line(&self, first: Span, second: Span) -> bool {
+        let between = self.text.get(first.end as usize..second.start as usize).unwrap_or_default();
+        !self.displayed(second) && between.contains('\n')
     }
 
     /// Whether both are TeX between marks, and nothing that is printed is between them.
@@ -68,9 +78,14 @@ fn first(tokens: &[Token]) -> Option<&Token> {
 
 /// Whether the second of two formulas goes on where the first one stops: it begins with an equals sign or the sign of a
 /// product or a sum, or the first one ends with one.
-fn is_cut(one: &Formula, other: &Formula) -> bool {
+fn is_cut(one: &Formula, other: &Formula, starts_line: bool) -> bool {
     let has_cells = |of: &Formula| of.tokens.iter().any(|token| token.kind == Kind::Cell);
     let last = one.tokens.iter().rev().find(|token| !token.is_space());
-    let goes_on = first(&other.tokens).is_some_and(|first| first.is_one_of("=≈+×·"));
-    !has_cells(one) && !has_cells(other) && (goes_on || last.is_some_and(|last| last.is_one_of("+-×·")))
+    let relates = |of: &Formula| of.tokens.iter().any(|token| token.is_one_of("=≈"));
+    // A sign before an equation behind another one may be the mark of an item.
+    let item = starts_line && relates(one) && relates(other);
+    let goes_on = first(&other.tokens).is_some_and(|first| first.is_one_of("=≈") || (first.is_one_of("+×·") && !item));
+    // A sign alone parts two formulas as often as it joins them.
+    let alone = one.tokens.iter().all(|token| token.is_space() || token.is_one_of("+-×·"));
+    !has_cells(one) && !has_cells(other) && !alone && (goes_on || last.is_some_and(|last| last.is_one_of("+-×·")))
 }

@@ -93,6 +93,13 @@ fn thousands(text: &str) -> Option<String> {
     (fits && digits.chars().all(|c| c.is_ascii_digit())).then_some(digits)
 }
 
+/// Whether a number stands alone in brackets at the end of a row, behind space.
+fn is_last_in_brackets(tokens: &[Token], at: usize) -> bool {
+    let opens = at > 1 && tokens[at - 1].is('(') && tokens[at - 2].is_space();
+    let closes = tokens.get(at + 1).is_some_and(|token| token.is(')'));
+    opens && closes && tokens[at + 2..].iter().all(|token| token.is_space() || token.kind == Kind::Line)
+}
+
 fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
@@ -103,18 +110,21 @@ fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
                 seen.commas += usize::from(!(opens && closes));
                 seen.thousands += usize::from(tokens[at - 1].number().is_some_and(|whole| whole.contains('.')));
             }
+            // The number of an equation.
+            Kind::Number(_) if is_last_in_brackets(tokens, at) => {}
             Kind::Number(number) if number.contains('.') => {
                 let braced = text.get(token.span.range()).is_some_and(|source| source.contains(','));
-                if braced {
-                    seen.commas += 1
-                } else {
-                    seen.points += 1
-                }
                 let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is(','));
                 let mut behind = tokens[at + 1..].iter().filter(|token| !token.is_space());
                 let is_mantissa = behind.next().is_some_and(|token| token.is_one_of("×·"))
                     && behind.next().is_some_and(|token| digits(token) == Some("10"));
                 let is_decimal = thousands(number).is_none() || is_mantissa;
+                if braced {
+                    seen.commas += 1;
+                } else {
+                    // What may be a thousand in a text with decimal commas says less.
+                    seen.points += usize::from(is_decimal);
+                }
                 seen.decimal_points += usize::from(!braced && !next_is_comma && is_decimal);
             }
             Kind::Number(number) if number.matches(',').count() == 1 => seen.either += 1,

@@ -56,6 +56,7 @@ fn body(text: &str, each: &mut Found<'_>) {
                     ("newcommand" | "renewcommand" | "providecommand" | "def" | "DeclareMathOperator", _) => {
                         at = definition(text, at).map_or(at + 1 + length, |(_, _, end)| end);
                     }
+                    ("iffalse", _) => at += rest.find("\\fi").map_or(length + 1, |end| end + 4),
                     ("verb" | "lstinline", Some(_)) => {
                         let behind = &text[at + 1 + length..];
                         let mark = behind.chars().next().unwrap_or('|');

@@ -102,6 +102,7 @@ fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
 fn code(text: &str) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     let (mut skip, mut fences) = (Vec::new(), Vec::new());
     let mut maths = false;
+    skip.extend(super::withdrawn(text));
     for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {

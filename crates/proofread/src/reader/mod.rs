@@ -3,6 +3,7 @@
 mod adjoining;
 mod commas;
 mod delimited;
+mod dress;
 mod latex;
 mod markdown;
 mod markup;
@@ -152,7 +153,48 @@ pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
     formulas(text, format, each)
 }
 
+/// Most bytes that are struck out at once.
+const FARTHEST_STRUCK: usize = 1000;
+
+/// What an author has struck out or commented out of a text in Markdown, and the addresses in it.
+fn withdrawn(text: &str) -> Vec<std::ops::Range<usize>> {
+    const MARKS: [(&str, &str); 5] =
+        [("~~", "~~"), ("<del>", "</del>"), ("<s>", "</s>"), ("<strike>", "</strike>"), ("<!--", "-->")];
+    let mut out = Vec::new();
+    for (open, close) in MARKS {
+        let mut from = 0;
+        while let Some(at) = text[from..].find(open).map(|at| from + at) {
+            let inside = at + open.len();
+            // Nobody strikes out more than a paragraph.
+            let limit = if open == "<!--" { text.len() } else { (inside + FARTHEST_STRUCK).min(text.len()) };
+            let limit = (inside..=limit).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(inside);
+            let end = text[inside..limit].find(close).map(|end| inside + end);
+            from = end.map_or(inside, |end| end + close.len());
+            // In a formula these are spaces.
+            let opens =
+                open != close || text[..at].ends_with(|c: char| c.is_whitespace() || "([*".contains(c)) || at == 0;
+            let spaces = |end: usize| {
+                open == close
+                    && (!opens || text[inside..end].contains("$$") || text[inside..end].matches('$').count() % 2 == 1)
+            };
+            match end {
+                Some(end) if spaces(end) => from = inside,
+                Some(end) if open == "<!--" || !text[inside..end].contains("\n\n") => out.push(at..from),
+                None if open == "<!--" => break,
+                _ => {}
+            }
+        }
+    }
+    for (at, _) in text.match_indices("://") {
+        let length = text[at..].find(|c: char| c.is_whitespace() || ")>\"".contains(c)).unwrap_or(text.len() - at);
+        out.push(at..at + length);
+    }
+    out.sort_by_key(|range| range.start);
+    out
+}
+
 pub(crate) use plain::is_noun;
+pub(crate) use symbols::unit_sign;
 
 /// The tokens of running text that starts `base` bytes into the document.
 pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {

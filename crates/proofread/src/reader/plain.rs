@@ -87,13 +87,13 @@ fn bullet(line: &str) -> usize {
     line.len() - rest.len()
 }
 
-/// The bytes of a number or letter with a bracket before a line, as in `2) 4 + 4 = 8`.
+/// The bytes of a number or letter with a bracket or a point before a line, as in `2) 4 + 4 = 8` or `2. 4 + 4 = 8`.
 fn numbered(line: &str) -> usize {
     let rest = line.trim_start().trim_start_matches('(');
     let length = rest.chars().take_while(char::is_ascii_alphanumeric).count();
     let label = rest.get(..length).unwrap_or_default();
     let short = (1..=2).contains(&length) && (length == 1 || label.chars().all(|c| c.is_ascii_digit()));
-    let closes = rest[length..].starts_with(") ");
+    let closes = rest[length..].starts_with(") ") || rest[length..].starts_with(". ");
     if short && closes { line.len() - rest.len() + length + 1 } else { 0 }
 }
 
@@ -125,6 +125,15 @@ fn is_arrow(mut rest: impl Iterator<Item = Token>) -> bool {
     rest.find(|token| !token.is('-')).is_some_and(|token| token.is('>'))
 }
 
+/// Whether the number ahead may be the exponent of a unit before it: one digit, behind which no unit is, as in s-1 but not in 35cm-10cm.
+fn is_exponent(out: &[Token], mut ahead: impl Iterator<Item = Token>) -> bool {
+    let of_unit = out.last().is_some_and(|last| last.word().is_some());
+    let digits = ahead.next();
+    let short = digits.as_ref().and_then(Token::number).is_some_and(|digits| digits.len() == 1);
+    let unit_behind = ahead.next().is_some_and(|next| next.word().is_some_and(|word| unit(word).is_some()));
+    !of_unit || (short && !unit_behind)
+}
+
 /// Makes letters, exponents, products and separators of what running text writes with words and signs.
 fn understood(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::new();
@@ -143,7 +152,7 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
             rest.peek().is_some_and(is)
         };
         let span = token.span;
-        match token.kind {
+        match token.kind.clone() {
             Kind::Operator('^') => {
                 let mut exponent = Vec::new();
                 let signed = next_is(&|next| next.is_one_of("+-"), &mut rest);
@@ -165,7 +174,24 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), span));
             }
             Kind::Operator('*') => {
-                if let Some(_second) = rest.next_if(|next| next.is('*')) {
+                if let Some(second) = rest.next_if(|next| next.is('*')) {
+                    // A power as in a program, 2.0**3, or a mark of bold text.
+                    let of = out.last().is_some_and(|last| {
+                        last.span.end == span.start
+                            && (last.number().is_some() || last.is(')') || matches!(last.kind, Kind::Name(_)))
+                    });
+                    let sign = rest.next_if(|next| of && next.is('-') && next.span.start == second.span.end);
+                    let from = sign.as_ref().map_or(second.span.end, |sign| sign.span.end);
+                    let raised = rest.next_if(|next| of && next.number().is_some() && next.span.start == from);
+                    let mut exponent: Vec<Token> = sign.into_iter().chain(raised).collect();
+                    if exponent.is_empty()
+                        && rest.next_if(|next| of && next.is('(') && next.span.start == from).is_some()
+                    {
+                        exponent.extend(rest.by_ref().take_while(|next| !next.is(')')));
+                    }
+                    if !exponent.is_empty() {
+                        out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), span));
+                    }
                     continue;
                 }
                 out.push(Token::new(Kind::Operator('·'), span));
@@ -252,6 +278,24 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 };
                 out.push(Token::new(kind, span));
             }
+            // An exponent that is not raised any more: m/s2.
+            Kind::Number(ref digits)
+                if matches!(digits.as_str(), "2" | "3")
+                    && out.last().is_some_and(|last| {
+                        last.span.end == span.start
+                            && last.word().is_some_and(|word| unit(word).is_some() && word != "e")
+                    }) =>
+            {
+                out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), vec![token.clone()]), span));
+            }
+            // Another column of a text that is set in columns.
+            Kind::Space(_)
+                if span.end - span.start >= 4
+                    && next_is(&|next| next.is_one_of("=("), &mut rest)
+                    && out.iter().any(|token| token.is('=')) =>
+            {
+                out.push(Token::new(Kind::Operator(';'), span));
+            }
             // An arrow between two states: 4.6 -> 1.8.
             Kind::Operator('-') if is_arrow(rest.clone()) => {
                 while rest.next_if(|next| next.is('-')).is_some() {}
@@ -261,6 +305,7 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
             // Exponents that are not raised any more: 10-3 and s-1.
             Kind::Operator('-')
                 if next_is(&|next| next.number().is_some() && next.span.start == span.end, &mut rest)
+                    && is_exponent(&out, rest.clone())
                     && out.last().is_some_and(|last| last.span.end == span.start)
                     && lost_its_exponent(&out) =>
             {

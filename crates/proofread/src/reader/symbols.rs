@@ -2,18 +2,43 @@
 
 use crate::token::{Function, Kind, Span, Token};
 
+/// Commands that make one sign of a unit, without their backslash.
+const UNIT_SIGNS: [(&str, char); 13] = [
+    ("Omega", 'Ω'),
+    ("ohm", 'Ω'),
+    ("Ohm", 'Ω'),
+    ("textohm", 'Ω'),
+    ("mu", 'μ'),
+    ("micro", 'μ'),
+    ("textmu", 'μ'),
+    ("upmu", 'μ'),
+    ("AA", 'Å'),
+    ("angstrom", 'Å'),
+    ("degree", '°'),
+    ("textdegree", '°'),
+    ("%", '%'),
+];
+
+/// The sign of a unit that a command of this name makes.
+pub(crate) fn unit_sign(name: &str) -> Option<char> {
+    UNIT_SIGNS.iter().find(|(known, _)| *known == name).map(|(_, sign)| *sign)
+}
+
 /// A command without arguments.
 pub(crate) fn symbol(name: &str) -> Kind {
     const GREEK: &str = "alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta θ iota ι kappa κ \
-        lambda λ mu μ nu ν xi ξ pi π rho ρ varrho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ \
-        Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω hbar ℏ ell ℓ infty ∞ micro μ textmu μ upmu μ \
-        ohm Ω textohm Ω AA Å angstrom Å";
+        lambda λ nu ν xi ξ pi π rho ρ varrho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ \
+        Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ uppi π uplambda λ uprho ρ upalpha α upbeta β upgamma γ hbar ℏ ell ℓ infty ∞";
     let mut greek = GREEK.split_whitespace();
     while let (Some(known), Some(letter)) = (greek.next(), greek.next()) {
         if known == name {
-            let upright = name.ends_with("ohm") || letter == "Å";
-            return if upright { Kind::Word(letter.to_owned()) } else { Kind::Name(letter.to_owned()) };
+            return Kind::Name(letter.to_owned());
         }
+    }
+    if let Some(sign) = unit_sign(name) {
+        // The Greek letters may be quantities, too.
+        let letter = matches!(name, "Omega" | "mu" | "micro" | "textmu" | "upmu");
+        return if letter { Kind::Name(sign.to_string()) } else { Kind::Word(sign.to_string()) };
     }
     if let Some(function) = Function::named(name) {
         return Kind::Function(function);
@@ -33,6 +58,9 @@ pub(crate) fn symbol(name: &str) -> Kind {
         "le" | "leq" | "leqslant" | "lt" | "ll" | "lesssim" => '<',
         "ge" | "geq" | "geqslant" | "gt" | "gg" | "gtrsim" | "propto" | "mid" | "leftrightarrow" => '>',
         "lvert" | "rvert" | "vert" => '|',
+        "lparen" => '(',
+        "rparen" => ')',
+        "surd" => '√',
         "lbrace" => '{',
         "rbrace" => '}',
         "lbrack" => '[',

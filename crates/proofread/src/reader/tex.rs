@@ -1,5 +1,6 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
+use super::dress::{self, stacked};
 use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
@@ -8,6 +9,18 @@ use std::collections::HashMap;
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
+/// What may part the thousands of a number.
+const SEPARATORS: [&[char]; 9] = [
+    &[','],
+    &['{', ',', '}'],
+    &['\\', ','],
+    &['\\', ':'],
+    &['\\', ';'],
+    &['\\', ' '],
+    &['~'],
+    &['{', ' ', '}'],
+    &['\''],
+];
 /// Most characters that the macros of one formula may add.
 const MOST_EXPANDED: usize = 20_000;
 
@@ -28,31 +41,31 @@ pub(crate) fn formula(signs: &[Sign], macros: &Macros) -> Vec<Token> {
     reader.tokens(0, &[])
 }
 
-struct Tex<'m> {
+pub(super) struct Tex<'m> {
     /// What is still to be read, the next character last.
-    stack: Vec<Sign>,
+    pub(super) stack: Vec<Sign>,
     macros: &'m Macros,
     expanded: usize,
     /// Whether the rest of the group is upright, as behind `\rm`.
     upright: bool,
 }
 
-fn token(kind: Kind, span: Span) -> Token {
+pub(super) fn token(kind: Kind, span: Span) -> Token {
     Token::new(kind, span)
 }
 
 impl Tex<'_> {
-    fn peek(&self) -> Option<Sign> {
+    pub(super) fn peek(&self) -> Option<Sign> {
         self.stack.last().copied()
     }
 
     /// The `n`th next character.
-    fn ahead(&self, n: usize) -> Option<char> {
+    pub(super) fn ahead(&self, n: usize) -> Option<char> {
         let at = self.stack.len().checked_sub(n + 1)?;
         self.stack.get(at).map(|sign| sign.c)
     }
 
-    fn skip_space(&mut self) {
+    pub(super) fn skip_space(&mut self) {
         while self.peek().is_some_and(|sign| sign.c.is_whitespace()) {
             self.stack.pop();
         }
@@ -74,7 +87,7 @@ impl Tex<'_> {
     }
 
     /// The characters of a group, or the next character or command.
-    fn raw_group(&mut self) -> Vec<Sign> {
+    pub(super) fn raw_group(&mut self) -> Vec<Sign> {
         self.skip_space();
         let Some(first) = self.stack.pop() else { return Vec::new() };
         if first.c == '\\' {
@@ -116,7 +129,7 @@ impl Tex<'_> {
         out
     }
 
-    fn optional(&mut self) -> Option<Vec<Sign>> {
+    pub(super) fn optional(&mut self) -> Option<Vec<Sign>> {
         self.skip_space();
         (self.peek()?.c == '[').then(|| {
             self.stack.pop();
@@ -124,7 +137,7 @@ impl Tex<'_> {
         })
     }
 
-    fn argument(&mut self, depth: usize) -> Vec<Token> {
+    pub(super) fn argument(&mut self, depth: usize) -> Vec<Token> {
         self.skip_space();
         match self.peek().map(|sign| sign.c) {
             Some('{') => {
@@ -191,7 +204,8 @@ impl Tex<'_> {
                     let inner = self.tokens(depth + 1, &['}']);
                     out.push(token(Kind::Group(inner), span));
                 }
-                '}' => {
+                // The end of a group that is none, or a mark of a formula in text in a formula.
+                '}' | '$' => {
                     self.stack.pop();
                 }
                 '^' | '_' => {
@@ -227,7 +241,7 @@ impl Tex<'_> {
             }
         }
         stand(&mut out, &mut upright);
-        out
+        stacked(out)
     }
 
     /// Takes a number with `,`, `{,}` or `\,` between its thousands.
@@ -245,7 +259,7 @@ impl Tex<'_> {
                 self.stack.pop();
             }
             let leading = *leading.get_or_insert(taken.len());
-            let separator: &[char] = [&[','][..], &['{', ',', '}'], &['\\', ',']]
+            let separator: &[char] = SEPARATORS
                 .into_iter()
                 .find(|of| of.iter().enumerate().all(|(at, c)| self.ahead(at) == Some(*c)))
                 .unwrap_or(&[]);
@@ -259,7 +273,7 @@ impl Tex<'_> {
             let span = self.peek().map_or(Span::default(), |sign| sign.span);
             self.stack.truncate(self.stack.len() - n);
             // Space parts thousands in texts with decimal commas, too.
-            if separator != ['\\', ','] {
+            if separator.contains(&',') && separator[0] != '\\' {
                 taken.push(Sign { c: ',', span });
             }
         }
@@ -343,12 +357,6 @@ impl Tex<'_> {
             "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf"
             | "textsf" | "hbox" | "textnormal" | "mathtt" | "textup" | "mathup" | "symup" | "symrm" | "textsc"
             | "textmd" => self.upright(&name, depth, out),
-            "mathbf" | "boldsymbol" | "mathit" | "mathcal" | "bm" | "mathbb" | "mathscr" | "mathfrak" | "pmb"
-            | "boxed" | "underline" | "cancel" | "bcancel" | "xcancel" | "ensuremath" | "fbox" | "mathnormal"
-            | "framebox" => {
-                let inner = self.argument(depth);
-                push(out, Kind::Group(inner));
-            }
             "underbrace" | "overbrace" | "underbracket" | "overbracket" => {
                 let inner = self.argument(depth);
                 push(out, Kind::Group(inner));
@@ -359,28 +367,22 @@ impl Tex<'_> {
                     self.argument(depth);
                 }
             }
-            "left" | "right" => {
-                self.skip_space();
-                if self.ahead(0) == Some('.') {
-                    self.stack.pop();
-                }
-            }
             "rm" | "upshape" | "rmfamily" => self.upright = true,
-            "it" | "bf" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl" | "biggr"
-            | "Biggl" | "Biggr" | "displaystyle" | "textstyle" | "limits" | "nolimits" | "scriptstyle" | "nonumber"
-            | "hfill" | "notag" | "noindent" | "hline" | "par" | "allowbreak" | "break" | "relax" | "middle"
-            | "strut" => {}
-            "tag" | "label" | "ref" | "cite" | "eqref" | "vspace" | "hspace" | "phantom" | "color" | "intertext"
-            | "footnote" | "require" | "hphantom" | "vphantom" | "shortintertext" => {
+            "intertext" | "shortintertext" => {
                 self.raw_group();
-                if name.ends_with("intertext") {
-                    push(out, Kind::Line);
-                }
+                push(out, Kind::Line);
             }
-            "textcolor" => {
-                self.raw_group();
-                let inner = self.argument(depth);
-                push(out, Kind::Group(inner));
+            "hspace" | "hskip" | "kern" | "mspace" | "mkern" => {
+                let length = self.length();
+                push(out, Kind::Space(dress::width(&length).max(2)));
+            }
+            "hfill" | "hfil" => push(out, Kind::Space(20)),
+            // The number of an equation.
+            "eqno" | "leqno" => while self.stack.pop().is_some() {},
+            "genfrac" => {
+                (0..4).for_each(|_| drop(self.raw_group()));
+                let (above, below) = (self.argument(depth), self.argument(depth));
+                push(out, Kind::Fraction(above, below));
             }
             "overline" | "bar" | "vec" | "dot" | "ddot" | "hat" | "tilde" | "widehat" | "overrightarrow"
             | "widetilde" | "acute" => {
@@ -394,13 +396,17 @@ impl Tex<'_> {
                 let base = self.argument(depth);
                 push(out, Kind::Accent(base, sign.to_owned()));
             }
-            "circ" | "degree" | "textdegree" | "degreeCelsius" | "celsius" | "textcelsius" => {
+            "circ" | "degree" | "degrees" | "deg" | "textdegree" | "degreeCelsius" | "celsius" | "textcelsius" => {
                 push(out, Kind::Word(if name.ends_with("elsius") { "°C" } else { "°" }.to_owned()));
             }
             "ang" => {
                 let signs = self.raw_group();
-                words(&signs, out);
-                push(out, Kind::Word("°".to_owned()));
+                if signs.iter().any(|sign| sign.c == ';') {
+                    push(out, Kind::Unknown("an angle with minutes".to_owned()));
+                } else {
+                    words(&signs, out);
+                    push(out, Kind::Word("°".to_owned()));
+                }
             }
             // The brackets of the package physics.
             "qty" | "quantity" if self.peek().is_some_and(|next| "([|".contains(next.c)) => {}
@@ -418,10 +424,25 @@ impl Tex<'_> {
             "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
                 let options = self.optional().unwrap_or_default();
                 // The number of the package units.
-                if name == "unit" && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || sign.c == '-') {
-                    words(&options, out);
+                if name == "unit"
+                    && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || "-.$".contains(sign.c))
+                {
+                    let number = self.inside(options.into_iter().rev().collect(), depth);
+                    out.push(token(Kind::Group(number), span));
                 }
                 self.quantity(&name, depth, out);
+            }
+            "unitfrac" => {
+                let number = self.optional().unwrap_or_default();
+                let number = self.inside(number.into_iter().rev().collect(), depth);
+                push(out, Kind::Group(number));
+                push(out, Kind::Space(2));
+                let [above, below] = [self.argument(depth), self.argument(depth)].map(|part| {
+                    let mut words = Vec::new();
+                    merge_letters(part, &mut words);
+                    words
+                });
+                push(out, Kind::Fraction(above, below));
             }
             "quad" => push(out, Kind::Space(10)),
             "qquad" => push(out, Kind::Space(20)),
@@ -434,20 +455,53 @@ impl Tex<'_> {
             "&" => {}
             "amp" => push(out, Kind::Cell),
             "\\" | "newline" | "cr" | "tabularnewline" => {
-                self.optional();
+                self.row_space();
                 push(out, Kind::Line);
             }
             "begin" | "end" => self.environment(&name, span, out),
+            "square" | "Box" if !self.ends() => push(out, Kind::Unknown("a box to fill in".to_owned())),
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, Kind::Space(2)),
             "pmod" | "bmod" => push(out, Kind::Unknown(name)),
+            name if dress::of(name).is_some() => self.dressed(name, span, depth, out),
+            name if dress::long(name).is_some() => {
+                self.optional();
+                self.raw_group();
+                out.extend(dress::long(name).map(|sign| token(Kind::Operator(sign), span)));
+            }
             name => push(out, symbol(name)),
         }
+    }
+
+    /// Skips the space between two rows, `[4pt]`, which is told from a row that begins with a bracket by being a length.
+    fn row_space(&mut self) {
+        let mut ahead = self.stack.iter().rev().map(|sign| sign.c).skip_while(|c| c.is_whitespace());
+        if ahead.next() != Some('[') {
+            return;
+        }
+        let inside: String = ahead.take(20).take_while(|c| *c != ']').collect();
+        let inside = inside.trim();
+        let is_length = inside.contains(|c: char| c.is_ascii_digit() || c == '\\')
+            && ["pt", "em", "ex", "cm", "mm", "in", "skip", "jot", "size", "height"]
+                .iter()
+                .any(|end| inside.ends_with(end));
+        if is_length {
+            self.optional();
+        }
+    }
+
+    /// Whether nothing but space and full stops is left.
+    fn ends(&self) -> bool {
+        self.stack.iter().all(|sign| sign.c.is_whitespace() || ".,}$&\\".contains(sign.c))
     }
 
     /// Upright text: a function, units, or words.
     fn upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
         let raw = self.raw_group();
         let text: String = raw.iter().map(|sign| sign.c).collect();
+        // A remark in brackets stands apart.
+        if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
+            out.push(token(Kind::Space(2), whole(&raw)));
+        }
         if let Some(function) = Function::named(text.trim()) {
             out.push(token(Kind::Function(function), whole(&raw)));
             return;

@@ -49,6 +49,14 @@ pub(crate) fn number_length(signs: &[Sign]) -> usize {
     }
     let grouped = |at: usize| is(at, ',') && (1..=3).all(|k| digit(at + k)) && !digit(at + 4);
     if (1..=3).contains(&at) && !(at == 1 && is(0, '0')) {
+        // Lakhs and crores: 1,20,000.
+        let mut pairs = at;
+        while at < 3 && is(pairs, ',') && digit(pairs + 1) && digit(pairs + 2) && is(pairs + 3, ',') {
+            pairs += 3;
+        }
+        if grouped(pairs) {
+            at = pairs;
+        }
         while grouped(at) {
             at += 4;
         }
@@ -157,7 +165,16 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
         } else if in_word(c) {
             let all = run(&in_word);
             taken = (1..all).find(|at| basis(&rest[*at..]).is_some()).unwrap_or(all);
-            word(&rest[..taken], out);
+            let letter = |sign: &Sign| sign.c.is_ascii_alphabetic();
+            let digits = rest[taken..].iter().take_while(|sign| sign.c.is_ascii_digit()).count();
+            let longer = rest[taken + digits..].iter().take_while(|sign| letter(sign)).count();
+            if digits > 0 && taken > 1 && longer > 1 {
+                taken += digits + longer;
+                out.push(Token::new(Kind::Unknown("a name with digits in it".to_owned()), whole(&rest[..taken])));
+            } else {
+                word(&rest[..taken], out);
+                taken += typed(&rest[taken..], out);
+            }
         } else if c.is_whitespace() {
             taken = run(&char::is_whitespace);
             out.push(Token::new(Kind::Space(2), whole(&rest[..taken])));
@@ -191,6 +208,29 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
         }
         at += taken;
     }
+}
+
+/// What is typed behind the name of a function: the base in `log2(8)`, or the exponent in `cos2(60)` and `sin-1(0.5)`. How many characters
+/// it is.
+fn typed(rest: &[Sign], out: &mut Vec<Token>) -> usize {
+    let Some(Token { kind: Kind::Function(function), .. }) = out.last_mut() else { return 0 };
+    let minus = usize::from(rest.first().is_some_and(|sign| sign.c == '-'));
+    let digits: String = rest[minus..].iter().map(|sign| sign.c).take_while(char::is_ascii_digit).collect();
+    let taken = minus + digits.len();
+    if rest.get(taken).is_none_or(|sign| sign.c != '(') {
+        return 0;
+    }
+    match (*function, minus, digits.as_str()) {
+        (Function::Log, 0, "2") => *function = Function::LogTo(2),
+        (Function::Log, 0, "10") => *function = Function::Lg,
+        (_, 0, "2") | (_, 1, "1") => {
+            let exponent = if minus == 1 { vec![Token::new(Kind::Operator('-'), rest[0].span)] } else { Vec::new() };
+            let exponent = exponent.into_iter().chain([number(&rest[minus..taken])]).collect();
+            out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), whole(&rest[..taken])));
+        }
+        _ => return 0,
+    }
+    taken
 }
 
 fn word(signs: &[Sign], out: &mut Vec<Token>) {

@@ -1,0 +1,177 @@
+//! Notations that only some texts have, each in a right chain of ours that must not be listed, beside a wrong one that must.
+
+use crate::report;
+use proofread::{Format, List};
+
+fn on(list: List, text: &str, format: Format) -> Vec<String> {
+    let findings = report(text, format).findings;
+    findings.into_iter().filter(|of| of.list == list).map(|of| format!("{} | {}", of.left, of.right)).collect()
+}
+
+#[track_caller]
+fn unlisted(format: Format, texts: &[&str]) {
+    for text in texts {
+        assert_eq!(on(List::Numbers, text, format), [""; 0], "{text}");
+    }
+}
+
+#[track_caller]
+fn listed(format: Format, texts: &[&str]) {
+    for text in texts {
+        assert_ne!(on(List::Numbers, text, format), [""; 0], "{text}");
+    }
+}
+
+#[test]
+fn a_label_before_a_chain_is_no_factor() {
+    unlisted(
+        Format::Plain,
+        &[
+            "5.1 (3 + 4) · 2 = 14",
+            "[5] 3 + 4 = 7",
+            "Day 3 — 12 · 4 = 48",
+            "(1) 5 + 1 = 6 (2) 5 + 2 = 7",
+            "2- 5 + 2 = 7",
+            "line 12 · 0.05 = 20.60",
+        ],
+    );
+    listed(Format::Plain, &["(3 + 4) · 2 = 15", "12 - 3 · 4 = 13", "5 + 1 = 7"]);
+    unlisted(Format::Markdown, &[r"$[2]\ 3\cdot4=12$", r"$2^\circ\ 3\cdot4=12$", r"$(1)\ -3+4=1$"]);
+}
+
+#[test]
+fn what_is_in_brackets_behind_a_result_is_no_factor() {
+    unlisted(
+        Format::Markdown,
+        &[
+            r"$20/2.0=10.0\ (9.97)$",
+            r"$\arcsin0.6=36.9^\circ\ (0.644\ \mathrm{rad})$",
+            r"$25+273=298\ (298.15)\ \mathrm K$",
+            r"$12(0.5)=6.0\ \mathrm W\ (\pm5\%)$",
+            r"$1/6=0.1(6)$",
+            r"$12.5(3)\times2=25.0(6)$",
+            r"$3\times4=12^{(3)}$",
+            r"$3\times4=12\hfill(3)$",
+            "3 × 5 = 15[2]",
+            "3 × 4 = 12 – (1)",
+        ],
+    );
+    listed(Format::Markdown, &[r"$20/2.0=12.0\ (9.97)$", r"$1/6=0.3(6)$", r"$12.5(3)\times2=26.0(6)$"]);
+}
+
+#[test]
+fn decimals_and_thousands_are_parted_in_many_ways() {
+    unlisted(
+        Format::Markdown,
+        &[
+            r"$3{\cdot}5\times2=7{\cdot}0$",
+            r"$\log_{10}2=0\cdot3010$",
+            r"$1'000+500=1'500$ and $1\:000+500=1\;500$",
+            "1,20,000 + 6,000 = 1,26,000",
+            r"$1{,}5\cdot2=3{,}0\quad(2.3)$ and $0{,}438\cdot1000=438$",
+        ],
+    );
+    listed(Format::Markdown, &[r"$3{\cdot}5\times2=8{\cdot}0$", r"$1'000+500=1'600$", "1,20,000 + 6,000 = 1,36,000"]);
+}
+
+#[test]
+fn angles_and_temperatures_lose_their_signs() {
+    unlisted(
+        Format::Markdown,
+        &[
+            r"$10.0\cos60^0=5.00$",
+            r"$\tan^{-1}(-4/3)=-53.1^\circ=306.9^\circ$",
+            r"$255\,\mathrm K=-18\,^\circ\mathrm C$",
+            r"$300\,\mathrm K = 27^\circ$C",
+            "20C = 293K",
+        ],
+    );
+    listed(
+        Format::Markdown,
+        &[r"$10.0\cos60^0=6.00$", r"$-53.1^\circ=316.9^\circ$", r"$255\,\mathrm K=-28\,^\circ\mathrm C$"],
+    );
+}
+
+#[test]
+fn a_letter_with_a_number_put_in_is_no_unit() {
+    unlisted(
+        Format::Plain,
+        &[
+            "f = 1/T = 1/0.02 = 50 Hz",
+            "v² = 2*g*h = 2*9.81*5 = 98.1",
+            "R = 1/h + 0.1 = 1/10 + 0.1 = 0.2",
+            "1/F = 1/D + 1/d",
+            "E = 3kT/2 = 3 · 1.38e-23 · 300/2",
+        ],
+    );
+    listed(Format::Plain, &["f = 1/T = 1/0.0200 = 60.0", "12.0 m/4.0 s = 4.0 m/s"]);
+}
+
+#[test]
+fn words_join_numbers() {
+    unlisted(
+        Format::Plain,
+        &[
+            "5 times 3 = 15",
+            "the sum of 3 and 4 = 7",
+            "28.47 − initial 0.32 = 28.15",
+            "interest on 8000 = 8000 · 1.1 − 8000 = 800",
+            "24 = 2 by 12",
+            "At 22°C = 19.8 torr",
+        ],
+    );
+    unlisted(Format::Plain, &["P = 12 V ×\n0.25 A = 3.0 W", "P = 12 V\n× 0.25 A = 3.0 W"]);
+    listed(Format::Plain, &["times\n5 + 3 = 9", "so 5 + 3 = 9", "The interest is 80.5 · 1.100 − 80.5 = 9.05"]);
+}
+
+#[test]
+fn other_arithmetic_is_not_reckoned_with() {
+    unlisted(
+        Format::Markdown,
+        &[
+            r"$5^{-1} = 3$ in $\mathbb{Z}_7$.",
+            "In Boolean algebra 1 + 1 = 1.",
+            "11111010 + 1 = 11111011, −6 + 1 = 11111011",
+            "[7] + [8] = [3]",
+            "89-12-30 + 01-00-00 = 90-12-30",
+        ],
+    );
+    unlisted(Format::Plain, &["Sta. 12+50 to Sta. 15+75 = 325 ft", "1914–1918 = 4", "1-1/2 + 2-3/4 = 4-1/4 in"]);
+    listed(Format::Markdown, &["$5^{-1} = 3$ in the end.", "1 + 1 = 1", "1-1/2 + 2-3/4 = 5"]);
+}
+
+#[test]
+fn a_row_that_begins_with_a_sign_or_a_bracket_may_be_an_equation() {
+    unlisted(
+        Format::Latex,
+        &[
+            "\\begin{align*} 0.25\\cdot4 &= 1.0 \\\\\n -2\\cdot3 &= -6 \\end{align*}",
+            "\\begin{align*} [X] &= 0.35/0.7 = 0.5 \\\\\n [Y] &= 0.6/0.2 = 3 \\end{align*}",
+            "\\begin{align*} x &= 3\\cdot4 &&\\text{with 2 of them}\\\\ &= 12 &&\\text{by (3)} \\end{align*}",
+        ],
+    );
+    listed(
+        Format::Latex,
+        &[
+            "\\begin{align*} [X] &= 0.35/0.7 = 0.6 \\\\\n [Y] &= 0.6/0.2 = 3 \\end{align*}",
+            "\\begin{align*} x &= 3\\cdot4 &&\\text{with 2 of them}\\\\ &= 13 \\end{align*}",
+        ],
+    );
+}
+
+#[test]
+fn what_is_struck_out_is_no_text() {
+    unlisted(
+        Format::Markdown,
+        &["~~3 × 4 = 13~~ 3 × 4 = 12", "<del>3 × 4 = 13</del>", "<!-- 3 × 4 = 13 -->", "see http://a.org/?q=3+4=8"],
+    );
+    unlisted(Format::Latex, &[r"\iffalse $2+2=5$ \fi $2+2=4$"]);
+    listed(Format::Markdown, &["3 × 4 = 13", "~ 3 × 4 = 13 ~", "$x~~y$ and 3 × 4 = 13"]);
+    listed(Format::Latex, &[r"\iffalse $2+2=4$ \fi $2+2=5$"]);
+}
+
+#[test]
+fn a_step_between_may_be_rounded() {
+    unlisted(Format::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.455\,\text{kPa}$"]);
+    listed(Format::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.435\,\text{kPa}$"]);
+}
