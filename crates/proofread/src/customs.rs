@@ -83,7 +83,7 @@ pub(crate) fn lacks_direction(left: &Value, right: &Value) -> bool {
 }
 
 /// Whether two sides agree once the unit that one of them leaves to be understood is put in: the electronvolt beside meV, the
-/// centimetre beside μm, the revolution beside a division by 2π, the atomic mass unit.
+/// centimetre beside μm, kilohms under volts beside μA, the revolution beside a division by 2π, the atomic mass unit.
 pub(crate) fn understood(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
     let [of_left, of_right] = sides;
     leaves_unit_out(of_left, left, of_right, right) || leaves_unit_out(of_right, right, of_left, left)
@@ -109,8 +109,13 @@ fn leaves_unit_out(bare_side: &[Token], bare: &Value, side: &[Token], other: &Va
             return !raised && ratio.is_some_and(|ratio| with(other.factor * ratio));
         }
         let base = base.filter(|base| base.dimension == other.dimension);
+        // Volts over kilohms give milliamperes, and the prefixes are understood with the units.
+        let by_prefixes =
+            |base: f64| !bare.is_literal() && (-4..=4).any(|power| with(base * libm::pow(1e3, f64::from(power))));
         let length = unit("cm").filter(|cm| cm.dimension == other.dimension && word != "cm");
-        return base.is_some_and(|base| with(base.factor) || length.is_some_and(|cm| with(cm.factor)));
+        return base.is_some_and(|base| {
+            with(base.factor) || length.is_some_and(|cm| with(cm.factor)) || by_prefixes(base.factor)
+        });
     }
     if other.angle == Some(Angle::Radians) {
         let divides = any(bare_side, &|kind| *kind == Kind::Name("π".to_owned()));

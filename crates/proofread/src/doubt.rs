@@ -227,6 +227,9 @@ impl Place<'_> {
         let apart = left.difference(right) > FAR;
         // What the text names in words has its unit there, or the working leaves it out.
         let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
+        // The dollar is also a unit of other things.
+        let is_sum = self.right.tokens.first().and_then(Token::word) == Some("$");
+        let costs = is_sum && left.literal == Literal::Number && !left.has_unit;
         // A quantity and its size, whose direction is said in words.
         let both = left.literal == Literal::Number && right.literal == Literal::Number;
         // Twice what a letter stands for: 2M = 18.0 g/mol.
@@ -235,7 +238,11 @@ impl Place<'_> {
             return true;
         }
         let opposite = both && left.dimension == right.dimension && left.clone().negated().meets(right, ROUGH);
-        lacks_unit || opposite || (bare(left) && (is_small || (bare(right) && apart)))
+        // So is the deviation in per cent of what was measured.
+        let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
+            && right.is_literal()
+            && left.clone().negated().meets(right, ROUGH);
+        lacks_unit || opposite || costs || deviates || (bare(left) && (is_small || (bare(right) && apart)))
     }
 
     /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.

@@ -45,6 +45,7 @@ pub(crate) fn others(text: &str, formula: &Formula, left: &Side, right: &Side) -
     each(&to_base_two);
     each(&without_note);
     each(&under_function);
+    each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));
     if formula.written == Written::Plain {
         each(&under_root);
@@ -89,6 +90,48 @@ fn without_label(side: &[Token], plain: bool) -> Vec<Vec<Token>> {
     };
     ends.retain(|end| *end < side.len() && starts(*end) && side[*end..].iter().any(computes));
     ends.into_iter().map(|end| side[end..].to_vec()).collect()
+}
+
+/// A side whose quotients end before the power of ten that follows: `100/20 × 10^6` as five million.
+fn from_left_to_right(side: &[Token]) -> Option<Vec<Token>> {
+    let solid: Vec<&Token> = side.iter().filter(|token| !token.is_space()).collect();
+    let mut out: Vec<Token> = Vec::with_capacity(side.len() + 2);
+    let mut found = false;
+    let mut at = 0;
+    while at < solid.len() {
+        let quotient = match solid.get(at..at + 6) {
+            Some([above, slash, below, times, ten, power]) => {
+                above.number().is_some()
+                    && slash.is('/')
+                    && below.number().is_some()
+                    && times.is_one_of("×·")
+                    && ten.number() == Some("10")
+                    && matches!(power.kind, Kind::Power(_))
+            }
+            _ => false,
+        };
+        if quotient {
+            found = true;
+            let bracket = |sign: char| Token::new(Kind::Operator(sign), solid[at].span);
+            out.push(bracket('('));
+            out.extend(solid[at..at + 3].iter().map(|token| (*token).clone()));
+            out.push(bracket(')'));
+            at += 3;
+            continue;
+        }
+        let token = solid[at];
+        let kind = match &token.kind {
+            Kind::Fraction(above, below) => {
+                let [over, under] = [above, below].map(|part| from_left_to_right(part));
+                found |= over.is_some() || under.is_some();
+                Kind::Fraction(over.unwrap_or_else(|| above.clone()), under.unwrap_or_else(|| below.clone()))
+            }
+            other => other.clone(),
+        };
+        out.push(Token::new(kind, token.span));
+        at += 1;
+    }
+    found.then_some(out)
 }
 
 /// A side without what stands in brackets behind its result, in another unit or with more digits: `36.9° (0.644 rad)`, `298 (298.15) K`.

@@ -25,6 +25,8 @@ fn body(text: &str, each: &mut Found<'_>) {
     let macros = macros(text);
     let bytes = text.as_bytes();
     let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());
+    // Whether groups have ended so far; one without an end is looked for once.
+    let mut closes = true;
     while at < bytes.len() {
         match bytes[at] {
             b'%' => at += text[at..].find('\n').unwrap_or(bytes.len() - at),
@@ -65,6 +67,13 @@ fn body(text: &str, each: &mut Found<'_>) {
                         let end = inside[..line].find(mark).map_or(0, |end| end + mark.len_utf8());
                         at += 1 + length + mark.len_utf8() + end;
                     }
+                    // What the document sets to nothing isn't printed.
+                    (name, _) if macros.get(name).is_some_and(|of| of.arguments > 0 && of.body.trim().is_empty()) => {
+                        at += 1 + length;
+                        let unprinted = if closes { closing_brace(&bytes[at..]) } else { None };
+                        closes &= unprinted.is_some();
+                        at += unprinted.unwrap_or(0);
+                    }
                     (name, _) => at = abbreviation(text, at, name, scope, &macros, each),
                 }
             }
@@ -74,6 +83,24 @@ fn body(text: &str, each: &mut Found<'_>) {
             at += 1;
         }
     }
+}
+
+/// The bytes up to the end of the group at the start of a text, zero if there is no group, and none if it has no end.
+fn closing_brace(text: &[u8]) -> Option<usize> {
+    let open = text.iter().take(100).position(|c| !c.is_ascii_whitespace()).filter(|at| text[*at] == b'{');
+    let Some(open) = open else { return Some(0) };
+    let (mut depth, mut escaped) = (0usize, false);
+    for (at, c) in text.iter().enumerate().skip(open) {
+        match c {
+            _ if escaped => escaped = false,
+            b'\\' => escaped = true,
+            b'{' => depth += 1,
+            b'}' if depth == 1 => return Some(at + 1),
+            b'}' => depth -= 1,
+            _ => {}
+        }
+    }
+    None
 }
 
 /// The text of the group that begins at `at`.
