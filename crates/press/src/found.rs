@@ -81,7 +81,7 @@ pub struct UnitFlag {
 /// A flag at first contact with a text.
 #[derive(Clone, Debug, serde::Deserialize)]
 pub struct Contact {
-    /// `first` to `sixth`; `again` if only a run after repairs raised it.
+    /// `first` to `eighth`; `again` if only a run after repairs raised it.
     pub round: String,
     /// The text.
     pub text: String,

@@ -36,15 +36,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.results-visible", || planted(|of| [of.results.visible()])),
     ("found.operands-visible", || planted(|of| [of.operands.visible()])),
     ("found.operands-invisible", invisible),
-    ("found.first.texts", || texts("first")),
-    ("found.first.flags", || Ok(round("first")?.len().to_string())),
-    ("found.first.real", || Ok(right(&round("first")?).to_string())),
-    ("found.first.precision", || share(&round("first")?)),
     ("found.first.commas", || commas()),
-    ("found.second.texts", || texts("second")),
-    ("found.second.flags", || Ok(round("second")?.len().to_string())),
-    ("found.second.real", || Ok(right(&round("second")?).to_string())),
-    ("found.second.precision", || share(&round("second")?)),
     ("found.second.agreed", || agreed()),
     ("found.third.texts", || texts("third")),
     ("found.third.flags", || Ok(round("third")?.len().to_string())),
@@ -56,47 +48,27 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.third.precision", || share(&round("third")?)),
     ("found.third.faults", || Ok(faults("third")?.to_string())),
     ("found.third.with-fault", || with_fault("third")),
-    ("found.third.rest", || rest("third")),
     ("found.stop.texts", || Ok(until_stop()?.0.to_string())),
-    ("found.stop.flags", || Ok(until_stop()?.1.len().to_string())),
-    ("found.stop.real", || Ok(right(&until_stop()?.1).to_string())),
-    ("found.stop.precision", || share(&until_stop()?.1)),
     ("found.stop.english", || {
         let mut flags = until_stop()?.1;
         flags.retain(|flag| flag.text != "Solid state physics");
         Ok(format!("{} of {}, {}", right(&flags), flags.len(), share(&flags)?))
     }),
     ("found.fourth.texts", || Ok(listed("fourth", ENOUGH)?.0.to_string())),
-    ("found.fourth.flags", || Ok(listed("fourth", ENOUGH)?.1.len().to_string())),
-    ("found.fourth.real", || Ok(right(&listed("fourth", ENOUGH)?.1).to_string())),
-    ("found.fourth.precision", || share(&listed("fourth", ENOUGH)?.1)),
     ("found.fourth.run", || texts("fourth")),
     ("found.fourth.all", || all_of("fourth")),
     ("found.fourth.commands", || Ok(because("fourth", "a command that isn't known")?.to_string())),
     ("found.fifth.flags", || Ok(first_of("fifth")?.len().to_string())),
-    ("found.fifth.real", || Ok(right(&first_of("fifth")?).to_string())),
-    ("found.fifth.precision", || share(&first_of("fifth")?)),
     ("found.fifth.faults", || Ok(distinct(&first_of("fifth")?).to_string())),
     ("found.fifth.cut", || {
         Ok(first_of("fifth")?.iter().filter(|flag| flag.judgement == Judgement::Rounding).count().to_string())
     }),
-    ("found.fifth.all", || all_of("fifth")),
-    ("found.sixth.texts", || texts("sixth")),
-    ("found.sixth.flags", || Ok(round("sixth")?.len().to_string())),
-    ("found.sixth.real", || Ok(right(&round("sixth")?).to_string())),
-    ("found.sixth.precision", || share(&round("sixth")?)),
     ("found.sixth.faults", || Ok(faults("sixth")?.to_string())),
     ("found.sixth.with-fault", || with_fault("sixth")),
-    ("found.sixth.most", || most_flags("sixth")),
     ("found.sixth.rest", || rest("sixth")),
     ("found.sixth.misread", || {
         Ok(round("sixth")?.iter().filter(|flag| flag.judgement == Judgement::Ours).count().to_string())
     }),
-    ("found.after.fourth", || after_repairs("fourth")),
-    ("found.after.first", || after_repairs("first")),
-    ("found.after.second", || after_repairs("second")),
-    ("found.after.third", || after_repairs("third")),
-    ("found.after.sixth", || after_repairs("sixth")),
     ("found.after.new", || {
         let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
         Ok(again
@@ -114,6 +86,16 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.aside.lost", || Ok(asked()?.iter().filter(|flag| flag.aside == Some(Answer::Yes)).count().to_string())),
     ("found.sums.signs", || Ok(thousands(sums()?.iter().map(|of| of.signs).sum()))),
     ("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>().to_string())),
+    ("found.seventh.misread", || Ok(judged("seventh", Judgement::Ours)?.to_string())),
+    ("found.seventh.understood", || Ok(because("seventh", "kilohms")?.to_string())),
+    ("found.seventh.rest", || rest("seventh")),
+    ("found.eighth.flags", || Ok(round("eighth")?.len().to_string())),
+    ("found.last", || {
+        let flags = last()?;
+        Ok(format!("{} of {} flags mark real errors: {}", right(&flags), flags.len(), share(&flags)?))
+    }),
+    ("found.last.flags", || Ok(last()?.len().to_string())),
+    ("found.last.misread", || Ok(last()?.iter().filter(|flag| flag.judgement == Judgement::Ours).count().to_string())),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {
@@ -180,6 +162,46 @@ fn errata_of(kind: &str) -> anyhow::Result<String> {
     let errata = errata()?;
     let of = || errata.iter().filter(|erratum| erratum.kind == kind);
     Ok(format!("{} of {}", of().filter(|erratum| erratum.found != "no").count(), of().count()))
+}
+
+/// A round of first contact as a row of the table: its name, texts and flags, the real errors with their share, the misreadings, and the real
+/// errors among the flags after the repairs.
+pub fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
+    let count = |name: &str| Ok::<_, anyhow::Error>(of_run(name)?.len());
+    let row = |words: &str, texts: usize, flags: &[Contact], after: Option<&str>| -> anyhow::Result<Vec<String>> {
+        let misread = flags.iter().filter(|flag| flag.judgement == Judgement::Ours).count();
+        let after = after.map_or_else(|| Ok("–".to_owned()), after_repairs)?;
+        let counts = [texts, flags.len(), right(flags)].map(|count| count.to_string());
+        Ok([
+            vec![words.to_owned()],
+            counts.to_vec(),
+            vec![briefly(right(flags), flags.len()), misread.to_string(), after],
+        ]
+        .concat())
+    };
+    let (third, fourth) = (until_stop()?, listed("fourth", ENOUGH)?);
+    let whole = |words: &str, name: &str| row(words, count(name)?, &round(name)?, Some(name));
+    Ok(vec![
+        whole("first", "first")?,
+        whole("second", "second")?,
+        row("third", third.0, &third.1, Some("third"))?,
+        row("fourth", fourth.0, &fourth.1, Some("fourth"))?,
+        row("one more text", count("fifth")?, &first_of("fifth")?, Some("fifth"))?,
+        // In the records, the one more text of the fourth round is the fifth.
+        whole("fifth", "sixth")?,
+        whole("sixth", "seventh")?,
+        row("seventh", count("eighth")?, &round("eighth")?, None)?,
+    ])
+}
+
+/// The flags of the last three rounds, whose program knew the rule for doubts.
+fn last() -> anyhow::Result<Vec<Contact>> {
+    Ok([round("sixth")?, round("seventh")?, round("eighth")?].concat())
+}
+
+/// How many flags of a round are judged so.
+fn judged(name: &str, judgement: Judgement) -> anyhow::Result<usize> {
+    Ok(round(name)?.iter().filter(|flag| flag.judgement == judgement).count())
 }
 
 /// The flags of a round.
@@ -289,11 +311,6 @@ fn richest(name: &str) -> anyhow::Result<Option<Run>> {
     Ok(of_run(name)?.into_iter().max_by_key(|run| run.flags))
 }
 
-/// How many flags the text of a round has that has the most.
-fn most_flags(name: &str) -> anyhow::Result<String> {
-    Ok(richest(name)?.map_or(0, |run| run.flags).to_string())
-}
-
 /// The confirmed flags of a round among all, without the text that has the most flags.
 fn rest(name: &str) -> anyhow::Result<String> {
     let mut flags = round(name)?;
@@ -318,6 +335,13 @@ fn texts(round: &str) -> anyhow::Result<String> {
 /// How many flags of the first round come from the decimal comma.
 fn commas() -> anyhow::Result<String> {
     Ok(round("first")?.iter().filter(|flag| flag.why.contains("decimal comma")).count().to_string())
+}
+
+/// A share in per cent with its interval, for a column that says so.
+fn briefly(part: usize, all: usize) -> String {
+    let (low, high) = wilson(part, all);
+    let share = 100.0 * part as f64 / all.max(1) as f64;
+    format!("{share:.0}&nbsp;% ({:.0} to&nbsp;{:.0})", 100.0 * low, 100.0 * high)
 }
 
 /// A share in per cent with its interval.

@@ -2,7 +2,7 @@
 
 mod built;
 mod escapement;
-mod found;
+pub(crate) mod found;
 mod front;
 mod joints;
 pub mod making;

@@ -1,6 +1,7 @@
 //! What proofreading found: the texts of the first contact, and the misprints that still stand in a textbook.
 
 use super::chain::{chain, words};
+use crate::computed;
 use crate::found::{Answer, Contact, Judgement, Run, contacts, flags, runs, unit_flags};
 use crate::html::{Cells, Table, escape, table};
 
@@ -28,8 +29,16 @@ pub fn texts() -> anyhow::Result<Table> {
         let of = of_round(name);
         rows.push(row(format!("{words}, {} texts", of.len()), name, "several", &of));
     }
-    // The records call the last text of the fourth round "fifth", and the fifth round "sixth".
-    for (name, words) in [("third", "third"), ("fourth", "fourth"), ("fifth", ""), ("sixth", "fifth")] {
+    // The records call the last text of the fourth round "fifth", the fifth round "sixth", and so on.
+    let later = [
+        ("third", "third"),
+        ("fourth", "fourth"),
+        ("fifth", ""),
+        ("sixth", "fifth"),
+        ("seventh", "sixth"),
+        ("eighth", "seventh"),
+    ];
+    for (name, words) in later {
         let (with, without): (Vec<&Run>, Vec<&Run>) = of_round(name).into_iter().partition(|run| run.flags > 0);
         rows.extend(with.iter().map(|run| row(run.text.clone(), name, &run.format, &[run])));
         if !without.is_empty() {
@@ -42,6 +51,17 @@ pub fn texts() -> anyhow::Result<Table> {
         Cells::NamedNumbers,
         &["Text", "Format", "Chains checked", "Flags", "Real errors", "Rounding, convention", "Misread"],
         rows.into_iter().map(Ok).collect::<Vec<_>>(),
+    )
+}
+
+/// The rounds of first contact.
+pub fn rounds() -> anyhow::Result<Table> {
+    table(
+        "Rounds with texts that we had not looked at before: flags on a number, how many of them mark real errors, with the 95 % \
+         interval of their share, how many are misreadings, and the real errors among the flags that are left after the repairs",
+        Cells::NamedNumbers,
+        &["Round", "Texts", "Flags", "Real errors", "Share", "Misread", "After repairs"],
+        computed::found::rounds()?.into_iter().map(Ok).collect::<Vec<_>>(),
     )
 }
 

@@ -53,6 +53,7 @@ const TABLES: &[(&str, Draw)] = &[
     ("timer-sensitivity", timer::sensitivity),
     ("timer-accelerations", timer::accelerations),
     ("timer-mean-speed", timer::mean_speed),
+    ("found-rounds", found::rounds),
     ("found-texts", found::texts),
     ("found-misprints", found::misprints),
     ("found-units", found::units),
