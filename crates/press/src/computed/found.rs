@@ -87,7 +87,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.sums.signs", || Ok(thousands(sums()?.iter().map(|of| of.signs).sum()))),
     ("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>().to_string())),
     ("found.seventh.misread", || Ok(judged("seventh", Judgement::Ours)?.to_string())),
-    ("found.seventh.understood", || Ok(because("seventh", "kilohms")?.to_string())),
+    ("found.seventh.understood", || Ok(because("seventh", "kiloohms")?.to_string())),
     ("found.seventh.rest", || rest("seventh")),
     ("found.eighth.flags", || Ok(round("eighth")?.len().to_string())),
     ("found.last", || {
