@@ -18,9 +18,9 @@ const MOST_ENGAGEMENTS: usize = 5_000;
 pub const LIVE: Live = Live {
     name: "escapement",
     figure: "live-escapement",
-    hint: "Reduce the friction bit by bit: the start takes longer and longer, and without friction there is no steady \
-           speed. Add friction until the mechanism jams. Press “twice the torque”: the mechanism runs √2 times as fast, \
-           and only speeds and times change.",
+    hint: "Reduce the friction bit by bit: the start takes more and more engagements, and without friction there is no \
+           steady speed. Add friction until the mechanism jams. Press “twice the torque”: the mechanism runs √2 times \
+           as fast, and in the figure only the speeds and times change.",
     controls: &[
         Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
@@ -36,7 +36,7 @@ pub const LIVE: Live = Live {
     ],
     given: &["follower"],
     quantities: &[
-        Quantity::field("rate", "one per cent more friction", "friction_rate_s_a_day"),
+        Quantity::field("rate", "change of rate with one per cent more friction", "friction_rate_s_a_day"),
         Quantity::new("entry", "terminal speed, at entry"),
         Quantity::new("least", "least speed"),
         Quantity::new("greatest", "greatest speed"),

@@ -108,11 +108,11 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
         ),
         format!(
             "The law of similarity: torque and inertias set the scales of speed and time. Divided by these scales, the \
-             printed speeds and times of all torques coincide (marks). The solid curves are for the mechanisms, the \
-             dashed curves for the program of 1973, which resets the driver's angle after 90°. Beside each curve is \
-             its number of pins. For four pins the two curves are the same. The marks for six and three pins are on \
-             the dashed curves, so these numbers come from the program and do not describe the mechanisms. Driver's \
-             moment of inertia over the follower's: {inertias}."
+             printed peaks, minima and periods of all torques nearly coincide (marks). The solid curves are for the \
+             mechanisms, the dashed curves for the program of 1973, which resets the driver's angle after 90°. Beside \
+             each curve is its number of pins. For four pins the two curves are the same. The marks for six and three \
+             pins are on the dashed curves, so these numbers come from the program and do not describe the mechanisms. \
+             Driver's moment of inertia over the follower's: {inertias}."
         ),
     );
     Ok(Chart::new(panels).key(key).figure(words, series))

@@ -7,10 +7,10 @@ pub const STEPS: Slip = Slip {
     id: "quick-return.pin-speed",
     reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The \
              angular velocity of the crank is printed with three digits, the pin's distance from the lever's pivot \
-             with two and the speeds with three, but the results that are computed from these numbers are printed with \
-             three or four. No single rounding reproduces all of these results. But rounding the crank's angular \
-             velocity alone is enough for the printed speed of the pin, and rounding that distance alone is enough \
-             for the printed angular velocity of the lever.",
+             with two and the speeds along and across the lever with three, but the results that are computed from \
+             these numbers are printed with three or four. No single rounding reproduces all of these results. But \
+             rounding the crank's angular velocity alone is enough for the printed speed of the pin, and rounding \
+             that distance alone is enough for the printed angular velocity of the lever.",
     witness: "Differentiating the loop closure with power series gives the corrected digits, too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
