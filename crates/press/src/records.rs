@@ -125,7 +125,7 @@ pub const OF_AN_ENTRY: &[Field] = &[
         "The printed numbers that the entry accounts for. Together, the entries of a line contain all numbers of the \
          line, in their order.",
     ),
-    ("reason", "Why there is nothing to check. Empty unless the entry is an exception."),
+    ("reason", "Why there is nothing to check. Null unless the entry is an exception."),
 ];
 
 /// The files of the records: their names and texts.
