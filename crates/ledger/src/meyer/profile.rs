@@ -300,9 +300,9 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
     Finding::new(
         groups.len() == series(rows()).count() && least >= 100.0 * VISIBLE,
         format!(
-            "with every mechanism at every friction value, a suitable parameter, changed by a tenth, changes each of \
-             the three by {least:.1} per cent or more. Whichever parameter is changed by a tenth, each of the three \
-             changes by {least_alone:.2} per cent or more"
+            "with every mechanism at every friction value, each of the three changes by {least:.1} per cent or more \
+             if the parameter with the greatest effect on it changes by a tenth, and by {least_alone:.2} per cent or \
+             more if any other parameter does"
         ),
     )
 }

@@ -85,8 +85,8 @@ fn cyclic_oscillations() -> Claim {
              oscillation “significant” if, once the rise is over, the highest and the lowest peak differ by 1 rad/s or \
              more, because the tables give peaks in whole rad/s. By this measure, the printed velocities oscillate in \
              every group if the torque is about five times that greatest torque or more. At three times the greatest \
-             torque, the velocities of some groups do not oscillate. The first way takes the motion of the mechanisms, \
-             and the second takes the program as it was run, so their numbers differ.",
+             torque, the velocities of some groups do not oscillate. Our first check takes the motion of the \
+             mechanisms, and our second check takes the program as it was run, so their numbers differ.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \

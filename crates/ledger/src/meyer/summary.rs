@@ -28,8 +28,8 @@ pub fn claims() -> Vec<Claim> {
                 Finding::new(
                     left.len() == rows().len() && worst < 1.0,
                     format!(
-                        "{} of {} runs have a steady motion, and an engagement reduces a difference of speeds to \
-                         {worst:.2} of its size or less",
+                        "{} of {} runs have a steady motion, and an engagement reduces a small difference from the \
+                         steady speed to {worst:.2} of its size or less",
                         left.len(),
                         rows().len()
                     ),

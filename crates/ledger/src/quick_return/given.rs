@@ -175,7 +175,13 @@ fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
     let gap = choices.map(|choice| sum(choice).norm() / longest).fold(f64::INFINITY, f64::min);
     let closes = vanishes(gap);
     let gap = if closes { 0.0 } else { gap };
-    Finding::new(closes, format!("of all choices of {count} terms, the smallest sum is {gap:.2} of the longest term"))
+    Finding::new(
+        closes,
+        format!(
+            "for all choices of {count} terms we added the vectors, and the shortest sum is {gap:.2} times as long as \
+             the longest term"
+        ),
+    )
 }
 
 /// Whether so many terms stand in the printed equation.

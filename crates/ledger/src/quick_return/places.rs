@@ -25,7 +25,8 @@ pub fn claims() -> Vec<Claim> {
                 Finding::new(
                     distances.iter().all(|found| agrees(*found, distance)),
                     format!(
-                        "while the lever swings, its end is {:.3} to {:.3} m from the centre of that point's circle",
+                        "while the lever swings, the end of r is {:.3} to {:.3} m from the centre of the named point's \
+                         circle",
                         least.unwrap_or(f64::NAN),
                         most.unwrap_or(f64::NAN)
                     ),

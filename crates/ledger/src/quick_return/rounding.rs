@@ -10,7 +10,7 @@ pub const STEPS: Slip = Slip {
              with two and the speeds along and across the lever with three, but the results that are computed from \
              these numbers are printed with three or four. No single rounding reproduces all of these results. But \
              rounding the crank's angular velocity alone is enough for the printed speed of the pin, and rounding \
-             that distance alone is enough for the printed angular velocity of the lever.",
+             only the pin's distance from the pivot is enough for the printed angular velocity of the lever.",
     witness: "Differentiating the loop closure with power series gives the corrected digits, too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,

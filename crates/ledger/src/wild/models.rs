@@ -92,9 +92,9 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "when the pin reaches the rim, the wheel should be at rest and the pin at the slot. The wheel's speed \
-                 is then {speed:.3} times the driver's speed. As seen from the wheel's axis, the pin's angle from the \
-                 line of centres is {place:.3} times the slot's angle from this line"
+                "when the pin reaches the rim, the wheel's speed should be zero, and it is {speed:.3} times the \
+                 driver's speed. As seen from the wheel's axis, the pin should be at the slot's angle from the line of \
+                 centres, and it is at {place:.3} times this angle"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)

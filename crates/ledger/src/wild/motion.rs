@@ -126,8 +126,8 @@ fn formulas() -> Vec<Claim> {
         .corrected(
             r"\omega_g/\omega_d = \frac{r (d \cos\phi - r)}{d^2 + r^2 - 2 d r \cos\phi}",
             slip(
-                "The wheel's speed is the pin's speed across the slot over the pin's distance from the wheel's axis. \
-                 Both this speed and this distance depend on the cosine of the driver's angle from the line of \
+                "The wheel's speed is the pin's speed across the slot, divided by the pin's distance from the wheel's \
+                 axis. Both this speed and this distance depend on the cosine of the driver's angle from the line of \
                  centres. The printed ratio cannot be the ratio of the speeds, because it is not zero where the pin \
                  enters.",
                 TWICE,

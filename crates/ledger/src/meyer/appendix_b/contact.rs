@@ -308,7 +308,7 @@ fn old_acceleration() -> Vec<Claim> {
                 let lines = in_force(rest, "NOT(REST)").unwrap_or_default();
                 // The lines of the start must be in force at the start, and at no other time.
                 let holds = !lines.is_empty() && lines.iter().all(|[time, rest, _]| (*rest == 1.0) == (*time == 0.0));
-                Finding::new(holds, "at each line of a run, we printed the truth value of the deck's own start")
+                Finding::new(holds, "at each line of a run, we printed whether the deck's start expression is true")
             })
             .by(OtherPlaceInSource, |stated| {
                 let said = stated.pick([true, true, false], [true, false, false]);

@@ -88,8 +88,8 @@ fn constants() -> Vec<Claim> {
                 "meyer.listing.print-interval",
                 listed::PRINT_INTERVAL,
                 "s",
-                "time between printed lines, a given value. With half or twice this time, the largest printed speeds \
-                 would fit the three tables, taken together, less well",
+                "time between printed lines, a given value. With half or twice this time, the peaks of the tables as a \
+                 whole would be reproduced less well",
             )
             .by(Evidence::Quadrature, || fitting_interval(false))
             .by(Evidence::RungeKutta, || fitting_interval(true)),
