@@ -66,6 +66,10 @@ pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
     if !rows.iter().any(|row| goes_on(row)) || !rows.iter().all(|row| is_aligned(row)) {
         return None;
     }
+    // There is nothing above the first row, so its last part belongs to the row itself, and so do those below.
+    if rows.iter().find(|row| row.len() > 1).is_some_and(|first| goes_on(first)) {
+        return None;
+    }
     let columns = rows.iter().map(|row| row.len().div_ceil(2)).max().unwrap_or(0);
     let at = tokens.first()?.span;
     let mut out = Vec::with_capacity(tokens.len());

@@ -134,7 +134,8 @@ fn from_left_to_right(side: &[Token]) -> Option<Vec<Token>> {
     found.then_some(out)
 }
 
-/// A side without what stands in brackets behind its result, in another unit or with more digits: `36.9° (0.644 rad)`, `298 (298.15) K`.
+/// A side without what stands in brackets behind its result, in another unit, as a decimal or with more digits: `36.9° (0.644 rad)`, `1/2 (0.5)`,
+/// `298 (298.15) K`.
 fn without_second(side: &[Token]) -> Option<Vec<Token>> {
     let close = side.iter().rposition(|token| token.is_one_of(")]}"))?;
     let mut open = side[..close].iter().rposition(|token| token.is_one_of("([{"))?;
@@ -154,6 +155,8 @@ fn without_second(side: &[Token]) -> Option<Vec<Token>> {
     }
     let before = side[..open].iter().rev().find(|token| !token.is_space())?;
     apart |= side[open - 1].is_space() || before.word().is_some() || matches!(before.kind, Kind::Power(_));
+    // It says once more what stands before it: 1/2 (0.5).
+    apart |= printed && judge(&side[..open], inner, Relation::Equal, None).verdict == Verdict::Consistent;
     let is_unit = |token: &Token| {
         token.is_space() || matches!(token.kind, Kind::Word(_) | Kind::Power(_)) || token.is_one_of("/·")
     };
@@ -509,9 +512,12 @@ pub(crate) fn is_mark(side: &[Token]) -> bool {
     }
 }
 
-/// Whether a side has an integer with the digits 0 and 1 that is as long as those of other bases.
+/// Whether a side has an integer with the digits 0 and 1 that is as long as those of other bases, or a byte.
 pub(crate) fn has_bits(side: &[Token]) -> bool {
-    let bits = |digits: &str| digits.len() > 4 && digits.contains('0') && digits.chars().all(|c| c == '0' || c == '1');
+    let bits = |digits: &str| {
+        let long = digits.len() > 4 && (digits.contains('0') || digits.len() == 8);
+        long && digits.chars().all(|c| c == '0' || c == '1')
+    };
     let round = |digits: &str| digits.trim_end_matches('0').len() < 2;
     side.iter().filter_map(Token::number).any(|digits| bits(digits) && !round(digits))
 }

@@ -175,3 +175,47 @@ fn a_step_between_may_be_rounded() {
     unlisted(Format::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.455\,\text{kPa}$"]);
     listed(Format::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.435\,\text{kPa}$"]);
 }
+
+#[test]
+fn prefixes_are_understood_with_the_units() {
+    let right = r"$I=\frac{5-1.0}{10+190}=20\,\mathrm{\mu A}$";
+    unlisted(Format::Latex, &[right]);
+    assert_eq!(on(List::Units, right, Format::Latex).len(), 1);
+    listed(Format::Latex, &[r"$I=\frac{5-1.0}{10+190}=30\,\mathrm{\mu A}$"]);
+}
+
+#[test]
+fn a_quotient_may_end_before_a_power_of_ten() {
+    unlisted(Format::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=30\times10^3$"]);
+    listed(Format::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=40\times10^3$"]);
+}
+
+#[test]
+fn what_a_document_sets_to_nothing_is_not_printed() {
+    let text = |body: &str| format!("\\newcommand{{\\hint}}[1]{body}\n\\hint{{ $2+2=5$ }}");
+    unlisted(Format::Latex, &[&text("{}")]);
+    listed(Format::Latex, &[&text("{#1}"), &format!("{} $3+3=7$", text("{}"))]);
+}
+
+#[test]
+fn two_columns_go_on_in_their_own_rows_if_the_first_row_does() {
+    let rows =
+        |last: &str| format!("\\begin{{align*}} a &= 2\\cdot3 & &= 6 \\\\ b &= 4\\cdot5 & &= {last} \\end{{align*}}");
+    unlisted(Format::Latex, &[&rows("20")]);
+    listed(Format::Latex, &[&rows("21")]);
+}
+
+#[test]
+fn a_decimal_in_brackets_says_a_fraction_once_more() {
+    unlisted(Format::Markdown, &["$x = 0.75/1 = 3/4 (0.75)$"]);
+    listed(Format::Markdown, &["$x = 0.75/1 = 3/4 (0.74)$", "$x = 0.75/1 = 3/5 (0.6)$"]);
+}
+
+#[test]
+fn a_byte_and_a_deviation_by_its_size_are_doubts() {
+    for text in ["$10000011 = -2^7 + 2^1 + 2^0 = -125$", r"$$\frac{4.9-5.0}{5.0}\times100\%=2.0\%$$"] {
+        unlisted(Format::Markdown, &[text]);
+        assert_eq!(on(List::Doubts, text, Format::Markdown).len(), 1, "{text}");
+    }
+    listed(Format::Markdown, &["$131 = -2^7 + 2^1 + 2^0 = -125$", r"$$\frac{4.9-5.0}{5.0}\times100\%=3.0\%$$"]);
+}
