@@ -168,29 +168,28 @@ fn errata_of(kind: &str) -> anyhow::Result<String> {
 /// errors among the flags after the repairs.
 pub fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
     let count = |name: &str| Ok::<_, anyhow::Error>(of_run(name)?.len());
-    let row = |words: &str, texts: usize, flags: &[Contact], after: Option<&str>| -> anyhow::Result<Vec<String>> {
+    let row = |words: &str, texts: usize, flags: &[Contact], after: &str| -> anyhow::Result<Vec<String>> {
         let misread = flags.iter().filter(|flag| flag.judgement == Judgement::Ours).count();
-        let after = after.map_or_else(|| Ok("–".to_owned()), after_repairs)?;
         let counts = [texts, flags.len(), right(flags)].map(|count| count.to_string());
         Ok([
             vec![words.to_owned()],
             counts.to_vec(),
-            vec![briefly(right(flags), flags.len()), misread.to_string(), after],
+            vec![briefly(right(flags), flags.len()), misread.to_string(), after_repairs(after)?],
         ]
         .concat())
     };
     let (third, fourth) = (until_stop()?, listed("fourth", ENOUGH)?);
-    let whole = |words: &str, name: &str| row(words, count(name)?, &round(name)?, Some(name));
+    let whole = |words: &str, name: &str| row(words, count(name)?, &round(name)?, name);
     Ok(vec![
         whole("first", "first")?,
         whole("second", "second")?,
-        row("third", third.0, &third.1, Some("third"))?,
-        row("fourth", fourth.0, &fourth.1, Some("fourth"))?,
-        row("one more text", count("fifth")?, &first_of("fifth")?, Some("fifth"))?,
+        row("third", third.0, &third.1, "third")?,
+        row("fourth", fourth.0, &fourth.1, "fourth")?,
+        row("one more text", count("fifth")?, &first_of("fifth")?, "fifth")?,
         // In the records, the one more text of the fourth round is the fifth.
         whole("fifth", "sixth")?,
         whole("sixth", "seventh")?,
-        row("seventh", count("eighth")?, &round("eighth")?, None)?,
+        whole("seventh", "eighth")?,
     ])
 }
 
