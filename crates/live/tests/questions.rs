@@ -47,12 +47,17 @@ fn one<'a>(of: &[&'a str], random: &mut Rng) -> &'a str {
     of[random.usize(..of.len())]
 }
 
-/// A question to a figure: most of its settings possible, some at the ends of a range, a few hostile.
+/// A question to a figure: some of its settings at the ends of a range, a few hostile.
 fn question(live: &Live, random: &mut Rng) -> String {
     let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
     let mut pairs: Vec<String> = given.split('&').filter(|pair| !pair.is_empty()).map(str::to_owned).collect();
     let is_hostile = random.usize(..3) == 0;
+    // In every second question few controls are moved, as by a reader: of all at random, few settings are possible.
+    let moves_few = random.bool();
     for control in live.controls {
+        if moves_few && random.usize(..4) != 0 {
+            continue;
+        }
         let [least, most] = if random.usize(..4) == 0 { control.range } else { [control.least, control.most] };
         let value = least + (most - least) * random.f64();
         let value = match random.usize(..8) {
