@@ -52,8 +52,8 @@ fn question(live: &Live, random: &mut Rng) -> String {
     let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
     let mut pairs: Vec<String> = given.split('&').filter(|pair| !pair.is_empty()).map(str::to_owned).collect();
     let is_hostile = random.usize(..3) == 0;
-    // In every second question few controls are moved, as by a reader: of all at random, few settings are possible.
-    let moves_few = random.bool();
+    // In two of three questions few controls are moved, as by a reader: of all at random, few settings are possible.
+    let moves_few = random.usize(..3) != 0;
     for control in live.controls {
         if moves_few && random.usize(..4) != 0 {
             continue;
