@@ -130,7 +130,7 @@ fn phrases() -> Vec<(&'static str, &'static str, Vec<f64>)> {
         ),
         ("making", "with up to 60 stations", vec![]),
         ("making", "so the driver makes 60 turns a minute", vec![given("worked", "--rpm")]),
-        ("making", "Wheel | 4 stations | 5 stations | 6 stations | 8 stations | 10 stations | 12 stations |", vec![]),
+        ("making", "| 4 | … | … | | 5 | … | … | | 6 | … | … | | 8 | … | … | | 10 | … | … | | 12 | … | … |", vec![]),
         ("making", "3 to 6 mm | 6 to 10 mm | 10 to 18 mm | 18 to 30 mm", vec![]),
         ("making", "Stations | 3 | 4 | 5 | 6 | 8 | 10 | 12 |", vec![]),
         ("making", "At the peak torque and 60 turns a minute", vec![given("worked", "--rpm")]),
