@@ -36,11 +36,6 @@ const NAMES: &[&str] = &[
     "the 1960s",
 ];
 
-/// The degrees in an angle given in radians.
-fn degrees(angle: f64) -> f64 {
-    angle.to_degrees()
-}
-
 /// The rows with this number of pins.
 fn with_pins(pins: u32) -> &'static [Row] {
     let row = rows().iter().find(|row| row.mechanism.pins() == pins).expect("a row");
@@ -49,12 +44,12 @@ fn with_pins(pins: u32) -> &'static [Row] {
 
 /// The angle between neighbouring pins, in degrees.
 fn apart(pins: u32) -> f64 {
-    degrees(2.0 * with_pins(pins)[0].mechanism.engagement_half_angle())
+    (2.0 * with_pins(pins)[0].mechanism.engagement_half_angle()).to_degrees()
 }
 
 /// The angle in degrees after which the program of the thesis resets the driver's angle.
 fn reset() -> f64 {
-    degrees(listing().reset)
+    listing().reset.to_degrees()
 }
 
 /// The number of a hypothesis in the table of them.

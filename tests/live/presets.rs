@@ -2,31 +2,16 @@
 
 use super::{PAGES, browser, given_on, moves, of, open};
 use crate::browser::devtools::Medium;
+use geneva_ledger::numbers_in;
 use geneva_live::{Arguments, LIVE, Preset};
 use serde_json::Value;
-
-/// Numbers as presets spell them.
-const WORDS: [(&str, f64); 8] = [
-    ("one", 1.0),
-    ("two", 2.0),
-    ("three", 3.0),
-    ("four", 4.0),
-    ("five", 5.0),
-    ("six", 6.0),
-    ("eight", 8.0),
-    ("twelve", 12.0),
-];
 
 /// The choice of a mechanism, by the number of its pins.
 const PINS: [f64; 3] = [6.0, 4.0, 3.0];
 
 /// The numbers that a preset's name says, in words or in digits.
 fn said(name: &str) -> Vec<f64> {
-    let word = |word: &str| {
-        let word = word.trim_matches(|c: char| !c.is_alphanumeric());
-        WORDS.iter().find(|(spelt, _)| *spelt == word).map(|(_, number)| *number).or_else(|| word.parse().ok())
-    };
-    name.split_whitespace().filter_map(word).collect()
+    numbers_in(name).into_iter().map(|(_, number)| number).collect()
 }
 
 /// What a preset sets: names, and values as they are written.

@@ -19,6 +19,10 @@ const ABSTRACT: [&str; 2] = [
     "A book about Geneva mechanisms in which every number, equation, figure and statement of its sources that can be",
     "checked has a verdict, which a test derives.",
 ];
+/// The licence of the book's text, figures and data, as SPDX names it.
+pub const LICENCE: &str = "CC-BY-4.0";
+/// Where its text is.
+pub const LICENCE_ADDRESS: &str = "https://creativecommons.org/licenses/by/4.0/";
 /// The licences of the programs, either of which may be chosen, which is what a list means in a CFF file.
 const LICENCES: [&str; 2] = ["MIT", "Apache-2.0"];
 const KEYWORDS: [&str; 4] = ["Geneva mechanism", "intermittent motion", "kinematics", "reproducibility"];

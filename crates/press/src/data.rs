@@ -2,6 +2,7 @@
 //!
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
+use crate::citing::LICENCE_ADDRESS;
 use crate::{fields, ledger_pages, records};
 use anyhow::{Context, bail};
 use std::fs;
@@ -30,7 +31,7 @@ impl File {
             "url": self.name,
             "dc:title": title,
             "dc:source": source,
-            "dc:license": { "@id": "https://creativecommons.org/licenses/by/4.0/" },
+            "dc:license": { "@id": LICENCE_ADDRESS },
         }))?;
         Ok(Self { name: format!("{}-metadata.json", self.name), text })
     }

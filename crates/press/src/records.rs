@@ -1,6 +1,6 @@
 //! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
 
-use crate::citing::{TITLE, VERSION};
+use crate::citing::{LICENCE, TITLE, VERSION};
 use crate::fields::{self, Row, Value};
 use crate::{address, bibliography};
 use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
@@ -8,6 +8,10 @@ use std::collections::BTreeSet;
 
 /// A field of the files by its path, a point before the field of an object, and what it says.
 pub type Field = (&'static str, &'static str);
+
+/// What the fields on the origin of a mistake say.
+const ORIGIN: &str =
+    "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic`, `concept` or `unknown`.";
 
 /// What the fields of a claim say.
 pub const OF_A_CLAIM: &[Field] = &[
@@ -82,10 +86,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("erratum.corrected", "The characters that should be printed instead."),
     ("erratum.reason", "Why the printed characters are wrong."),
     ("erratum.witness", "The second, independent reason."),
-    (
-        "erratum.origin",
-        "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic`, `concept` or `unknown`.",
-    ),
+    ("erratum.origin", ORIGIN),
     (
         "erratum.inherited_by",
         "The other claims that the mistake reaches. Only the claim in which the mistake is made lists them.",
@@ -99,7 +100,7 @@ pub const OF_A_SLIP: &[Field] = &[
     ("locator", "Where the mistake is made."),
     ("meaning", "What the source says there, in our words."),
     ("consequence", "What the mistake changes, as in claims.json."),
-    ("origin", "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic` or `concept`."),
+    ("origin", ORIGIN),
     ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("corrected", "The characters that should be printed instead."),
@@ -151,7 +152,7 @@ fn versioned(what: &'static str, rows: impl Iterator<Item = Row>) -> anyhow::Res
     fields::json(&Row(vec![
         ("title", TITLE.into()),
         ("version", VERSION.into()),
-        ("license", "CC-BY-4.0".into()),
+        ("license", LICENCE.into()),
         ("address", address::known().map(|address| address.book.as_str()).into()),
         (what, Value::List(rows.map(Value::Object).collect())),
     ]))
@@ -359,7 +360,7 @@ mod tests {
                 "copies" => ("copies", OF_A_SLIP),
                 _ => ("entries", OF_AN_ENTRY),
             };
-            assert_eq!(whole["license"], "CC-BY-4.0", "{name}");
+            assert_eq!(whole["license"], LICENCE, "{name}");
             assert_eq!(whole.as_object().expect("an object").len(), 5, "{name}");
             assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
             let mut found = BTreeSet::new();

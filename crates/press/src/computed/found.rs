@@ -66,9 +66,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.sixth.faults", || Ok(faults("sixth")?.to_string())),
     ("found.sixth.with-fault", || with_fault("sixth")),
     ("found.sixth.rest", || rest("sixth")),
-    ("found.sixth.misread", || {
-        Ok(round("sixth")?.iter().filter(|flag| flag.judgement == Judgement::Ours).count().to_string())
-    }),
+    ("found.sixth.misread", || Ok(misread(&round("sixth")?).to_string())),
     ("found.after.new", || {
         let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
         Ok(again
@@ -86,7 +84,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.aside.lost", || Ok(asked()?.iter().filter(|flag| flag.aside == Some(Answer::Yes)).count().to_string())),
     ("found.sums.signs", || Ok(thousands(sums()?.iter().map(|of| of.signs).sum()))),
     ("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>().to_string())),
-    ("found.seventh.misread", || Ok(judged("seventh", Judgement::Ours)?.to_string())),
+    ("found.seventh.misread", || Ok(misread(&round("seventh")?).to_string())),
     ("found.seventh.understood", || Ok(because("seventh", "kiloohms")?.to_string())),
     ("found.seventh.rest", || rest("seventh")),
     ("found.eighth.flags", || Ok(round("eighth")?.len().to_string())),
@@ -95,7 +93,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
         Ok(format!("{} of {} flags mark real errors: {}", right(&flags), flags.len(), share(&flags)?))
     }),
     ("found.last.flags", || Ok(last()?.len().to_string())),
-    ("found.last.misread", || Ok(last()?.iter().filter(|flag| flag.judgement == Judgement::Ours).count().to_string())),
+    ("found.last.misread", || Ok(misread(&last()?).to_string())),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {
@@ -169,12 +167,11 @@ fn errata_of(kind: &str) -> anyhow::Result<String> {
 pub fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
     let count = |name: &str| Ok::<_, anyhow::Error>(of_run(name)?.len());
     let row = |words: &str, texts: usize, flags: &[Contact], after: &str| -> anyhow::Result<Vec<String>> {
-        let misread = flags.iter().filter(|flag| flag.judgement == Judgement::Ours).count();
         let counts = [texts, flags.len(), right(flags)].map(|count| count.to_string());
         Ok([
             vec![words.to_owned()],
             counts.to_vec(),
-            vec![briefly(right(flags), flags.len()), misread.to_string(), after_repairs(after)?],
+            vec![briefly(right(flags), flags.len()), misread(flags).to_string(), after_repairs(after)?],
         ]
         .concat())
     };
@@ -198,9 +195,9 @@ fn last() -> anyhow::Result<Vec<Contact>> {
     Ok([round("sixth")?, round("seventh")?, round("eighth")?].concat())
 }
 
-/// How many flags of a round are judged so.
-fn judged(name: &str, judgement: Judgement) -> anyhow::Result<usize> {
-    Ok(round(name)?.iter().filter(|flag| flag.judgement == judgement).count())
+/// How many of these flags are the program's own misreadings.
+fn misread(flags: &[Contact]) -> usize {
+    flags.iter().filter(|flag| flag.judgement == Judgement::Ours).count()
 }
 
 /// The flags of a round.
@@ -336,18 +333,22 @@ fn commas() -> anyhow::Result<String> {
     Ok(round("first")?.iter().filter(|flag| flag.why.contains("decimal comma")).count().to_string())
 }
 
+/// A share and the ends of its 95 % interval, in per cent.
+fn percent(part: usize, all: usize) -> [f64; 3] {
+    let (low, high) = wilson(part, all);
+    [part as f64 / all.max(1) as f64, low, high].map(|of| 100.0 * of)
+}
+
 /// A share in per cent with its interval, for a column that says so.
 fn briefly(part: usize, all: usize) -> String {
-    let (low, high) = wilson(part, all);
-    let share = 100.0 * part as f64 / all.max(1) as f64;
-    format!("{share:.0}&nbsp;% ({:.0} to&nbsp;{:.0})", 100.0 * low, 100.0 * high)
+    let [share, low, high] = percent(part, all);
+    format!("{share:.0}&nbsp;% ({low:.0} to&nbsp;{high:.0})")
 }
 
 /// A share in per cent with its interval.
 fn precision(part: usize, all: usize) -> String {
-    let (low, high) = wilson(part, all);
-    let share = 100.0 * part as f64 / all.max(1) as f64;
-    format!("{share:.0}&nbsp;% (95&nbsp;% interval {:.0} to {:.0}&nbsp;%)", 100.0 * low, 100.0 * high)
+    let [share, low, high] = percent(part, all);
+    format!("{share:.0}&nbsp;% (95&nbsp;% interval {low:.0} to {high:.0}&nbsp;%)")
 }
 
 /// Errors that were planted in one kind of number.

@@ -89,15 +89,25 @@ fn body(text: &str, each: &mut Found<'_>) {
 fn closing_brace(text: &[u8]) -> Option<usize> {
     let open = text.iter().take(100).position(|c| !c.is_ascii_whitespace()).filter(|at| text[*at] == b'{');
     let Some(open) = open else { return Some(0) };
-    let (mut depth, mut escaped) = (0usize, false);
-    for (at, c) in text.iter().enumerate().skip(open) {
-        match c {
-            _ if escaped => escaped = false,
-            b'\\' => escaped = true,
-            b'{' => depth += 1,
-            b'}' if depth == 1 => return Some(at + 1),
-            b'}' => depth -= 1,
-            _ => {}
+    let inner = text[open + 1..].iter().map(|byte| char::from(*byte)).enumerate();
+    closing(inner, '{', '}').map(|at| open + 1 + at + 1)
+}
+
+/// Where the group ends whose signs behind the opening one are given with their places.
+fn closing(signs: impl Iterator<Item = (usize, char)>, open: char, close: char) -> Option<usize> {
+    let (mut depth, mut escaped) = (1usize, false);
+    for (at, c) in signs {
+        if escaped {
+            escaped = false;
+        } else if c == '\\' {
+            escaped = true;
+        } else if c == open {
+            depth += 1;
+        } else if c == close {
+            depth -= 1;
+            if depth == 0 {
+                return Some(at);
+            }
         }
     }
     None
@@ -284,24 +294,9 @@ impl Rest<'_> {
         let rest = self.text.get(self.at..)?;
         let space = rest.len() - rest.trim_start().len();
         let inner = rest[space..].strip_prefix(open)?;
-        let mut depth = 1usize;
-        let mut escaped = false;
-        for (at, c) in inner.char_indices().take(2000) {
-            if escaped {
-                escaped = false;
-            } else if c == '\\' {
-                escaped = true;
-            } else if c == open {
-                depth += 1;
-            } else if c == close {
-                depth -= 1;
-                if depth == 0 {
-                    self.at += space + 1 + at + 1;
-                    return Some(inner[..at].to_owned());
-                }
-            }
-        }
-        None
+        let at = closing(inner.char_indices().take(2000), open, close)?;
+        self.at += space + 1 + at + 1;
+        Some(inner[..at].to_owned())
     }
 
     fn command(&mut self) -> Option<String> {
