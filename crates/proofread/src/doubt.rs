@@ -120,7 +120,8 @@ impl Place<'_> {
                 .any(|mark| self.text.get(opening..).is_some_and(|rest| rest.starts_with(mark)));
             // So may a line of text that doesn't begin with the sign.
             let before_it = self.text.get(opening..start).unwrap_or_default();
-            let inside = self.formula.written == Written::Plain && !before_it.trim().is_empty();
+            let plain = self.formula.written == Written::Plain;
+            let inside = plain && !before_it.trim().is_empty();
             let signed = (display || inside) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
             let parted = match self.chain.parted {
                 Parted::Not => false,
@@ -128,18 +129,17 @@ impl Place<'_> {
                 Parted::FromNumbers => true,
             };
             let by_word = surroundings::is_joined_by_word(self.text, self.left.span)
-                || (inside || self.formula.written == Written::Plain)
-                    && surroundings::is_joined_by_sign(self.text, self.left.span);
+                || plain && surroundings::is_joined_by_sign(self.text, self.left.span);
             // What is named, with a number in its name: the interest on 8000 = 8820 − 8000.
-            let plain = self.formula.written == Written::Plain;
             let result = judgement.values.as_ref().is_some_and(|(_, right)| right.is_literal());
             // So does what bears a number: No. 200 = 75 μm.
             let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
-            let named = plain && literal && (!result || size) && surroundings::follows_name(self.text, self.left.span)
-                || plain && surroundings::follows_label(self.text, self.left.span);
             // So is what stands before a function: mg cos 30°.
             let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, Kind::Function(_)));
-            let named = named || plain && function && surroundings::follows_name(self.text, self.left.span);
+            let may_be_named = (literal && (!result || size)) || function;
+            let named = plain
+                && (may_be_named && surroundings::follows_name(self.text, self.left.span)
+                    || surroundings::follows_label(self.text, self.left.span));
             if joined_on || glued || signed || parted || by_word || named {
                 return true;
             }
@@ -167,7 +167,7 @@ impl Place<'_> {
             || (plain && notation::are_references(left))
             || self.is_one_of_two()
             || (plain && notation::is_range(self.text, left))
-            || (self.formula.written == Written::Plain && self.begins_chain() && self.is_station())
+            || (plain && self.begins_chain() && self.is_station())
             || (bare && (notation::has_bits(left) || notation::has_bits(right)))
             || (bare
                 && surroundings::base_named(self.text, around).is_none()

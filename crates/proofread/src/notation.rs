@@ -94,42 +94,25 @@ fn without_label(side: &[Token], plain: bool) -> Vec<Vec<Token>> {
 
 /// A side whose quotients end before the power of ten that follows: `100/20 × 10^6` as five million.
 fn from_left_to_right(side: &[Token]) -> Option<Vec<Token>> {
-    let solid: Vec<&Token> = side.iter().filter(|token| !token.is_space()).collect();
     let mut out: Vec<Token> = Vec::with_capacity(side.len() + 2);
     let mut found = false;
-    let mut at = 0;
-    while at < solid.len() {
-        let quotient = match solid.get(at..at + 6) {
-            Some([above, slash, below, times, ten, power]) => {
-                above.number().is_some()
-                    && slash.is('/')
-                    && below.number().is_some()
-                    && times.is_one_of("×·")
-                    && ten.number() == Some("10")
-                    && matches!(power.kind, Kind::Power(_))
+    for token in side.iter().filter(|token| !token.is_space()) {
+        let mut copy = token.clone();
+        let lists = if matches!(copy.kind, Kind::Fraction(..)) { copy.kind.lists() } else { Vec::new() };
+        for list in lists {
+            if let Some(changed) = from_left_to_right(list) {
+                (*list, found) = (changed, true);
             }
-            _ => false,
-        };
-        if quotient {
-            found = true;
-            let bracket = |sign: char| Token::new(Kind::Operator(sign), solid[at].span);
-            out.push(bracket('('));
-            out.extend(solid[at..at + 3].iter().map(|token| (*token).clone()));
-            out.push(bracket(')'));
-            at += 3;
-            continue;
         }
-        let token = solid[at];
-        let kind = match &token.kind {
-            Kind::Fraction(above, below) => {
-                let [over, under] = [above, below].map(|part| from_left_to_right(part));
-                found |= over.is_some() || under.is_some();
-                Kind::Fraction(over.unwrap_or_else(|| above.clone()), under.unwrap_or_else(|| below.clone()))
-            }
-            other => other.clone(),
-        };
-        out.push(Token::new(kind, token.span));
-        at += 1;
+        out.push(copy);
+        let [.., above, slash, below, times, ten, power] = out.as_slice() else { continue };
+        let numbers = above.number().is_some() && below.number().is_some() && ten.number() == Some("10");
+        if numbers && slash.is('/') && times.is_one_of("×·") && matches!(power.kind, Kind::Power(_)) {
+            let (at, span) = (out.len() - 6, above.span);
+            out.insert(at + 3, Token::new(Kind::Operator(')'), span));
+            out.insert(at, Token::new(Kind::Operator('('), span));
+            found = true;
+        }
     }
     found.then_some(out)
 }
