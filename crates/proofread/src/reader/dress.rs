@@ -92,8 +92,7 @@ pub(crate) fn long(name: &str) -> Option<char> {
 
 impl Tex<'_> {
     /// What a command dresses up.
-    pub(super) fn dressed(&mut self, name: &str, span: Span, depth: usize, out: &mut Vec<Token>) {
-        let Some(dress) = of(name) else { return };
+    pub(super) fn dressed(&mut self, name: &str, dress: Dress, span: Span, depth: usize, out: &mut Vec<Token>) {
         let options = |reader: &mut Self| while dress.optional && reader.optional().is_some() {};
         options(self);
         let mut said = String::new();

@@ -462,13 +462,17 @@ impl Tex<'_> {
             "square" | "Box" if !self.ends() => push(out, Kind::Unknown("a box to fill in".to_owned())),
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, Kind::Space(2)),
             "pmod" | "bmod" => push(out, Kind::Unknown(name)),
-            name if dress::of(name).is_some() => self.dressed(name, span, depth, out),
-            name if dress::long(name).is_some() => {
-                self.optional();
-                self.raw_group();
-                out.extend(dress::long(name).map(|sign| token(Kind::Operator(sign), span)));
+            name => {
+                if let Some(dress) = dress::of(name) {
+                    self.dressed(name, dress, span, depth, out);
+                } else if let Some(sign) = dress::long(name) {
+                    self.optional();
+                    self.raw_group();
+                    push(out, Kind::Operator(sign));
+                } else {
+                    push(out, symbol(name));
+                }
             }
-            name => push(out, symbol(name)),
         }
     }
 
