@@ -131,6 +131,12 @@ impl Evaluator<'_> {
             if matches!(name, "°C" | "°F") || unit(name).is_none() {
                 return Err(Obstacle::Word(name.to_owned()));
             }
+            // A letter beside a sign of a sum is no unit: 25 + 4 = A + 1.
+            let is_sign = |token: Option<&Token>| token.is_some_and(|token| token.is_one_of("+-"));
+            let alone = name.chars().count() == 1 && name.chars().all(char::is_alphabetic);
+            if alone && (is_sign(cursor.look(cursor.at + 1).0) || is_sign(cursor.before())) {
+                return Err(Obstacle::Letter(name.to_owned()));
+            }
             let units = self.units(cursor)?;
             let mut value = Value::of(Interval::exact(units.factor));
             value.dimension = units.dimension;

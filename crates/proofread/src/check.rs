@@ -270,7 +270,8 @@ impl Check<'_> {
                 judgement.verdict = Verdict::Rounded;
             }
         }
-        if let Some(values) = judgement.values.as_ref().filter(|_| computes) {
+        let has_result = |(_, right): &&(Value, Value)| free && right.is_literal();
+        if let Some(values) = judgement.values.as_ref().filter(has_result) {
             self.results.note(formula.scope, left, right, values);
         }
         if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {

@@ -89,6 +89,19 @@ pub(crate) fn understood(sides: [&[Token]; 2], left: &Value, right: &Value) -> b
     leaves_unit_out(of_left, left, of_right, right) || leaves_unit_out(of_right, right, of_left, left)
 }
 
+/// Whether two sides agree once a mass on one of them counts as its weight, as in a pressure of kilograms per square centimetre.
+pub(crate) fn weighs(left: &Value, right: &Value) -> bool {
+    const STANDARD: [f64; 3] = [9.806_65, 9.81, 9.8];
+    let Some((newton, kilogram)) = unit("N").zip(unit("kg")) else { return false };
+    let weighs = |mass: &Value, force: &Value| {
+        mass.has_unit
+            && force.has_unit
+            && mass.dimension.times(newton.dimension, 1.0).times(kilogram.dimension, -1.0) == force.dimension
+            && STANDARD.iter().any(|g| mass.scaled(*g).meets(force, 0.0))
+    };
+    weighs(left, right) || weighs(right, left)
+}
+
 fn leaves_unit_out(bare_side: &[Token], bare: &Value, side: &[Token], other: &Value) -> bool {
     if bare.has_unit || bare.angle.is_some() || !bare.dimension.is_none() {
         return false;

@@ -111,9 +111,9 @@ impl Place<'_> {
             let joined_on = mark(before) && (far.is_ascii_digit() || b")]}".contains(&far));
             let opening = self.formula.span.start as usize;
             let outside = at(opening.checked_sub(1));
-            // Between tags there is often no space in running text.
+            // Between tags there is often no space in running text, but a bracket may be a factor.
             let in_tex = matches!(at(Some(opening)), b'$' | b'\\');
-            let glued = in_tex && (outside.is_ascii_alphanumeric() || b")]}$".contains(&outside));
+            let glued = (in_tex && (outside.is_ascii_alphanumeric() || b"]}$".contains(&outside))) || outside == b')';
             // A display may go on from the one before it.
             let display = ["$$", "\\[", "\\begin"]
                 .iter()

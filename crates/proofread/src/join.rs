@@ -281,7 +281,9 @@ fn raised(base: &[Token], sup: &[Token], span: Span, out: &mut Vec<Token>) {
     let last = inner.last();
     let plain = inner.len() <= 1
         || is_bracketed(&inner)
-        || last.is_some_and(|last| matches!(last.kind, Kind::Word(_) | Kind::Number(_)) || last.is_one_of(")]|"));
+        || last.is_some_and(|last| {
+            matches!(last.kind, Kind::Word(_) | Kind::Number(_) | Kind::Name(_)) || last.is_one_of(")]|")
+        });
     if plain {
         out.extend(inner);
     } else {

@@ -248,7 +248,7 @@ pub(crate) fn prefixed(
         _ => false,
     });
     let follows = follows || out.last().is_none_or(Token::is_space);
-    let takes = takes_prefix(unit) && (unit != "g" || text == "μ") && (follows || unit == "g");
+    let takes = takes_prefix(unit) && (unit != "g" || text == "μ" || text == "k") && (follows || unit == "g");
     // Metres and seconds below them, which only touch each other in this text: m s⁻¹.
     let product = text == "m" && below;
     (takes && !product).then(|| (Kind::Word(format!("{text}{unit}")), at, next.span))

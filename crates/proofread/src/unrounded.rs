@@ -1,4 +1,4 @@
-//! Numbers that went into a calculation with other digits than are printed: results from before with the digits that they had,
+//! Numbers that went into a calculation with other digits than are printed: results from before with the digits that they had or that were printed then,
 //! constants of nature in full, and 3.14 for π.
 
 use crate::chain::{Relation, Side};
@@ -47,6 +47,18 @@ struct Number {
     power: Option<String>,
 }
 
+impl Number {
+    /// Whether it was printed with more decimals than another one, to which it rounds.
+    fn rounds_to(&self, other: &Self) -> bool {
+        let decimals = |of: &Self| of.digits.split_once('.').map_or(0, |(_, behind)| behind.len());
+        let fewer = decimals(other);
+        let half = 0.5 * digits::power_of_ten(-(fewer as f64));
+        let apart = |(one, two): (f64, f64)| (one - two).abs() <= half * 1.000_001;
+        let both = self.digits.parse().ok().zip(other.digits.parse().ok());
+        decimals(self) > fewer && self.power == other.power && both.is_some_and(apart)
+    }
+}
+
 /// A result, and by how much its value before rounding differs from what is printed.
 #[derive(Debug)]
 struct Printed {
@@ -84,9 +96,6 @@ impl Results {
             ratio(&values, unit)
         });
         let (Some(ratio), Some(from_start)) = (plain.or(from_start), from_start.or(plain)) else { return };
-        if ratio == 1.0 && from_start == 1.0 {
-            return;
-        }
         if self.printed.len() >= MOST {
             self.printed.remove(0);
         }
@@ -116,9 +125,14 @@ impl Results {
     /// A side with the results in it as they were before rounding; none if there are none.
     fn unrounded(&self, side: &[Token], ratio: impl Fn(&Printed) -> f64) -> Option<Vec<Token>> {
         changed(side, &|number| {
-            let known = self.printed.iter().rev().find(|of| of.number == *number)?;
-            let value: f64 = number.digits.parse().ok()?;
-            Some(format!("{:.15}", value * ratio(known)))
+            let mut known = self.printed.iter().rev();
+            let known = known
+                .clone()
+                .find(|of| of.number == *number)
+                .or_else(|| known.find(|of| of.number.rounds_to(number)))?;
+            let value: f64 = known.number.digits.parse().ok()?;
+            let digits = format!("{:.15}", value * ratio(known));
+            (digits.parse() != number.digits.parse::<f64>()).then_some(digits)
         })
     }
 }

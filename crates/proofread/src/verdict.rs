@@ -239,7 +239,9 @@ impl Pair<'_> {
         if !same && !numbers && !zero {
             // A factor without its unit leaves the number in base units of the SI.
             let [left, right] = self.both(Mode::Strict, literal, reading)?;
-            let agree = left.meets(&right, 0.0) || customs::understood(self.sides, &left, &right);
+            let agree = left.meets(&right, 0.0)
+                || customs::understood(self.sides, &left, &right)
+                || customs::weighs(&left, &right);
             return Ok(agree.then(|| judgement(Verdict::Units)).flatten());
         }
         if numbers && !points.iter().any(|point| point.has_unit) {

@@ -25,6 +25,31 @@ fn a_result_goes_on_with_the_digits_that_it_had() {
 }
 
 #[test]
+fn a_number_may_have_been_printed_with_more_digits() {
+    let ratio = r"$880/10.3 = 85.9$";
+    let momentum = r"$(0.410\,\text{kg})(25\,\text{m/s}) = 10.25\,\text{kg m/s}$";
+    assert_eq!(wrong(ratio, Format::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{momentum}, and {ratio}"), Format::Markdown), [""; 0]);
+    // To these digits it has to round, and all digits of the result have to follow.
+    for other in [
+        momentum.replace("10.25", "10.15").replace("0.410", "0.406"),
+        momentum.replace("10.25", "10.250000") + " or $5$",
+    ] {
+        let found = wrong(&format!("{other}, and {}", ratio.replace("85.9", "86.0")), Format::Markdown);
+        assert_eq!(found.len(), 1, "{other}");
+    }
+}
+
+#[test]
+fn a_conversion_before_gives_the_digits_that_went_on() {
+    let size = r"$\frac{850\,\mathrm{km}}{0.133\,\mathrm{rad}} = 6.41\times10^6\,\mathrm{m}$";
+    assert_eq!(wrong(size, Format::Markdown).len(), 1);
+    let angle = r"$\alpha = 7.6^\circ = 0.133\,\mathrm{rad}$";
+    assert_eq!(wrong(&format!("{angle}, so {size}"), Format::Markdown), [""; 0]);
+    assert_eq!(wrong(&format!("{angle}, so {}", size.replace("6.41", "6.45")), Format::Markdown).len(), 1);
+}
+
+#[test]
 fn a_result_may_come_from_the_first_numbers_of_an_example() {
     let steps = r"$2300/14.7 = 160$, so $(2.0\times10^{-5})(160) = 0.0032$, and $0.0032(250) = 0.78$";
     assert_eq!(wrong(steps, Format::Markdown), [""; 0]);

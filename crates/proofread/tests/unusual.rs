@@ -219,3 +219,66 @@ fn a_byte_and_a_deviation_by_its_size_are_doubts() {
     }
     listed(Format::Markdown, &["$131 = -2^7 + 2^1 + 2^0 = -125$", r"$$\frac{4.9-5.0}{5.0}\times100\%=3.0\%$$"]);
 }
+
+#[test]
+fn an_exponent_belongs_to_the_last_letter() {
+    let chain = |result: &str| {
+        format!(
+            "<p><math><msup><mrow><mn>4</mn><mi>π</mi></mrow><mn>2</mn></msup><mo>=</mo><mn>{result}</mn></math></p>"
+        )
+    };
+    unlisted(Format::Html, &[&chain("39.5")]);
+    listed(Format::Html, &[&chain("157.9")]);
+    unlisted(Format::Latex, &["${4\\pi}^2 = 39.5$"]);
+}
+
+#[test]
+fn a_column_that_is_added_is_no_fraction() {
+    let sum = |first: &str| {
+        format!(
+            "<p><math><mfrac><mrow>{first}<mn>13.7</mn></mrow><mn>15.2</mn></mfrac><mo>=</mo><mn>15.2</mn></math></p>"
+        )
+    };
+    unlisted(Format::Html, &[&sum("<mo>+</mo>")]);
+    listed(Format::Html, &[&sum("")]);
+}
+
+#[test]
+fn a_column_with_strokes_is_a_fraction_of_fractions() {
+    let column = |notation: &str| {
+        let cell = |inner: &str| format!("<mtr><mtd>{inner}</mtd></mtr>");
+        let top = format!("<mfrac><mn>7</mn><menclose notation='{notation}'><mn>100</mn></menclose></mfrac>");
+        let rows = [cell(&top), cell("<mn>40</mn>"), cell("<mn>100</mn>")].concat();
+        format!(
+            "<p><math><mi>p</mi><mo>=</mo><mtable>{rows}</mtable><mo>=</mo><mfrac><mn>7</mn><mn>40</mn></mfrac></math></p>"
+        )
+    };
+    unlisted(Format::Html, &[&column("bottom")]);
+    listed(Format::Html, &[&column("circle")]);
+}
+
+#[test]
+fn a_letter_in_a_sum_is_no_unit() {
+    let right = "<p><math><mn>25</mn><mo>+</mo><mn>4</mn><mo>=</mo><mtext>A</mtext><mo>+</mo><mn>1</mn></math></p>";
+    unlisted(Format::Html, &[right]);
+    listed(Format::Html, &[&right.replace("<mtext>A</mtext>", "<mn>27</mn>")]);
+}
+
+#[test]
+fn a_bracket_before_a_formula_may_be_a_factor() {
+    let text = |before: &str| {
+        format!(
+            "<p>The area is {before}<math><mfrac><mn>2</mn><mn>5</mn></mfrac><mo>=</mo><mfrac><mn>4</mn><mn>5</mn></mfrac></math></p>"
+        )
+    };
+    unlisted(Format::Html, &[&text("(4 − 2)")]);
+    assert_eq!(on(List::Doubts, &text("(4 − 2)"), Format::Html).len(), 1);
+    listed(Format::Html, &[&text("")]);
+}
+
+#[test]
+fn kilograms_in_a_pressure_are_their_weight() {
+    let chain = |result: &str| format!(r"$1.0\,\text{{kg/cm}}^2 = {result}\,\text{{N/m}}^2$");
+    assert_eq!(on(List::Units, &chain(r"9.8\times10^4"), Format::Markdown).len(), 1);
+    listed(Format::Markdown, &[&chain(r"8.9\times10^4")]);
+}

@@ -240,7 +240,7 @@ pub(crate) fn element(text: &str, open: &Tag<'_>) -> (Element, usize) {
 }
 
 fn begun(tag: &Tag<'_>) -> Element {
-    let known = ["mathvariant", "open", "close", "width", "linebreak"];
+    let known = ["mathvariant", "open", "close", "width", "linebreak", "notation"];
     let attributes = known.into_iter().filter_map(|name| Some((name, tag.attribute(name)?.to_owned()))).collect();
     let span = Span::new(tag.start, tag.end);
     Element { name: tag.name.clone(), attributes, children: Vec::new(), text: Vec::new(), span }

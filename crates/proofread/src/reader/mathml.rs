@@ -74,6 +74,10 @@ fn into(of: &Element, out: &mut Vec<Token>) {
             let tenths = em.unwrap_or(0.2).clamp(0.0, 20.0) * 10.0;
             push(Kind::Space(if newline { 20 } else { tenths as u8 }));
         }
+        // The line below a column of numbers that are added.
+        ("mfrac", 2) if begins_with(&child(0), "+") && !begins_with(&child(1), "+-") => {
+            push(Kind::Unknown("a sum in a column".to_owned()));
+        }
         ("mfrac", 2) => push(Kind::Fraction(child(0), child(1))),
         ("msqrt", _) => push(Kind::Root(row(of), Vec::new())),
         ("mroot", 2) => push(Kind::Root(child(0), child(1))),
@@ -84,6 +88,7 @@ fn into(of: &Element, out: &mut Vec<Token>) {
             let sign = crate::token::show(&child(1));
             push(Kind::Accent(child(0), sign));
         }
+        ("mtable", _) if is_stack(of) => push(Kind::Unknown("a fraction of fractions".to_owned())),
         ("mtable", _) => {
             let rows = of.children.iter().map(|row| row.children.iter().map(tokens).collect()).collect();
             push(Kind::Table(side_by_side(rows)));
@@ -106,6 +111,19 @@ fn into(of: &Element, out: &mut Vec<Token>) {
     if matches!(of.name.as_str(), "mn" | "mi" | "mo" | "mtext" | "ms") {
         out.extend(row(of));
     }
+}
+
+fn begins_with(tokens: &[Token], signs: &str) -> bool {
+    tokens.iter().find(|token| !token.is_space()).is_some_and(|first| first.is_one_of(signs))
+}
+
+/// Whether a table is a column whose cells are parted by lines, which stand for strokes of fractions.
+fn is_stack(table: &Element) -> bool {
+    fn has_line(of: &Element) -> bool {
+        let line = |notation: &str| matches!(notation, "top" | "bottom");
+        (of.name == "menclose" && of.attribute("notation").is_some_and(line)) || of.children.iter().any(has_line)
+    }
+    table.children.len() > 1 && table.children.iter().all(|row| row.children.len() == 1) && has_line(table)
 }
 
 fn identifier(of: &Element, text: &[Sign], out: &mut Vec<Token>) {
