@@ -44,7 +44,7 @@ fn digits(text: &str, span: Span) -> Vec<usize> {
 }
 
 fn main() {
-    let options = Options { follow: Follow::Never, agreeing: true, hints: 0 };
+    let options = Options { follow: Follow::Never, agreeing: true, hints: 0, ..Options::default() };
     let seed = std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(11);
     let mut counts = [[0usize; 3]; 2];
     for path in std::env::args().skip(1) {

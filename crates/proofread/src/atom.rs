@@ -105,7 +105,7 @@ impl Evaluator<'_> {
             _ => None,
         };
         // An upright e to such a power is the base of the logarithms, not a charge.
-        let is_base = name == "e" && power.is_some_and(|power| power < 0.0 || power.fract() != 0.0);
+        let is_base = name == "e" && power.is_some_and(is_power_of_e);
         let is_word = token.word().is_some() && !is_base;
         if let Some((local, value)) = &self.local
             && local == name
@@ -125,7 +125,8 @@ impl Evaluator<'_> {
             return self.followed(value, cursor);
         }
         if is_word {
-            if is_ambiguous(name) {
+            // An upright e that is in no quantity may be the base, too.
+            if is_ambiguous(name) || name == "e" {
                 return Err(Obstacle::Letter(name.to_owned()));
             }
             if matches!(name, "°C" | "°F") || unit(name).is_none() {
@@ -220,6 +221,11 @@ pub(crate) fn factorial(value: &Value) -> Evaluated<Value> {
     }
     let product = (1..=n as u32).map(f64::from).product();
     Ok(Value { operations: value.operations + 1, ..Value::of(Interval::exact(product)) })
+}
+
+/// Whether an upright e to a power is the base of the logarithms: nobody raises a charge to such a power.
+pub(crate) fn is_power_of_e(power: f64) -> bool {
+    power <= 0.0 || power > 4.0 || power.fract() != 0.0
 }
 
 /// Whether brackets around it make the number of an equation.

@@ -164,7 +164,11 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
         }
         // Behind the signs of because and for all, the row says why or where it holds.
         let for_all = token.is('∀') && next.is_some_and(|next| !matches!(next.kind, Kind::Operator(_)));
-        in_remark = (in_remark || (in_row && (token.is('∵') || for_all))) && token.kind != Kind::Line;
+        // So does a whole row behind which the chain goes on.
+        let rest = tokens[at..].iter().skip_while(|token| token.kind != Kind::Line).skip(1);
+        let goes_on = || rest.clone().find(|token| !token.is_space()).is_some_and(|next| next.is('='));
+        in_remark = (in_remark || (!in_row && token.is('∵') && goes_on()) || (in_row && (token.is('∵') || for_all)))
+            && token.kind != Kind::Line;
         in_row = (in_row || !token.is_space()) && token.kind != Kind::Line;
         if in_remark {
             continue;

@@ -8,7 +8,7 @@ use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
 use crate::notation;
-use crate::reader::{self, Format, Formula, Unreadable, Written};
+use crate::reader::{self, Definitions, Format, Formula, Unreadable, Written};
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, has_number};
 use crate::unrounded::Results;
@@ -17,18 +17,21 @@ use crate::verdict::{Judgement, Verdict, evaluated, judge};
 
 /// What to look for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct Options<'d> {
     /// Which values of names are put into formulas.
     pub follow: Follow,
     /// Whether pairs that agree are kept, too.
     pub agreeing: bool,
     /// Most findings for which a hint is searched, the first ones: the search takes longer than the rest.
     pub hints: usize,
+    /// What other LaTeX texts define for this one: its preamble, packages or classes. A definition of its own counts before them.
+    /// Texts in other formats are read without.
+    pub definitions: Option<&'d Definitions>,
 }
 
-impl Default for Options {
+impl Default for Options<'_> {
     fn default() -> Self {
-        Self { follow: Follow::default(), agreeing: false, hints: MOST_HINTS }
+        Self { follow: Follow::default(), agreeing: false, hints: MOST_HINTS, definitions: None }
     }
 }
 
@@ -94,7 +97,7 @@ const MOST_HINTS: usize = 300;
 /// # Errors
 ///
 /// If the text is longer than [`reader::LONGEST`], or is no notebook where it should be one.
-pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report, Unreadable> {
+pub fn proofread(text: &str, format: Format, options: Options<'_>) -> Result<Report, Unreadable> {
     let mut check = Check {
         text,
         options,
@@ -107,11 +110,12 @@ pub fn proofread(text: &str, format: Format, options: Options) -> Result<Report,
     };
     if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
         let known = &mut check.known;
-        reader::read(text, format, &mut |formula| chains(&formula.tokens).iter().for_each(|chain| known.count(chain)))?;
+        let mut count = |formula: Formula| chains(&formula.tokens).iter().for_each(|chain| known.count(chain));
+        reader::read_with(text, format, options.definitions, &mut count)?;
     } else if options.follow == Follow::Once {
         check.options.follow = Follow::Never;
     }
-    reader::read(text, format, &mut |formula| check.formula(&formula))?;
+    reader::read_with(text, format, options.definitions, &mut |formula| check.formula(&formula))?;
     for at in check.factors.habits() {
         set_aside(&mut check.report.findings[at], Doubt::Habit);
     }
@@ -175,7 +179,7 @@ struct Assigned {
 
 struct Check<'t> {
     text: &'t str,
-    options: Options,
+    options: Options<'t>,
     report: Report,
     known: Known,
     before: Option<Assigned>,

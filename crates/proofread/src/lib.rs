@@ -39,6 +39,6 @@ pub use doubt::Doubt;
 pub use finding::{Finding, List};
 pub use hint::Hint;
 pub use place::{Lines, Place};
-pub use reader::{Format, Unreadable};
+pub use reader::{Definitions, Format, Unreadable};
 pub use token::Span;
 pub use verdict::Verdict;

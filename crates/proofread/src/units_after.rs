@@ -1,6 +1,6 @@
 //! Units behind a number or a bracket: products and quotients of signs with exponents.
 
-use crate::atom::plain_exponent;
+use crate::atom::{is_power_of_e, plain_exponent};
 use crate::evaluate::{Cursor, Evaluator};
 use crate::interval::Interval;
 use crate::reading::Reading;
@@ -204,7 +204,7 @@ impl Evaluator<'_> {
         }
         // An upright e with such an exponent is the base of the logarithms, not a charge.
         let raised = cursor.tokens.get(at + 1).is_some_and(|next| match &next.kind {
-            Kind::Power(power) => !plain_exponent(power).is_ok_and(|power| power > 0.0 && power.fract() == 0.0),
+            Kind::Power(power) => plain_exponent(power).map_or(true, is_power_of_e),
             _ => false,
         });
         if unit(word).is_none() || (word == "e" && raised) {

@@ -44,7 +44,7 @@ fn all() -> Vec<Chain> {
 fn findings(chain: &Chain, hints: usize) -> Vec<Finding> {
     let text = if chain.snippet.is_empty() { &chain.chain } else { &chain.snippet };
     let format = Format::named(&chain.format).expect("a format");
-    let options = Options { follow: Follow::Never, agreeing: false, hints };
+    let options = Options { follow: Follow::Never, agreeing: false, hints, ..Options::default() };
     proofread(text, format, options).expect("a text").findings
 }
 

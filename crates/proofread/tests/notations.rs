@@ -223,7 +223,7 @@ fn wrong(chain: &str) -> String {
 }
 
 fn found(text: &str) -> Vec<Finding> {
-    let options = Options { follow: Follow::Never, agreeing: true, hints: 0 };
+    let options = Options { follow: Follow::Never, agreeing: true, hints: 0, ..Options::default() };
     proofread(text, Format::Latex, options).expect("a text").findings
 }
 

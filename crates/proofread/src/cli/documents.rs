@@ -21,9 +21,17 @@ pub(crate) struct Source {
     path: Option<PathBuf>,
     /// None for lines of JSON.
     format: Option<Format>,
+    /// The folder that was asked for, if the file was found in one.
+    folder: Option<PathBuf>,
 }
 
 impl Source {
+    /// The file with the folder in which it was found, if it is LaTeX.
+    pub fn latex(&self) -> Option<(&Path, Option<&Path>)> {
+        let path = self.path.as_deref().filter(|_| self.format == Some(Format::Latex))?;
+        Some((path, self.folder.as_deref()))
+    }
+
     /// Whether it is this file.
     pub fn is(&self, file: &Path) -> bool {
         let real = |path: &Path| path.canonicalize().ok();
@@ -42,10 +50,13 @@ pub(crate) fn sources(paths: &[PathBuf], input: Option<Input>) -> Result<Vec<Res
     for path in paths {
         if path.as_os_str() == "-" {
             let format = input.map_or(Some(Format::Markdown), Input::format);
-            out.push(Ok(Source { path: None, format }));
+            out.push(Ok(Source { path: None, format, folder: None }));
         } else if path.is_dir() {
             let before = out.len();
             folder(path, input, 0, &mut out);
+            for found in out[before..].iter_mut().flatten() {
+                found.folder = Some(path.clone());
+            }
             if out.len() == before {
                 return Err(format!("{}: no file here whose name tells a format that is read", path.display()));
             }
@@ -67,7 +78,7 @@ fn file(path: &Path, input: Option<Input>) -> Option<Source> {
         None if of_lines => None,
         None => Some(Format::of_extension(extension)?),
     };
-    Some(Source { path: Some(path.to_owned()), format })
+    Some(Source { path: Some(path.to_owned()), format, folder: None })
 }
 
 fn folder(path: &Path, input: Option<Input>, depth: usize, out: &mut Vec<Result<Source, String>>) {
@@ -129,7 +140,7 @@ fn whole(stream: impl Read) -> Result<String, String> {
     text(bytes)
 }
 
-fn text(bytes: Vec<u8>) -> Result<String, String> {
+pub(crate) fn text(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.iter().take(4096).any(|byte| *byte == 0) {
         return Err("this is not text: it has zero bytes".to_owned());
     }

@@ -5,6 +5,7 @@ mod baseline;
 mod documents;
 mod json;
 mod output;
+mod project;
 mod sarif;
 mod since;
 mod text;
@@ -14,11 +15,12 @@ pub use output::Streams;
 
 use crate::check::{Options, Report, Tally, proofread};
 use crate::finding::{Finding, List};
-use crate::reader::Format;
+use crate::reader::{Definitions, Format};
 use arguments::Written;
 use baseline::Baseline;
 use documents::{Document, Source};
 use output::Outcome;
+use project::Project;
 
 /// What a document gave, ready to be written.
 struct Checked<'d> {
@@ -44,6 +46,7 @@ struct Run<'a> {
     streams: &'a mut dyn Streams,
     baseline: Baseline,
     writer: Box<dyn Writer>,
+    project: Project,
     sum: Tally,
     documents: usize,
     found: [usize; 5],
@@ -87,6 +90,7 @@ impl<'a> Run<'a> {
             streams,
             baseline,
             writer,
+            project: Project::default(),
             sum: Tally::default(),
             documents: 0,
             found: [0; 5],
@@ -99,6 +103,9 @@ impl<'a> Run<'a> {
         let since = arguments.since.as_deref().map(since::Since::new);
         let accepting = arguments.accept.is_some();
         let sources = documents::sources(&arguments.files, arguments.input)?;
+        for (file, folder) in sources.iter().flatten().filter_map(Source::latex) {
+            self.project.add(file, folder);
+        }
         for source in sources {
             let source: Source = match source {
                 Ok(source) => source,
@@ -161,10 +168,17 @@ impl<'a> Run<'a> {
         {
             return Ok(());
         }
-        let report = self.report(&document.text, document.format).map_err(|why| format!("{}: {why}", document.name))?;
+        let definitions = document.path.as_deref().filter(|_| document.format == Format::Latex);
+        let definitions = definitions.and_then(|path| self.project.definitions(path));
+        let report = self
+            .report(document, &document.text, definitions.as_deref())
+            .map_err(|why| format!("{}: {why}", document.name))?;
         let mut findings = report.findings;
         if let Some(before) = since.map(|since| since.text(document)).transpose()?.flatten() {
-            let before = self.report(&before, document.format).map(|report| report.findings).unwrap_or_default();
+            let before = self
+                .report(document, &before, definitions.as_deref())
+                .map(|report| report.findings)
+                .unwrap_or_default();
             since::remove_known(&mut findings, &before);
         }
         if self.arguments.accept.is_some() {
@@ -185,10 +199,10 @@ impl<'a> Run<'a> {
     }
 
     /// The findings that were asked for.
-    fn report(&self, text: &str, format: Format) -> Result<Report, String> {
-        let options =
-            Options { follow: self.arguments.follow, agreeing: self.arguments.agreeing, ..Options::default() };
-        let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
+    fn report(&self, document: &Document, text: &str, definitions: Option<&Definitions>) -> Result<Report, String> {
+        let Arguments { follow, agreeing, .. } = *self.arguments;
+        let options = Options { follow, agreeing, definitions, ..Options::default() };
+        let mut report = proofread(text, document.format, options).map_err(|why| why.to_string())?;
         report.findings.retain(|finding| match finding.list {
             List::Units => self.arguments.units,
             List::Doubts => self.arguments.doubts,

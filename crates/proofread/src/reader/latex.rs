@@ -1,8 +1,9 @@
 //! Documents in LaTeX: their macros, and the formulas of their body.
 
 use super::adjoining::Joiner;
+use super::definitions::{closing, defines, definition, named};
 use super::delimited::{DISPLAYS, FARTHEST};
-use super::tex::{self, Macro, Macros};
+use super::tex::{self, Macros, Named};
 use super::{Formula, Found};
 use crate::token::{Span, signs};
 
@@ -14,15 +15,15 @@ const MORE: [&str; 6] = ["flalign*", "alignat", "alignat*", "math", "dmath", "IE
 /// Environments that are a problem by themselves.
 const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
 
-/// Finds the formulas of a document.
-pub(crate) fn read(text: &str, each: &mut Found<'_>) {
+/// Finds the formulas of a document, with the macros that are defined elsewhere.
+pub(crate) fn read(text: &str, elsewhere: Option<&Named>, each: &mut Found<'_>) {
     let mut joiner = Joiner::new(text);
-    body(text, &mut |formula| joiner.take(formula, each));
+    let macros = Macros { own: named(text), elsewhere };
+    body(text, &macros, &mut |formula| joiner.take(formula, each));
     joiner.finish(each);
 }
 
-fn body(text: &str, each: &mut Found<'_>) {
-    let macros = macros(text);
+fn body(text: &str, macros: &Macros<'_>, each: &mut Found<'_>) {
     let bytes = text.as_bytes();
     let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());
     // Whether groups have ended so far; one without an end is looked for once.
@@ -32,17 +33,17 @@ fn body(text: &str, each: &mut Found<'_>) {
             b'%' => at += text[at..].find('\n').unwrap_or(bytes.len() - at),
             b'$' => {
                 let end = if bytes[at..].starts_with(b"$$") { "$$" } else { "$" };
-                at = until(text, at, end.len(), end, scope, &macros, each);
+                at = until(text, at, end.len(), end, scope, macros, each);
             }
             b'\\' => {
                 let rest = &text[at + 1..];
                 let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
                 let name = &rest[..length];
                 match (name, rest.bytes().next()) {
-                    ("", Some(b'[')) => at = until(text, at, 2, "\\]", scope, &macros, each),
-                    ("", Some(b'(')) => at = until(text, at, 2, "\\)", scope, &macros, each),
+                    ("", Some(b'[')) => at = until(text, at, 2, "\\]", scope, macros, each),
+                    ("", Some(b'(')) => at = until(text, at, 2, "\\)", scope, macros, each),
                     ("", next) => at += 1 + usize::from(next.is_some_and(|c| c.is_ascii())),
-                    ("begin", _) => at = begin(text, at, &mut scope, &mut inside, &macros, each),
+                    ("begin", _) => at = begin(text, at, &mut scope, &mut inside, macros, each),
                     ("end", _) => {
                         let closing = group(text, at + 4).unwrap_or_default();
                         if closing == "document" {
@@ -55,7 +56,7 @@ fn body(text: &str, each: &mut Found<'_>) {
                         }
                         at += 4;
                     }
-                    ("newcommand" | "renewcommand" | "providecommand" | "def" | "DeclareMathOperator", _) => {
+                    (name, _) if defines(name) => {
                         at = definition(text, at).map_or(at + 1 + length, |(_, _, end)| end);
                     }
                     ("iffalse", _) => at += rest.find("\\fi").map_or(length + 1, |end| end + 4),
@@ -74,7 +75,7 @@ fn body(text: &str, each: &mut Found<'_>) {
                         closes &= unprinted.is_some();
                         at += unprinted.unwrap_or(0);
                     }
-                    (name, _) => at = abbreviation(text, at, name, scope, &macros, each),
+                    (name, _) => at = abbreviation(text, at, name, scope, macros, each),
                 }
             }
             _ => at += 1,
@@ -93,26 +94,6 @@ fn closing_brace(text: &[u8]) -> Option<usize> {
     closing(inner, '{', '}').map(|at| open + 1 + at + 1)
 }
 
-/// Where the group ends whose signs behind the opening one are given with their places.
-fn closing(signs: impl Iterator<Item = (usize, char)>, open: char, close: char) -> Option<usize> {
-    let (mut depth, mut escaped) = (1usize, false);
-    for (at, c) in signs {
-        if escaped {
-            escaped = false;
-        } else if c == '\\' {
-            escaped = true;
-        } else if c == open {
-            depth += 1;
-        } else if c == close {
-            depth -= 1;
-            if depth == 0 {
-                return Some(at);
-            }
-        }
-    }
-    None
-}
-
 /// The text of the group that begins at `at`.
 fn group(text: &str, at: usize) -> Option<&str> {
     let rest = text.get(at..)?.trim_start_matches(' ').strip_prefix('{')?;
@@ -125,7 +106,7 @@ fn begin(
     at: usize,
     scope: &mut u32,
     inside: &mut Vec<u32>,
-    macros: &Macros,
+    macros: &Macros<'_>,
     each: &mut Found<'_>,
 ) -> usize {
     let Some(name) = group(text, at + 6) else { return at + 6 };
@@ -146,7 +127,15 @@ fn begin(
 }
 
 /// Reads the formula that begins at `at` with a mark of `open` bytes and ends with `end`; the byte behind it.
-fn until(text: &str, at: usize, open: usize, end: &str, scope: u32, macros: &Macros, each: &mut Found<'_>) -> usize {
+fn until(
+    text: &str,
+    at: usize,
+    open: usize,
+    end: &str,
+    scope: u32,
+    macros: &Macros<'_>,
+    each: &mut Found<'_>,
+) -> usize {
     let start = at + open;
     let bytes = text.as_bytes();
     let (mut stop, mut depth, mut inside) = (start, 0usize, None);
@@ -183,7 +172,7 @@ fn until(text: &str, at: usize, open: usize, end: &str, scope: u32, macros: &Mac
 }
 
 /// A macro in running text that stands for the beginning of a display, with another one for its end.
-fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros, each: &mut Found<'_>) -> usize {
+fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros<'_>, each: &mut Found<'_>) -> usize {
     let behind = at + 1 + name.len();
     let opened = |body: &str| {
         let begins = body.trim().strip_prefix("\\begin{")?.split('}').next()?;
@@ -210,100 +199,4 @@ fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros, 
     formula.scope = scope;
     each(formula);
     close
-}
-
-/// The macros that the document defines; the last definition of a name counts.
-pub(crate) fn macros(text: &str) -> Macros {
-    let mut out = Macros::new();
-    let mut at = 0;
-    while let Some(found) = text[at..].find('\\').map(|found| at + found) {
-        at = found + 1;
-        let rest = &text[at..];
-        let defines = ["newcommand", "renewcommand", "providecommand", "def\\", "DeclareMathOperator"]
-            .iter()
-            .any(|name| rest.starts_with(name));
-        if defines && let Some((name, meaning, end)) = definition(text, found) {
-            if out.len() < 2000 {
-                out.insert(name, meaning);
-            }
-            at = end;
-        } else if rest.starts_with('\\') {
-            at += 1;
-        }
-    }
-    // What stands for itself would never end.
-    out.retain(|name, of| {
-        let uses = of
-            .body
-            .match_indices(&format!("\\{name}"))
-            .any(|(at, found)| !of.body[at + found.len()..].starts_with(|c: char| c.is_ascii_alphabetic()));
-        !uses
-    });
-    out
-}
-
-/// The definition that begins with the backslash at `at`: name, meaning, and the byte behind it.
-fn definition(text: &str, at: usize) -> Option<(String, Macro, usize)> {
-    let command: String = text[at + 1..].chars().take_while(char::is_ascii_alphabetic).collect();
-    let mut rest = Rest { text, at: at + 1 + command.len() };
-    rest.skip("*");
-    let name = match rest.braced() {
-        Some(name) => name.trim().trim_start_matches('\\').to_owned(),
-        None => rest.command()?,
-    };
-    let mut meaning = Macro::default();
-    if command == "def" {
-        while rest.skip("#") {
-            rest.at += 1;
-            meaning.arguments += 1;
-        }
-    } else if let Some(count) = rest.bracketed() {
-        meaning.arguments = count.trim().parse().ok().filter(|count| *count <= 9)?;
-        meaning.default = rest.bracketed();
-    }
-    meaning.body = rest.braced()?;
-    if command == "DeclareMathOperator" {
-        meaning.body = format!("\\mathrm{{{}}}", meaning.body);
-    }
-    let usable =
-        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic()) && name != "text" && name != "mathrm";
-    usable.then_some((name, meaning, rest.at))
-}
-
-struct Rest<'t> {
-    text: &'t str,
-    at: usize,
-}
-
-impl Rest<'_> {
-    fn skip(&mut self, what: &str) -> bool {
-        let found = self.text.get(self.at..).is_some_and(|rest| rest.starts_with(what));
-        self.at += if found { what.len() } else { 0 };
-        found
-    }
-
-    fn braced(&mut self) -> Option<String> {
-        self.between('{', '}')
-    }
-
-    fn bracketed(&mut self) -> Option<String> {
-        self.between('[', ']')
-    }
-
-    fn between(&mut self, open: char, close: char) -> Option<String> {
-        let rest = self.text.get(self.at..)?;
-        let space = rest.len() - rest.trim_start().len();
-        let inner = rest[space..].strip_prefix(open)?;
-        let at = closing(inner.char_indices().take(2000), open, close)?;
-        self.at += space + 1 + at + 1;
-        Some(inner[..at].to_owned())
-    }
-
-    fn command(&mut self) -> Option<String> {
-        let rest = self.text.get(self.at..)?;
-        let space = rest.len() - rest.trim_start().len();
-        let name: String = rest[space..].strip_prefix('\\')?.chars().take_while(char::is_ascii_alphabetic).collect();
-        self.at += space + 1 + name.len();
-        Some(name)
-    }
 }

@@ -307,7 +307,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             let end = text[at..].find(&close).map_or(text.len(), |found| at + found);
             if is_tex {
                 let span = Span::new(at, end);
-                each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &Macros::new()), span));
+                each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &Macros::default()), span));
             }
             at = end;
         } else if SCOPES.contains(&tag.name.as_str()) && !tag.empty && scopes.len() < DEEPEST {
@@ -329,7 +329,7 @@ fn tex_between(between: &str, at: usize, scope: u32, each: &mut Found<'_>) {
     }
     for found in delimited::formulas(between, &[], delimited::Dollars::Double) {
         let source = &between[found.inside.clone()];
-        let tokens = tex::formula(&decoded(source, at + found.inside.start), &Macros::new());
+        let tokens = tex::formula(&decoded(source, at + found.inside.start), &Macros::default());
         let mut formula = Formula::new(tokens, Span::new(at + found.whole.start, at + found.whole.end));
         formula.scope = scope;
         each(formula);

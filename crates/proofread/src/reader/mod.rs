@@ -2,6 +2,7 @@
 
 mod adjoining;
 mod commas;
+mod definitions;
 mod delimited;
 mod dress;
 mod latex;
@@ -141,16 +142,26 @@ pub(crate) type Found<'f> = dyn FnMut(Formula) + 'f;
 ///
 /// If the text is too long, or is no notebook where it should be one.
 pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
+    read_with(text, format, None, each)
+}
+
+/// Reads a text with definitions from elsewhere.
+pub(crate) fn read_with(
+    text: &str,
+    format: Format,
+    elsewhere: Option<&Definitions>,
+    each: &mut Found<'_>,
+) -> Result<(), Unreadable> {
     if text.len() > LONGEST {
         return Err(Unreadable::TooLong);
     }
-    if let Some(points) = commas::are_decimal(text, format) {
-        return formulas(text, format, &mut |mut formula| {
+    if let Some(points) = commas::are_decimal(text, format, elsewhere) {
+        return formulas(text, format, elsewhere, &mut |mut formula| {
             commas::understood(&mut formula.tokens, points);
             each(formula);
         });
     }
-    formulas(text, format, each)
+    formulas(text, format, elsewhere, each)
 }
 
 /// Most bytes that are struck out at once.
@@ -193,6 +204,7 @@ fn withdrawn(text: &str) -> Vec<std::ops::Range<usize>> {
     out
 }
 
+pub use definitions::Definitions;
 pub(crate) use plain::is_noun;
 pub(crate) use symbols::unit_sign;
 
@@ -204,10 +216,15 @@ pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {
 }
 
 /// The formulas with their numbers as in English.
-fn formulas(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
+fn formulas(
+    text: &str,
+    format: Format,
+    elsewhere: Option<&Definitions>,
+    each: &mut dyn FnMut(Formula),
+) -> Result<(), Unreadable> {
     match format {
         Format::Markdown => markdown::read(text, delimited::Dollars::Single, each),
-        Format::Latex => latex::read(text, each),
+        Format::Latex => latex::read(text, elsewhere.map(|of| &of.0), each),
         Format::Xml | Format::Html => markup::read(text, each),
         Format::Notebook => notebook::read(text, each)?,
         Format::Plain => {
@@ -216,7 +233,7 @@ fn formulas(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
             let mut taken = Vec::new();
             for of in marked {
                 let signs = crate::token::signs(&text[of.inside.clone()], of.inside.start);
-                let tokens = tex::formula(&signs, &tex::Macros::new());
+                let tokens = tex::formula(&signs, &tex::Macros::default());
                 found.push(Formula::new(tokens, Span::new(of.whole.start, of.whole.end)));
                 taken.push(of.whole);
             }

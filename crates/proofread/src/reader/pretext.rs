@@ -1,8 +1,9 @@
 //! TeX in the elements of PreTeXt: `m`, `me`, `men`, and `md` with its rows.
 
+use super::Formula;
+use super::definitions::named;
 use super::markup::{Tag, decoded, next_tag};
 use super::tex::{self, Macros};
-use super::{Formula, latex};
 use crate::token::{Sign, Span};
 
 /// Elements with TeX in them.
@@ -12,13 +13,13 @@ pub(crate) const ELEMENTS: [&str; 5] = ["m", "me", "men", "md", "mdn"];
 const LONGEST: usize = 20_000;
 
 /// The macros that the document defines for its formulas.
-pub(crate) fn macros(text: &str) -> Macros {
+pub(crate) fn macros(text: &str) -> Macros<'static> {
     let inside = text.split_once("<macros>").and_then(|(_, rest)| rest.split_once("</macros>"));
-    inside.map(|(inside, _)| latex::macros(inside)).unwrap_or_default()
+    Macros { own: inside.map(|(inside, _)| named(inside)).unwrap_or_default(), elsewhere: None }
 }
 
 /// The formula in an element, and the byte behind its end tag.
-pub(crate) fn formula(text: &str, open: &Tag<'_>, macros: &Macros) -> (Formula, usize) {
+pub(crate) fn formula(text: &str, open: &Tag<'_>, macros: &Macros<'_>) -> (Formula, usize) {
     let mut signs: Vec<Sign> = Vec::new();
     let mut at = open.end;
     // Words between the rows are none of the formula.

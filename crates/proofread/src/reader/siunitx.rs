@@ -1,5 +1,6 @@
 //! Numbers and units of the LaTeX package siunitx.
 
+use super::tex::Macros;
 use super::words::{whole, words};
 use crate::token::{Kind, Sign, Token};
 use crate::unit::takes_prefix;
@@ -24,6 +25,29 @@ pub(crate) fn number(signs: &[Sign], out: &mut Vec<Token>) {
     let mut raised = Vec::new();
     words(power, &mut raised);
     out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), whole(power)));
+}
+
+/// Units with those that the document names itself written out, a few times over if they name each other.
+pub(crate) fn named(signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
+    (0..4).fold(signs, |signs, _| {
+        let (mut out, mut at) = (Vec::new(), 0);
+        while let Some(sign) = signs.get(at) {
+            let letters = signs[at + 1..].iter().take_while(|sign| sign.c.is_ascii_alphabetic()).count();
+            let end = at + 1 + if sign.c == '\\' { letters } else { 0 };
+            let name: String = signs[at + 1..end].iter().map(|sign| sign.c).collect();
+            let named = macros.in_quantity(&name).filter(|of| of.arguments == 0 && sign_of(&name).is_empty());
+            let body = named.map(|of| of.body.trim()).filter(|body| !body.contains("circ"));
+            // Beside a prefix, a power or a stroke one unit is meant, and several in its place would be another thing.
+            let alone = out.is_empty() && signs[end..].iter().all(|sign| sign.c.is_whitespace());
+            let is_one = |body: &str| body.strip_prefix('\\').is_some_and(|name| name.chars().all(char::is_alphabetic));
+            match body.filter(|body| alone || is_one(body)) {
+                Some(body) => write(body, sign, &mut out),
+                None => out.extend(&signs[at..end]),
+            }
+            at = end;
+        }
+        out
+    })
 }
 
 /// Units in words with backslashes, such as `\kilo\metre\per\second\squared`, as plain TeX.
@@ -66,7 +90,7 @@ pub(crate) fn unit(signs: &[Sign]) -> Vec<Sign> {
                 }
             }
             "of" => at = group(signs, at).1,
-            "text" | "mathrm" => {}
+            "text" | "mathrm" | "textrm" | "textsc" | "textup" | "textnormal" | "mbox" | "ensuremath" => {}
             name => {
                 if let Some(known) = prefix_of(name) {
                     prefix = known;

@@ -6,6 +6,7 @@ use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
 use crate::token::{Function, Kind, Sign, Span, Token, show};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
@@ -25,18 +26,44 @@ const SEPARATORS: [&[char]; 9] = [
 const MOST_EXPANDED: usize = 20_000;
 
 /// A macro of the document: how many arguments it takes, the first one's default if it is optional, and what it stands for.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Macro {
     pub arguments: usize,
     pub default: Option<String>,
     pub body: String,
+    /// Whether it is a unit of siunitx, which is none outside of a quantity.
+    pub unit: bool,
 }
 
-/// The macros of a document, by name without the backslash.
-pub(crate) type Macros = HashMap<String, Macro>;
+/// Macros by name without the backslash.
+pub(crate) type Named = HashMap<Arc<str>, Arc<Macro>>;
+
+/// The macros of a document: its own, and those that are defined elsewhere.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Macros<'d> {
+    pub own: Named,
+    pub elsewhere: Option<&'d Named>,
+}
+
+impl Macros<'_> {
+    /// What a name stands for; the document's own definition counts first.
+    pub fn get(&self, name: &str) -> Option<&Macro> {
+        self.in_quantity(name).filter(|of| !of.unit)
+    }
+
+    /// What a name stands for in a quantity of siunitx.
+    pub fn in_quantity(&self, name: &str) -> Option<&Macro> {
+        self.own.get(name).or_else(|| self.elsewhere?.get(name)).map(AsRef::as_ref)
+    }
+
+    /// All names with what they stand for.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Macro)> {
+        self.own.iter().chain(self.elsewhere.into_iter().flatten()).map(|(name, of)| (name.as_ref(), of.as_ref()))
+    }
+}
 
 /// Reads a formula.
-pub(crate) fn formula(signs: &[Sign], macros: &Macros) -> Vec<Token> {
+pub(crate) fn formula(signs: &[Sign], macros: &Macros<'_>) -> Vec<Token> {
     let mut reader = Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0, upright: false };
     reader.tokens(0, &[])
 }
@@ -44,7 +71,7 @@ pub(crate) fn formula(signs: &[Sign], macros: &Macros) -> Vec<Token> {
 pub(super) struct Tex<'m> {
     /// What is still to be read, the next character last.
     pub(super) stack: Vec<Sign>,
-    macros: &'m Macros,
+    macros: &'m Macros<'m>,
     expanded: usize,
     /// Whether the rest of the group is upright, as behind `\rm`.
     upright: bool,
@@ -80,7 +107,7 @@ impl Tex<'_> {
         }
         if name.is_empty() {
             name.extend(self.stack.pop().map(|sign| sign.c));
-        } else if self.peek().is_some_and(|sign| sign.c == '*') && !self.macros.contains_key(&name) {
+        } else if self.peek().is_some_and(|sign| sign.c == '*') && self.macros.get(&name).is_none() {
             self.stack.pop();
         }
         name
@@ -350,7 +377,7 @@ impl Tex<'_> {
             }
             "sqrt" => {
                 let index = self.optional();
-                let index = index.map(|signs| formula(&signs, &Macros::new())).unwrap_or_default();
+                let index = index.map(|signs| formula(&signs, &Macros::default())).unwrap_or_default();
                 let of = self.argument(depth);
                 push(out, Kind::Root(of, index));
             }
@@ -534,8 +561,10 @@ impl Tex<'_> {
         }
         if command != "num" {
             let raw = self.raw_group();
-            let inner = self.inside(siunitx::unit(&raw).into_iter().rev().collect(), depth);
-            out.push(token(Kind::Space(2), whole(&raw)));
+            let place = whole(&raw);
+            let unit = siunitx::unit(&siunitx::named(raw, self.macros));
+            let inner = self.inside(unit.into_iter().rev().collect(), depth);
+            out.push(token(Kind::Space(2), place));
             merge_letters(inner, out);
         }
     }

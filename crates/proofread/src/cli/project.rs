@@ -1,0 +1,334 @@
+//! LaTeX files that belong together: what the files that a document includes, and those that include it, define for it.
+//!
+//! Definitions are all that is taken from them. Each file is read once, however many documents include it.
+
+use super::documents::text;
+use crate::reader::Definitions;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Longest file that is searched for definitions, in bytes.
+const LONGEST: u64 = 8 << 20;
+/// Deepest inclusion that is followed.
+const DEEPEST: usize = 32;
+/// Most files that one document takes definitions from.
+const MOST_FILES: usize = 5000;
+/// Most inclusions that are followed for all documents.
+const MOST_FOLLOWED: usize = 200_000;
+/// Most documents that may include a file and are heard.
+const MOST_MAINS: usize = 8;
+/// How far above a file the repository may begin.
+const HIGHEST: usize = 10;
+/// In how many folders above a file a document that includes it is looked for, and where the files that are read must be if
+/// there is no repository.
+const ABOVE: usize = 2;
+/// Most files of a folder above that are looked at.
+const MOST_ABOVE: usize = 200;
+/// Packages whose commands the reader knows better than their definitions tell.
+const KNOWN: [&str; 9] =
+    ["siunitx", "physics", "units", "nicefrac", "amsmath", "mathtools", "gensymb", "cancel", "mhchem"];
+
+/// Another file that a file names.
+#[derive(Debug)]
+struct Inclusion {
+    /// The path as it is written, with an extension if it is a package or a class.
+    name: String,
+    /// Whether it is named before the document begins.
+    early: bool,
+}
+
+/// What a file says.
+#[derive(Debug, Default)]
+struct Contents {
+    preamble: Definitions,
+    body: Definitions,
+    inclusions: Vec<Inclusion>,
+    /// The document that it says to be part of.
+    main: Option<String>,
+    /// Whether it is a document by itself.
+    is_main: bool,
+}
+
+/// The files that were read, and which of them belong together.
+#[derive(Default)]
+pub(crate) struct Project {
+    files: HashMap<PathBuf, Option<Arc<Contents>>>,
+    /// Where the files of a document may be.
+    tops: HashMap<PathBuf, PathBuf>,
+    /// The documents that include a file.
+    mains: HashMap<PathBuf, BTreeSet<PathBuf>>,
+    searched: HashSet<PathBuf>,
+    /// What was gathered from some files, each read before the document begins or not.
+    merged: HashMap<Vec<(PathBuf, bool)>, Arc<Definitions>>,
+    /// How many inclusions were followed.
+    followed: usize,
+}
+
+/// Definitions in the order in which LaTeX reads them.
+#[derive(Default)]
+struct Gathered {
+    definitions: Definitions,
+    /// Names that mean one thing here and another there.
+    unclear: HashSet<Arc<str>>,
+    seen: HashSet<PathBuf>,
+}
+
+impl Gathered {
+    /// Takes the definitions of a preamble, of which the last one counts.
+    fn take(&mut self, of: &Definitions) {
+        self.definitions.add(of);
+        self.unclear.retain(|name| !of.0.contains_key(name));
+    }
+
+    /// Takes definitions that hold in a part of the document. A name that has several meanings has none for the other parts.
+    fn take_part(&mut self, of: &Definitions) {
+        for (name, meaning) in &of.0 {
+            let known = self.definitions.0.get(name);
+            if known.is_some_and(|known| known != meaning) {
+                self.definitions.0.remove(name);
+                self.unclear.insert(name.clone());
+            } else if known.is_none() && !self.unclear.contains(name) {
+                self.definitions.0.insert(name.clone(), meaning.clone());
+            }
+        }
+    }
+}
+
+impl Project {
+    /// Adds a file that is proofread, with the folder in which it was found.
+    pub fn add(&mut self, file: &Path, folder: Option<&Path>) {
+        let Ok(file) = file.canonicalize() else { return };
+        let folder = folder.and_then(|folder| folder.canonicalize().ok());
+        let top = top(&file, folder.as_deref());
+        self.tops.insert(file.clone(), top.clone());
+        self.main(&file, &top);
+        // Folders above those that are searched anyway.
+        let above: Vec<PathBuf> = file.ancestors().skip(1).take(ABOVE + 1).map(Path::to_owned).collect();
+        for place in above.into_iter().filter(|place| place.starts_with(&top)) {
+            if !self.searched.insert(place.clone()) {
+                continue;
+            }
+            let entries = std::fs::read_dir(&place).into_iter().flatten().flatten();
+            let files: BTreeSet<PathBuf> = entries.map(|of| of.path()).filter(|of| is(of, "tex")).collect();
+            files.iter().take(MOST_ABOVE).for_each(|file| self.main(file, &top));
+        }
+    }
+
+    /// What other files define for a file.
+    pub fn definitions(&mut self, file: &Path) -> Option<Arc<Definitions>> {
+        let file = file.canonicalize().ok()?;
+        let top = self.tops.get(&file)?.clone();
+        let contents = self.read(&file, &top)?;
+        let said = contents.main.as_deref().and_then(|main| find(main, [folder_of(&file), None], &top));
+        let said = said.filter(|main| *main != file);
+        let mains = self.mains.get(&file).into_iter().flatten().filter(|main| **main != file).take(MOST_MAINS).cloned();
+        let mut roots: Vec<(PathBuf, bool)> = match said {
+            Some(main) => vec![(main, true)],
+            None => mains.map(|main| (main, true)).collect(),
+        };
+        let folder = folder_of(&file);
+        if roots.is_empty() {
+            let own = contents.inclusions.iter();
+            roots.extend(own.filter_map(|of| Some((find(&of.name, [folder, None], &top)?, of.early))));
+        }
+        if roots.is_empty() {
+            return None;
+        }
+        if let Some(known) = self.merged.get(&roots) {
+            return Some(known.clone());
+        }
+        let mut out = Gathered::default();
+        for (at, (root, early)) in roots.iter().enumerate() {
+            let is_main = self.read(root, &top).is_some_and(|contents| contents.is_main);
+            let mut one = Gathered::default();
+            // What one of several documents reads has no bearing on the other ones.
+            let into = if is_main && at > 0 { &mut one } else { &mut out };
+            let main = if is_main { folder_of(root) } else { folder };
+            self.gather(root, (main, &top), *early, into);
+            if is_main && at > 0 {
+                out.take_part(&one.definitions);
+            }
+        }
+        let out = Arc::new(out.definitions);
+        self.merged.insert(roots, out.clone());
+        Some(out)
+    }
+
+    /// Notes which files a document includes, if the file is one.
+    fn main(&mut self, file: &Path, top: &Path) {
+        if self.mains.get(file).is_some_and(|mains| mains.contains(file))
+            || !self.read(file, top).is_some_and(|contents| contents.is_main)
+        {
+            return;
+        }
+        let mut out = Gathered::default();
+        self.visit(file, (folder_of(file), top), true, DEEPEST, &mut out, &mut |_, _, _| {});
+        for part in out.seen {
+            self.mains.entry(part).or_default().insert(file.to_owned());
+        }
+    }
+
+    fn gather(&mut self, file: &Path, at: (Option<&Path>, &Path), early: bool, out: &mut Gathered) {
+        self.visit(file, at, early, DEEPEST, out, &mut |out, of, early| {
+            if early { out.take(of) } else { out.take_part(of) }
+        });
+    }
+
+    /// Hands over the definitions of a file and of what it includes, in their order.
+    fn visit(
+        &mut self,
+        file: &Path,
+        (main, top): (Option<&Path>, &Path),
+        early: bool,
+        depth: usize,
+        out: &mut Gathered,
+        take: &mut dyn FnMut(&mut Gathered, &Definitions, bool),
+    ) {
+        let stops = depth == 0 || out.seen.len() >= MOST_FILES || self.followed >= MOST_FOLLOWED;
+        if stops || !out.seen.insert(file.to_owned()) {
+            return;
+        }
+        self.followed += 1;
+        let Some(contents) = self.read(file, top) else { return };
+        for (is_early, definitions) in [(true, &contents.preamble), (false, &contents.body)] {
+            for of in contents.inclusions.iter().filter(|of| of.early == is_early) {
+                // LaTeX looks beside the main document; some packages look beside the file.
+                if let Some(other) = find(&of.name, [main, folder_of(file)], top) {
+                    self.visit(&other, (main, top), early && is_early, depth - 1, out, take);
+                }
+            }
+            take(out, definitions, early && is_early);
+        }
+    }
+
+    /// The contents of a file, which is read once.
+    fn read(&mut self, file: &Path, top: &Path) -> Option<Arc<Contents>> {
+        if let Some(known) = self.files.get(file) {
+            return known.clone();
+        }
+        let is_text = |of: &std::fs::Metadata| of.is_file() && of.len() <= LONGEST;
+        let readable = file.starts_with(top) && std::fs::metadata(file).is_ok_and(|of| is_text(&of));
+        let bytes = if readable { std::fs::read(file).ok() } else { None };
+        let contents = bytes.and_then(|bytes| text(bytes).ok()).map(|text| Arc::new(contents(&text)));
+        self.files.insert(file.to_owned(), contents.clone());
+        contents
+    }
+}
+
+fn folder_of(file: &Path) -> Option<&Path> {
+    file.parent()
+}
+
+fn is(file: &Path, extension: &str) -> bool {
+    file.extension().is_some_and(|of| of.eq_ignore_ascii_case(extension))
+}
+
+/// The folder in which everything must be that is read for a file: its repository, or else the folder that was asked for, or a
+/// few above the file.
+fn top(file: &Path, folder: Option<&Path>) -> PathBuf {
+    let above = || file.ancestors().skip(1);
+    let repository = above().take(HIGHEST).find(|place| place.join(".git").exists());
+    let near = above().take(ABOVE + 1).last();
+    let shorter = |one: &Path, other: &Path| one.components().count() <= other.components().count();
+    let without = match (folder, near) {
+        (Some(folder), Some(near)) if shorter(folder, near) => Some(folder),
+        (_, near) => near,
+    };
+    repository.or(without).unwrap_or(file).to_owned()
+}
+
+/// The file of a name in the first of some folders that has it.
+fn find(name: &str, folders: [Option<&Path>; 2], top: &Path) -> Option<PathBuf> {
+    let written = Path::new(name);
+    if name.is_empty() || written.is_absolute() {
+        return None;
+    }
+    let whole = ["tex", "ltx", "latex", "sty", "cls"].iter().any(|extension| is(written, extension));
+    let name = if whole { name.to_owned() } else { format!("{name}.tex") };
+    let files = folders.iter().flatten().map(|folder| folder.join(&name));
+    let found = files.filter(|file| file.is_file()).find_map(|file| file.canonicalize().ok());
+    found.filter(|file| file.starts_with(top))
+}
+
+/// What a text says about itself and other files.
+fn contents(text: &str) -> Contents {
+    let mut out = Contents::default();
+    let (mut begins, mut ends) = (text.len(), text.len());
+    let mut at = 0;
+    while let Some(found) = text[at..].find(['\\', '%']).map(|found| at + found) {
+        let rest = &text[found + 1..];
+        if text.as_bytes()[found] == b'%' {
+            let line = rest.lines().next().unwrap_or_default();
+            out.main = out.main.take().or_else(|| root_said(line));
+            at = found + 1 + line.len();
+            continue;
+        }
+        let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+        at = found + 1 + length.max(rest.chars().next().map_or(0, char::len_utf8));
+        let behind = &rest[length..];
+        let early = begins == text.len();
+        match &rest[..length] {
+            "begin" if early && behind.trim_start().starts_with("{document}") => {
+                (begins, out.is_main) = (found, true);
+            }
+            "endinput" => {
+                ends = found;
+                break;
+            }
+            "end" if behind.trim_start().starts_with("{document}") => {
+                ends = found;
+                break;
+            }
+            command => include(command, behind, early, &mut out),
+        }
+    }
+    out.preamble = Definitions::of(&text[..begins.min(ends)]);
+    out.body = Definitions::of(&text[begins.min(ends)..ends]);
+    out
+}
+
+/// The document that a comment such as `% !TEX root = ../main.tex` names.
+fn root_said(comment: &str) -> Option<String> {
+    let rest = comment.trim_start_matches('%').trim().strip_prefix('!')?.trim_start();
+    let (program, rest) = (rest.get(..3)?, rest.get(3..)?);
+    let (key, value) = rest.split_once('=')?;
+    (program.eq_ignore_ascii_case("tex") && key.trim() == "root").then(|| value.trim().to_owned())
+}
+
+/// Notes the files that a command includes whose arguments follow.
+fn include(command: &str, behind: &str, early: bool, out: &mut Contents) {
+    let mut rest = behind;
+    let options = argument(&mut rest, '[', ']').unwrap_or_default();
+    let mut add = |name: String| out.inclusions.push(Inclusion { name, early });
+    match command {
+        "input" | "include" | "subfile" | "InputIfFileExists" => {
+            let named = argument(&mut rest, '{', '}');
+            let bare = || behind.split(['\\', '%', '\n', ' ', '}']).find(|word| !word.is_empty()).unwrap_or_default();
+            let name = named.unwrap_or_else(|| if behind.starts_with(' ') { bare() } else { "" });
+            add(name.trim().trim_matches('"').to_owned());
+        }
+        "import" | "subimport" | "inputfrom" | "includefrom" | "subinputfrom" | "subincludefrom" => {
+            if let (Some(folder), Some(name)) = (argument(&mut rest, '{', '}'), argument(&mut rest, '{', '}')) {
+                add(format!("{}/{}", folder.trim().trim_end_matches('/'), name.trim()));
+            }
+        }
+        "usepackage" | "RequirePackage" => {
+            let names = argument(&mut rest, '{', '}').unwrap_or_default().split(',').map(str::trim);
+            names.filter(|name| !KNOWN.contains(name)).for_each(|name| add(format!("{name}.sty")));
+        }
+        "documentclass" | "LoadClass" => match argument(&mut rest, '{', '}').unwrap_or_default().trim() {
+            "subfiles" => out.main = Some(options.trim().to_owned()),
+            name => add(format!("{name}.cls")),
+        },
+        _ => {}
+    }
+}
+
+/// Takes the argument between two signs at the start of a text.
+fn argument<'t>(rest: &mut &'t str, open: char, close: char) -> Option<&'t str> {
+    let inner = rest.trim_start().strip_prefix(open)?;
+    let end = inner.bytes().take(2000).position(|c| c == close as u8)?;
+    *rest = &inner[end + 1..];
+    inner.get(..end)
+}

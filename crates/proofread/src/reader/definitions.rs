@@ -1,0 +1,195 @@
+//! Definitions in LaTeX: commands and units that an author names.
+
+use super::tex::{Macro, Named};
+use std::sync::Arc;
+
+/// Most definitions that are kept of one text.
+const MOST: usize = 2000;
+
+/// What LaTeX texts define: commands, operators, and units of siunitx.
+///
+/// A document is read with the definitions of other texts, such as its preamble, a file of macros, a package or a class, if they are
+/// given in [`Options::definitions`](crate::Options::definitions).
+///
+/// ```
+/// use proofread::{Definitions, Format, Options, proofread};
+///
+/// let definitions = Definitions::of(r"\newcommand{\half}{\frac{1}{2}} \newcommand{\hint}[1]{}");
+/// let options = Options { definitions: Some(&definitions), ..Options::default() };
+/// let report = proofread(r"\hint{$1 + 1 = 3$} It is $3\half = 1.5$, not $3\half = 2$.", Format::Latex, options)?;
+/// assert_eq!((report.tally.checked, report.findings.len()), (2, 1));
+/// # Ok::<(), proofread::Unreadable>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Definitions(pub(crate) Named);
+
+impl Definitions {
+    /// The definitions in a text, be it a document, a part of one, a package or a class.
+    ///
+    /// If a name is defined twice, the last definition counts. What the program can't use is left out: names with other signs than
+    /// letters, and arguments that are more than mandatory or optional ones in brackets.
+    pub fn of(text: &str) -> Self {
+        Self(named(text))
+    }
+
+    /// Adds the definitions of a text that is read later; where both define a name, the later definition counts.
+    pub fn add(&mut self, later: &Self) {
+        self.0.extend(later.0.iter().map(|(name, of)| (name.clone(), of.clone())));
+    }
+}
+
+/// Whether a command, without its backslash, defines another one.
+pub(crate) fn defines(command: &str) -> bool {
+    matches!(
+        command,
+        "newcommand"
+            | "renewcommand"
+            | "providecommand"
+            | "DeclareRobustCommand"
+            | "NewDocumentCommand"
+            | "RenewDocumentCommand"
+            | "ProvideDocumentCommand"
+            | "DeclareDocumentCommand"
+            | "DeclareMathOperator"
+            | "DeclareSIUnit"
+            | "def"
+    )
+}
+
+/// The macros that a text defines; the last definition of a name counts.
+pub(crate) fn named(text: &str) -> Named {
+    let mut out = Named::new();
+    let mut at = 0;
+    while let Some(found) = text[at..].find(['\\', '%']).map(|found| at + found) {
+        at = found + 1;
+        let rest = &text[at..];
+        if text.as_bytes()[found] == b'%' {
+            at += rest.find('\n').unwrap_or(rest.len());
+            continue;
+        }
+        let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+        if length == 0 {
+            // What is escaped begins nothing.
+            at += rest.chars().next().map_or(0, char::len_utf8);
+        } else if defines(&rest[..length])
+            && let Some((name, meaning, end)) = definition(text, found)
+        {
+            if out.len() < MOST {
+                out.insert(name.into(), Arc::new(meaning));
+            }
+            at = end;
+        } else {
+            at += length;
+        }
+    }
+    // What stands for itself would never end.
+    out.retain(|name, of| {
+        let uses = of
+            .body
+            .match_indices(&format!("\\{name}"))
+            .any(|(at, found)| !of.body[at + found.len()..].starts_with(|c: char| c.is_ascii_alphabetic()));
+        !uses
+    });
+    out
+}
+
+/// The definition that begins with the backslash at `at`: name, meaning, and the byte behind it.
+pub(crate) fn definition(text: &str, at: usize) -> Option<(String, Macro, usize)> {
+    let command: String = text[at + 1..].chars().take_while(char::is_ascii_alphabetic).collect();
+    let mut rest = Rest { text, at: at + 1 + command.len() };
+    rest.skip("*");
+    if command == "DeclareSIUnit" {
+        rest.bracketed();
+    }
+    let name = match rest.braced() {
+        Some(name) => name.trim().trim_start_matches('\\').to_owned(),
+        None => rest.command()?,
+    };
+    let mut meaning = Macro::default();
+    if command == "def" {
+        while rest.skip("#") {
+            rest.at += 1;
+            meaning.arguments += 1;
+        }
+    } else if command.ends_with("DocumentCommand") {
+        (meaning.arguments, meaning.default) = signature(&rest.braced()?)?;
+    } else if let Some(count) = rest.bracketed() {
+        meaning.arguments = count.trim().parse().ok().filter(|count| *count <= 9)?;
+        meaning.default = rest.bracketed();
+    }
+    meaning.body = rest.braced()?;
+    meaning.unit = command == "DeclareSIUnit";
+    if command == "DeclareMathOperator" {
+        meaning.body = format!("\\mathrm{{{}}}", meaning.body);
+    }
+    let usable =
+        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic()) && name != "text" && name != "mathrm";
+    usable.then_some((name, meaning, rest.at))
+}
+
+/// The arguments of a document command such as `O{2} m m`: how many, and the first one's default if it is optional.
+fn signature(text: &str) -> Option<(usize, Option<String>)> {
+    let mut rest = Rest { text: text.trim(), at: 0 };
+    let default = if rest.skip("O") { Some(rest.braced()?) } else { None };
+    let kinds = rest.text[rest.at..].chars().filter(|c| !c.is_whitespace() && *c != '+');
+    let count = kinds.clone().count() + usize::from(default.is_some());
+    (count <= 9 && kinds.clone().all(|c| c == 'm')).then_some((count, default))
+}
+
+/// Where the group ends whose signs behind the opening one are given with their places.
+pub(crate) fn closing(signs: impl Iterator<Item = (usize, char)>, open: char, close: char) -> Option<usize> {
+    let (mut depth, mut escaped) = (1usize, false);
+    for (at, c) in signs {
+        if escaped {
+            escaped = false;
+        } else if c == '\\' {
+            escaped = true;
+        } else if c == open {
+            depth += 1;
+        } else if c == close {
+            depth -= 1;
+            if depth == 0 {
+                return Some(at);
+            }
+        }
+    }
+    None
+}
+
+struct Rest<'t> {
+    text: &'t str,
+    at: usize,
+}
+
+impl Rest<'_> {
+    fn skip(&mut self, what: &str) -> bool {
+        let found = self.text.get(self.at..).is_some_and(|rest| rest.starts_with(what));
+        self.at += if found { what.len() } else { 0 };
+        found
+    }
+
+    fn braced(&mut self) -> Option<String> {
+        self.between('{', '}')
+    }
+
+    fn bracketed(&mut self) -> Option<String> {
+        self.between('[', ']')
+    }
+
+    fn between(&mut self, open: char, close: char) -> Option<String> {
+        let rest = self.text.get(self.at..)?;
+        let space = rest.len() - rest.trim_start().len();
+        let inner = rest[space..].strip_prefix(open)?;
+        let at = closing(inner.char_indices().take(2000), open, close)?;
+        self.at += space + 1 + at + 1;
+        Some(inner[..at].to_owned())
+    }
+
+    fn command(&mut self) -> Option<String> {
+        let rest = self.text.get(self.at..)?;
+        let space = rest.len() - rest.trim_start().len();
+        let name: String = rest[space..].strip_prefix('\\')?.chars().take_while(char::is_ascii_alphabetic).collect();
+        self.at += space + 1 + name.len();
+        Some(name)
+    }
+}
