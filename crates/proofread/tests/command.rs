@@ -31,7 +31,7 @@ impl Streams for Kept {
 }
 
 /// Exit code, standard output and standard error.
-fn run(line: &[&str]) -> (u8, String, String) {
+pub fn run(line: &[&str]) -> (u8, String, String) {
     let mut kept = Kept::default();
     let code = cli::run(&arguments(&[&["proofread"], line].concat()), &mut kept);
     (code, kept.out, kept.told)

@@ -6,9 +6,12 @@ mod chains;
 mod command;
 mod commas;
 mod customs;
+mod definitions;
 mod doubts;
 mod formats;
 mod fuzz;
+#[cfg(feature = "cli")]
+mod inclusions;
 mod judged;
 mod notations;
 mod plain;

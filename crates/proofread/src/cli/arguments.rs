@@ -86,7 +86,8 @@ impl Args for Arguments {
                 .value_parser(value_parser!(PathBuf))
                 .help(
                     "Files and folders to read; `-` is standard input. A folder is searched for files whose format the name \
-                     tells",
+                     tells. A LaTeX file is read with the macros of the local files that it includes and of those that \
+                     include it",
                 ),
             option("input", "FORMAT").value_parser(PossibleValuesParser::new(formats)).help(
                 "What all input is written in; jsonl is one object per line with `id`, `format` and `text` [default: told by \

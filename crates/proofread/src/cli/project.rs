@@ -110,7 +110,9 @@ impl Project {
                 continue;
             }
             let entries = std::fs::read_dir(&place).into_iter().flatten().flatten();
-            let files: BTreeSet<PathBuf> = entries.map(|of| of.path()).filter(|of| is(of, "tex")).collect();
+            let named = entries.map(|of| of.path()).filter(|of| is(of, "tex"));
+            let real = named.filter_map(|of| of.canonicalize().ok()).filter(|of| of.starts_with(&top));
+            let files: BTreeSet<PathBuf> = real.collect();
             files.iter().take(MOST_ABOVE).for_each(|file| self.main(file, &top));
         }
     }
@@ -119,7 +121,7 @@ impl Project {
     pub fn definitions(&mut self, file: &Path) -> Option<Arc<Definitions>> {
         let file = file.canonicalize().ok()?;
         let top = self.tops.get(&file)?.clone();
-        let contents = self.read(&file, &top)?;
+        let contents = self.read(&file)?;
         let said = contents.main.as_deref().and_then(|main| find(main, [folder_of(&file), None], &top));
         let said = said.filter(|main| *main != file);
         let mains = self.mains.get(&file).into_iter().flatten().filter(|main| **main != file).take(MOST_MAINS).cloned();
@@ -140,7 +142,7 @@ impl Project {
         }
         let mut out = Gathered::default();
         for (at, (root, early)) in roots.iter().enumerate() {
-            let is_main = self.read(root, &top).is_some_and(|contents| contents.is_main);
+            let is_main = self.read(root).is_some_and(|contents| contents.is_main);
             let mut one = Gathered::default();
             // What one of several documents reads has no bearing on the other ones.
             let into = if is_main && at > 0 { &mut one } else { &mut out };
@@ -158,7 +160,7 @@ impl Project {
     /// Notes which files a document includes, if the file is one.
     fn main(&mut self, file: &Path, top: &Path) {
         if self.mains.get(file).is_some_and(|mains| mains.contains(file))
-            || !self.read(file, top).is_some_and(|contents| contents.is_main)
+            || !self.read(file).is_some_and(|contents| contents.is_main)
         {
             return;
         }
@@ -190,7 +192,7 @@ impl Project {
             return;
         }
         self.followed += 1;
-        let Some(contents) = self.read(file, top) else { return };
+        let Some(contents) = self.read(file) else { return };
         for (is_early, definitions) in [(true, &contents.preamble), (false, &contents.body)] {
             for of in contents.inclusions.iter().filter(|of| of.early == is_early) {
                 // LaTeX looks beside the main document; some packages look beside the file.
@@ -203,12 +205,12 @@ impl Project {
     }
 
     /// The contents of a file, which is read once.
-    fn read(&mut self, file: &Path, top: &Path) -> Option<Arc<Contents>> {
+    fn read(&mut self, file: &Path) -> Option<Arc<Contents>> {
         if let Some(known) = self.files.get(file) {
             return known.clone();
         }
         let is_text = |of: &std::fs::Metadata| of.is_file() && of.len() <= LONGEST;
-        let readable = file.starts_with(top) && std::fs::metadata(file).is_ok_and(|of| is_text(&of));
+        let readable = std::fs::metadata(file).is_ok_and(|of| is_text(&of));
         let bytes = if readable { std::fs::read(file).ok() } else { None };
         let contents = bytes.and_then(|bytes| text(bytes).ok()).map(|text| Arc::new(contents(&text)));
         self.files.insert(file.to_owned(), contents.clone());

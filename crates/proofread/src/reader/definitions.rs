@@ -16,7 +16,7 @@ const MOST: usize = 2000;
 ///
 /// let definitions = Definitions::of(r"\newcommand{\half}{\frac{1}{2}} \newcommand{\hint}[1]{}");
 /// let options = Options { definitions: Some(&definitions), ..Options::default() };
-/// let report = proofread(r"\hint{$1 + 1 = 3$} It is $3\half = 1.5$, not $3\half = 2$.", Format::Latex, options)?;
+/// let report = proofread(r"\hint{$1 + 1 = 3$} $3\half = 1.5$ and $3\half = 2$", Format::Latex, options)?;
 /// assert_eq!((report.tally.checked, report.findings.len()), (2, 1));
 /// # Ok::<(), proofread::Unreadable>(())
 /// ```

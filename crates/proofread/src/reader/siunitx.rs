@@ -35,13 +35,16 @@ pub(crate) fn named(signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
             let letters = signs[at + 1..].iter().take_while(|sign| sign.c.is_ascii_alphabetic()).count();
             let end = at + 1 + if sign.c == '\\' { letters } else { 0 };
             let name: String = signs[at + 1..end].iter().map(|sign| sign.c).collect();
-            let named = macros.in_quantity(&name).filter(|of| of.arguments == 0 && sign_of(&name).is_empty());
-            let body = named.map(|of| of.body.trim()).filter(|body| !body.contains("circ"));
+            let named = macros.in_quantity(&name).filter(|of| of.arguments == 0 && !is_known(&name));
+            let named = named.filter(|of| !of.body.contains("circ"));
+            let body = named.map(|of| of.body.trim());
             // Beside a prefix, a power or a stroke one unit is meant, and several in its place would be another thing.
             let alone = out.is_empty() && signs[end..].iter().all(|sign| sign.c.is_whitespace());
             let is_one = |body: &str| body.strip_prefix('\\').is_some_and(|name| name.chars().all(char::is_alphabetic));
             match body.filter(|body| alone || is_one(body)) {
                 Some(body) => write(body, sign, &mut out),
+                // Several units in the place of one.
+                None if named.is_some_and(|of| upright(&of.body).is_none()) => write("?", sign, &mut out),
                 None => out.extend(&signs[at..end]),
             }
             at = end;
@@ -50,8 +53,22 @@ pub(crate) fn named(signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
     })
 }
 
+/// Whether a name is a word of siunitx, whatever else a document does with it.
+fn is_known(name: &str) -> bool {
+    const WORDS: [&str; 8] = ["per", "square", "cubic", "squared", "cubed", "tothe", "raiseto", "of"];
+    WORDS.contains(&name) || prefix_of(name).is_some() || !sign_of(name).is_empty()
+}
+
+/// The letters of a unit that are all of a definition, such as `\textsc{atm}`.
+fn upright(body: &str) -> Option<&str> {
+    let body = body.trim();
+    let inner = body.split_once('{').filter(|(command, _)| command.starts_with("\\text") || *command == "\\mathrm");
+    let letters = inner.and_then(|(_, inner)| inner.strip_suffix('}')).unwrap_or(body);
+    letters.chars().all(char::is_alphabetic).then_some(letters)
+}
+
 /// Units in words with backslashes, such as `\kilo\metre\per\second\squared`, as plain TeX.
-pub(crate) fn unit(signs: &[Sign]) -> Vec<Sign> {
+pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
     let mut out: Vec<Sign> = Vec::new();
     let mut at = 0;
     let mut below = false;
@@ -97,6 +114,8 @@ pub(crate) fn unit(signs: &[Sign]) -> Vec<Sign> {
                     continue;
                 }
                 let known = sign_of(name);
+                let letters = || macros.in_quantity(name).and_then(|of| upright(&of.body));
+                let known = if known.is_empty() { letters().unwrap_or_default() } else { known };
                 let known = if known.is_empty() { abbreviated(name) } else { known.to_owned() };
                 if !out.is_empty() {
                     write("\\,", sign, &mut out);

@@ -562,7 +562,7 @@ impl Tex<'_> {
         if command != "num" {
             let raw = self.raw_group();
             let place = whole(&raw);
-            let unit = siunitx::unit(&siunitx::named(raw, self.macros));
+            let unit = siunitx::unit(&siunitx::named(raw, self.macros), self.macros);
             let inner = self.inside(unit.into_iter().rev().collect(), depth);
             out.push(token(Kind::Space(2), place));
             merge_letters(inner, out);
