@@ -68,6 +68,9 @@ fn what_is_set_to_nothing_is_not_read() {
     assert_eq!(verdicts(r"\newcommand{\hint}[1]{}", text).len(), 1);
     assert_eq!(verdicts(r"\newcommand{\hint}[1]{#1}", text).len(), 2);
     assert_eq!(verdicts("", text).len(), 2);
+    // One version of the document has it.
+    let both = r"\ifhints \newcommand{\hint}[1]{#1} \else \newcommand{\hint}[1]{} \fi";
+    assert_eq!(verdicts(both, text).len(), 2);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Whatever is read, there is no panic, no hang, and every place is inside the text.
 
-use proofread::{Follow, Format, Options, proofread};
+use proofread::{Definitions, Follow, Format, Options, proofread};
 use std::time::{Duration, Instant};
 
 fn given(variable: &str, usual: u64) -> u64 {
@@ -35,7 +35,7 @@ const SEEDS: [(Format, &str); 7] = [
     (Format::Plain, "2 3/4 = 2.75 ± 3 °C = 276 K, 5 rev = 31.4 rad, 1,234.5 J/kg·K"),
 ];
 
-const PIECES: [&str; 44] = [
+const PIECES: [&str; 46] = [
     "\\frac",
     "{",
     "}",
@@ -80,6 +80,8 @@ const PIECES: [&str; 44] = [
     "\\SI{1}{",
     "\"",
     "\\x",
+    "\\DeclareSIUnit\\metre{\\x",
+    "\\NewDocumentCommand{\\v}{O{",
 ];
 
 fn mutated(text: &str, dice: &mut fastrand::Rng) -> String {
@@ -107,8 +109,10 @@ fn mutated(text: &str, dice: &mut fastrand::Rng) -> String {
     letters.into_iter().collect()
 }
 
-fn check(text: &str, format: Format) {
-    let options = Options { follow: Follow::Always, agreeing: true, ..Options::default() };
+fn check(text: &str, format: Format, elsewhere: &str) {
+    let definitions = Definitions::of(elsewhere);
+    let options =
+        Options { follow: Follow::Always, agreeing: true, definitions: Some(&definitions), ..Options::default() };
     let Ok(report) = proofread(text, format, options) else {
         assert!(format == Format::Notebook || text.len() > proofread::reader::LONGEST);
         return;
@@ -141,7 +145,7 @@ fn fuzz_mutated_documents_are_read() {
         // Now and then as another format than it is.
         let format = if dice.u8(0..5) == 0 { Format::ALL[dice.usize(0..Format::ALL.len())].1 } else { format };
         let tried = Tried(&text, format);
-        check(tried.0, tried.1);
+        check(tried.0, tried.1, &mutated(SEEDS[1].1, &mut dice));
     }
 }
 
@@ -164,19 +168,19 @@ fn nesting_and_length_are_bounded() {
         let n = 3000;
         let text = format!("${}1{} = 2$", open.repeat(n), close.repeat(n));
         for format in [Format::Markdown, Format::Latex, Format::Plain] {
-            check(&text, format);
+            check(&text, format, "");
         }
     }
     for tag in ["mrow", "msup", "mfrac", "msqrt", "mtable", "p", "math"] {
         let n = 20_000;
         let text = format!("<math>{}<mn>1</mn>{}</math>", format!("<{tag}>").repeat(n), format!("</{tag}>").repeat(n));
-        check(&text, Format::Html);
+        check(&text, Format::Html, "");
     }
-    check("\\def\\a{\\b\\b}\\def\\b{\\c\\c}\\def\\c{\\a\\a}$\\a = 1$", Format::Latex);
-    check(&format!("$1 = {}$", "1 + ".repeat(4000)), Format::Markdown);
+    check("\\def\\a{\\b\\b}\\def\\b{\\c\\c}\\def\\c{\\a\\a}$\\a = 1$", Format::Latex, "");
+    check(&format!("$1 = {}$", "1 + ".repeat(4000)), Format::Markdown, "");
     for piece in PIECES {
         for format in Format::ALL.map(|(_, format)| format) {
-            check(&piece.repeat(20_000), format);
+            check(&piece.repeat(20_000), format, "");
         }
     }
     assert!(begun.elapsed() < Duration::from_secs(120), "{:?}", begun.elapsed());
@@ -191,7 +195,7 @@ fn time_grows_as_the_text_does() {
         let time = |times: usize| {
             let text = format!("{seed}\n\n").repeat(times);
             let begun = Instant::now();
-            check(&text, format);
+            check(&text, format, "");
             begun.elapsed().as_secs_f64()
         };
         // What else the machine does only adds to the time, so the shortest of several runs counts.

@@ -94,6 +94,10 @@ fn a_chapter_names_its_main_file() {
     assert_eq!(of("%!TeX root=../book/main", "book/main.tex"), ["ch/one.tex:2:17"]);
     assert_eq!(of("\\documentclass[../book/main]{subfiles}", "book/main.tex"), ["ch/one.tex:2:17"]);
     assert_eq!(of("\\input{../book/main}", "book/main.tex"), ["ch/one.tex:2:17"]);
+    // What it includes itself counts, too.
+    let own = format!("% !TEX root = ../main.tex\n\\input{{macros}}{CHAPTER}");
+    let folder = folder(&[("ch/one.tex", &own), ("ch/macros.tex", MACROS), ("main.tex", "Alone.")]);
+    assert_eq!(found(folder.path(), &["ch/one.tex"]), ["ch/one.tex:2:31"]);
     assert_eq!(of("% !TEX program = ../book/main.tex", "book/main.tex"), ["ch/one.tex:2:38"]);
 }
 
@@ -113,6 +117,34 @@ fn what_is_outside_huge_circular_or_no_file_is_left_out() {
         ("a.tex", "\\input{b}\\input{a}"),
         ("b.tex", &format!("\\input{{a}}\\input{{main}}{MACROS}")),
     ]);
+}
+
+#[test]
+fn whatever_stands_in_the_other_files_the_document_is_read() {
+    for text in [
+        "\\input",
+        "\\input ",
+        "\\input é%",
+        "\\é\\input{é",
+        "%",
+        "\\",
+        "\\usepackage[é{x}",
+        "\\usepackage{é,,é}",
+        "\\import{}{}",
+        "% !TEX root =",
+        "% !é",
+        "\\documentclass[é]{subfiles}",
+        "\\end{document}\\begin{document}",
+        "\\newcommand{\\é}{\\é",
+        "\\DeclareSIUnit",
+        "\\def\\a#é{}",
+        "\0\0\0",
+        "\\endinput\\begin{document}",
+    ] {
+        let main = format!("\\input{{odd}}\\begin{{document}}\\input{{ch/one}}{text}");
+        let folder = folder(&[("ch/one.tex", &format!("{CHAPTER}{text}")), ("main.tex", &main), ("odd.tex", text)]);
+        assert!(found(folder.path(), &["ch/one.tex"]).contains(&HINT.to_owned()), "{text}");
+    }
 }
 
 #[test]

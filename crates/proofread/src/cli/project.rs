@@ -50,6 +50,9 @@ struct Contents {
     is_main: bool,
 }
 
+/// A file that is read before the document begins, or in it.
+type Root = (PathBuf, bool);
+
 /// The files that were read, and which of them belong together.
 #[derive(Default)]
 pub(crate) struct Project {
@@ -59,8 +62,8 @@ pub(crate) struct Project {
     /// The documents that include a file.
     mains: HashMap<PathBuf, BTreeSet<PathBuf>>,
     searched: HashSet<PathBuf>,
-    /// What was gathered from some files, each read before the document begins or not.
-    merged: HashMap<Vec<(PathBuf, bool)>, Arc<Definitions>>,
+    /// What was gathered from some files below a folder.
+    merged: HashMap<(PathBuf, Vec<Root>), Arc<Definitions>>,
     /// How many inclusions were followed.
     followed: usize,
 }
@@ -125,19 +128,22 @@ impl Project {
         let said = contents.main.as_deref().and_then(|main| find(main, [folder_of(&file), None], &top));
         let said = said.filter(|main| *main != file);
         let mains = self.mains.get(&file).into_iter().flatten().filter(|main| **main != file).take(MOST_MAINS).cloned();
-        let mut roots: Vec<(PathBuf, bool)> = match said {
+        let folder = folder_of(&file);
+        let included = said.is_none();
+        let mut roots: Vec<Root> = match said {
             Some(main) => vec![(main, true)],
             None => mains.map(|main| (main, true)).collect(),
         };
-        let folder = folder_of(&file);
-        if roots.is_empty() {
+        // A document that includes the file includes its files, too.
+        if roots.is_empty() || !included {
             let own = contents.inclusions.iter();
             roots.extend(own.filter_map(|of| Some((find(&of.name, [folder, None], &top)?, of.early))));
         }
         if roots.is_empty() {
             return None;
         }
-        if let Some(known) = self.merged.get(&roots) {
+        let key = (top.clone(), roots.clone());
+        if let Some(known) = self.merged.get(&key) {
             return Some(known.clone());
         }
         let mut out = Gathered::default();
@@ -153,7 +159,7 @@ impl Project {
             }
         }
         let out = Arc::new(out.definitions);
-        self.merged.insert(roots, out.clone());
+        self.merged.insert(key, out.clone());
         Some(out)
     }
 
@@ -301,7 +307,6 @@ fn root_said(comment: &str) -> Option<String> {
 /// Notes the files that a command includes whose arguments follow.
 fn include(command: &str, behind: &str, early: bool, out: &mut Contents) {
     let mut rest = behind;
-    let options = argument(&mut rest, '[', ']').unwrap_or_default();
     let mut add = |name: String| out.inclusions.push(Inclusion { name, early });
     match command {
         "input" | "include" | "subfile" | "InputIfFileExists" => {
@@ -316,13 +321,17 @@ fn include(command: &str, behind: &str, early: bool, out: &mut Contents) {
             }
         }
         "usepackage" | "RequirePackage" => {
+            argument(&mut rest, '[', ']');
             let names = argument(&mut rest, '{', '}').unwrap_or_default().split(',').map(str::trim);
             names.filter(|name| !KNOWN.contains(name)).for_each(|name| add(format!("{name}.sty")));
         }
-        "documentclass" | "LoadClass" => match argument(&mut rest, '{', '}').unwrap_or_default().trim() {
-            "subfiles" => out.main = Some(options.trim().to_owned()),
-            name => add(format!("{name}.cls")),
-        },
+        "documentclass" | "LoadClass" => {
+            let options = argument(&mut rest, '[', ']').unwrap_or_default();
+            match argument(&mut rest, '{', '}').unwrap_or_default().trim() {
+                "subfiles" => out.main = Some(options.trim().to_owned()),
+                name => add(format!("{name}.cls")),
+            }
+        }
         _ => {}
     }
 }
@@ -330,7 +339,7 @@ fn include(command: &str, behind: &str, early: bool, out: &mut Contents) {
 /// Takes the argument between two signs at the start of a text.
 fn argument<'t>(rest: &mut &'t str, open: char, close: char) -> Option<&'t str> {
     let inner = rest.trim_start().strip_prefix(open)?;
-    let end = inner.bytes().take(2000).position(|c| c == close as u8)?;
+    let end = inner.bytes().take(1000).position(|c| c == close as u8)?;
     *rest = &inner[end + 1..];
     inner.get(..end)
 }

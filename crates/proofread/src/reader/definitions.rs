@@ -26,7 +26,7 @@ pub struct Definitions(pub(crate) Named);
 impl Definitions {
     /// The definitions in a text, be it a document, a part of one, a package or a class.
     ///
-    /// If a name is defined twice, the last definition counts. What the program can't use is left out: names with other signs than
+    /// If a name is defined twice, the last definition counts, unless it drops arguments that the one before keeps. What the program can't use is left out: names with other signs than
     /// letters, and arguments that are more than mandatory or optional ones in brackets.
     pub fn of(text: &str) -> Self {
         Self(named(text))
@@ -56,7 +56,7 @@ pub(crate) fn defines(command: &str) -> bool {
     )
 }
 
-/// The macros that a text defines; the last definition of a name counts.
+/// The macros that a text defines.
 pub(crate) fn named(text: &str) -> Named {
     let mut out = Named::new();
     let mut at = 0;
@@ -74,7 +74,10 @@ pub(crate) fn named(text: &str) -> Named {
         } else if defines(&rest[..length])
             && let Some((name, meaning, end)) = definition(text, found)
         {
-            if out.len() < MOST {
+            // A version for some readers hides what the author has written for others.
+            let hides = meaning.arguments > 0 && meaning.body.trim().is_empty();
+            let shown = hides && out.get(name.as_str()).is_some_and(|of: &Arc<Macro>| !of.body.trim().is_empty());
+            if out.len() < MOST && !shown {
                 out.insert(name.into(), Arc::new(meaning));
             }
             at = end;
