@@ -1,10 +1,47 @@
 //! Definitions in LaTeX: commands and units that an author names.
 
-use super::tex::{Macro, Named};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Most definitions that are kept of one text.
 const MOST: usize = 2000;
+
+/// A macro of the document: how many arguments it takes, the first one's default if it is optional, and what it stands for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Macro {
+    pub arguments: usize,
+    pub default: Option<String>,
+    pub body: String,
+    /// Whether it is a unit of siunitx, which is none outside of a quantity.
+    pub unit: bool,
+}
+
+/// Macros by name without the backslash.
+pub(crate) type Named = HashMap<Arc<str>, Arc<Macro>>;
+
+/// The macros of a document: its own, and those that are defined elsewhere.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Macros<'d> {
+    pub own: Named,
+    pub elsewhere: Option<&'d Named>,
+}
+
+impl Macros<'_> {
+    /// What a name stands for; the document's own definition counts first.
+    pub fn get(&self, name: &str) -> Option<&Macro> {
+        self.in_quantity(name).filter(|of| !of.unit)
+    }
+
+    /// What a name stands for in a quantity of siunitx.
+    pub fn in_quantity(&self, name: &str) -> Option<&Macro> {
+        self.own.get(name).or_else(|| self.elsewhere?.get(name)).map(AsRef::as_ref)
+    }
+
+    /// All names with what they stand for.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Macro)> {
+        self.own.iter().chain(self.elsewhere.into_iter().flatten()).map(|(name, of)| (name.as_ref(), of.as_ref()))
+    }
+}
 
 /// What LaTeX texts define: commands, operators, and units of siunitx.
 ///
@@ -16,7 +53,7 @@ const MOST: usize = 2000;
 ///
 /// let definitions = Definitions::of(r"\newcommand{\half}{\frac{1}{2}} \newcommand{\hint}[1]{}");
 /// let options = Options { definitions: Some(&definitions), ..Options::default() };
-/// let report = proofread(r"\hint{$1 + 1 = 3$} $3\half = 1.5$ and $3\half = 2$", Format::Latex, options)?;
+/// let report = proofread(r"\hint{$1 + 1 = 3$} $3\half = 1.5$ and $3\half = 1.6$", Format::Latex, options)?;
 /// assert_eq!((report.tally.checked, report.findings.len()), (2, 1));
 /// # Ok::<(), proofread::Unreadable>(())
 /// ```

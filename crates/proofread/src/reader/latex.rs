@@ -1,10 +1,9 @@
 //! Documents in LaTeX: their macros, and the formulas of their body.
 
 use super::adjoining::Joiner;
-use super::definitions::{closing, defines, definition, named};
+use super::definitions::{Macros, Named, closing, defines, definition, named};
 use super::delimited::{DISPLAYS, FARTHEST};
-use super::tex::{self, Macros, Named};
-use super::{Formula, Found};
+use super::{Formula, Found, tex};
 use crate::token::{Span, signs};
 
 /// Longest formula that is read, in bytes.

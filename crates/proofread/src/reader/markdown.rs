@@ -61,13 +61,14 @@ fn piece_of(text: &str, dollars: Dollars, each: &mut Found<'_>) {
     let (skip, fences) = code(text);
     for fence in fences {
         let source = &text[fence.clone()];
-        let tokens = tex::formula(&signs(source, fence.start), &tex::Macros::default());
+        let tokens = tex::formula(&signs(source, fence.start), &super::definitions::Macros::default());
         each(Formula::new(tokens, Span::new(fence.start, fence.end)));
     }
     let marked = delimited::formulas(text, &skip, dollars);
     let mut taken = skip;
     for of in marked {
-        let tokens = tex::formula(&signs(&text[of.inside.clone()], of.inside.start), &tex::Macros::default());
+        let tokens =
+            tex::formula(&signs(&text[of.inside.clone()], of.inside.start), &super::definitions::Macros::default());
         each(Formula::new(tokens, Span::new(of.whole.start, of.whole.end)));
         taken.push(of.whole);
     }

@@ -1,9 +1,9 @@
 //! Tags of XML and HTML, read as they come: an end without a start, a bare `&` or an attribute without quotes stops nothing.
 
+use super::definitions::Macros;
 use super::mathml;
 use super::pretext;
-use super::tex::{self, Macros};
-use super::{Formula, Found, delimited};
+use super::{Formula, Found, delimited, tex};
 use crate::token::{Sign, Span};
 
 /// Deepest nesting of elements that is kept; what is nested deeper becomes part of the deepest.

@@ -233,7 +233,7 @@ fn formulas(
             let mut taken = Vec::new();
             for of in marked {
                 let signs = crate::token::signs(&text[of.inside.clone()], of.inside.start);
-                let tokens = tex::formula(&signs, &tex::Macros::default());
+                let tokens = tex::formula(&signs, &definitions::Macros::default());
                 found.push(Formula::new(tokens, Span::new(of.whole.start, of.whole.end)));
                 taken.push(of.whole);
             }

@@ -1,9 +1,8 @@
 //! TeX in the elements of PreTeXt: `m`, `me`, `men`, and `md` with its rows.
 
-use super::Formula;
-use super::definitions::named;
+use super::definitions::{Macros, named};
 use super::markup::{Tag, decoded, next_tag};
-use super::tex::{self, Macros};
+use super::{Formula, tex};
 use crate::token::{Sign, Span};
 
 /// Elements with TeX in them.

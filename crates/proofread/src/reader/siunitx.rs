@@ -1,6 +1,6 @@
 //! Numbers and units of the LaTeX package siunitx.
 
-use super::tex::Macros;
+use super::definitions::Macros;
 use super::words::{whole, words};
 use crate::token::{Kind, Sign, Token};
 use crate::unit::takes_prefix;

@@ -1,12 +1,11 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
+use super::definitions::{Macro, Macros};
 use super::dress::{self, stacked};
 use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
 use crate::token::{Function, Kind, Sign, Span, Token, has_number, show};
-use std::collections::HashMap;
-use std::sync::Arc;
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
@@ -24,43 +23,6 @@ const SEPARATORS: [&[char]; 9] = [
 ];
 /// Most characters that the macros of one formula may add.
 const MOST_EXPANDED: usize = 20_000;
-
-/// A macro of the document: how many arguments it takes, the first one's default if it is optional, and what it stands for.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Macro {
-    pub arguments: usize,
-    pub default: Option<String>,
-    pub body: String,
-    /// Whether it is a unit of siunitx, which is none outside of a quantity.
-    pub unit: bool,
-}
-
-/// Macros by name without the backslash.
-pub(crate) type Named = HashMap<Arc<str>, Arc<Macro>>;
-
-/// The macros of a document: its own, and those that are defined elsewhere.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Macros<'d> {
-    pub own: Named,
-    pub elsewhere: Option<&'d Named>,
-}
-
-impl Macros<'_> {
-    /// What a name stands for; the document's own definition counts first.
-    pub fn get(&self, name: &str) -> Option<&Macro> {
-        self.in_quantity(name).filter(|of| !of.unit)
-    }
-
-    /// What a name stands for in a quantity of siunitx.
-    pub fn in_quantity(&self, name: &str) -> Option<&Macro> {
-        self.own.get(name).or_else(|| self.elsewhere?.get(name)).map(AsRef::as_ref)
-    }
-
-    /// All names with what they stand for.
-    pub fn iter(&self) -> impl Iterator<Item = (&str, &Macro)> {
-        self.own.iter().chain(self.elsewhere.into_iter().flatten()).map(|(name, of)| (name.as_ref(), of.as_ref()))
-    }
-}
 
 /// Reads a formula.
 pub(crate) fn formula(signs: &[Sign], macros: &Macros<'_>) -> Vec<Token> {
