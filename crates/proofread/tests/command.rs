@@ -158,7 +158,7 @@ fn accepted_cases_are_left_out_wherever_they_move() {
     assert_eq!(run(&["--baseline", cases, folder.path().to_str().expect("UTF-8")]).0, 0);
 }
 
-fn git(folder: &Path, arguments: &[&str]) -> bool {
+pub fn git(folder: &Path, arguments: &[&str]) -> bool {
     let identity = ["-c", "user.name=T", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
     let done = Command::new("git").arg("-C").arg(folder).args(identity).args(arguments).output();
     done.is_ok_and(|output| output.status.success())

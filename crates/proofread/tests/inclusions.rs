@@ -1,6 +1,6 @@
 //! LaTeX files of one document: which definitions a file is read with when the command finds the others.
 
-use crate::command::run;
+use crate::command::{git, run};
 use std::fs;
 use std::path::Path;
 
@@ -182,6 +182,27 @@ fn each_finding_is_listed_once_and_files_of_style_are_no_documents() {
     let places = found(folder.path(), &["main.tex", "ch/one.tex"]);
     assert_eq!(places, ["main.tex:2:10", HALF]);
     assert_eq!(found(folder.path(), &["ch/one.tex", "main.tex"]).len(), 2);
+}
+
+#[test]
+fn changes_and_accepted_cases_are_told_with_the_definitions_of_other_files() {
+    let main = format!("{MACROS}\\begin{{document}}\\input{{ch/one}}\\end{{document}}");
+    let folder = folder(&[("ch/one.tex", CHAPTER), ("main.tex", &main)]);
+    let name = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (chapters, cases) = (name("ch"), name("cases.jsonl"));
+    assert_eq!(run(&["--accept", &cases, &chapters]).0, 0);
+    assert_eq!(run(&["--baseline", &cases, &chapters]).0, 0);
+    let new = format!("{CHAPTER}\nNew: $5\\half = 2.6$.\n");
+    if git(folder.path(), &["init", "-q"]) {
+        assert!(git(folder.path(), &["add", "."]) && git(folder.path(), &["commit", "-q", "-m", "first"]));
+        assert_eq!(run(&["--since", "HEAD", &chapters]).0, 0);
+        write(folder.path(), "ch/one.tex", &new);
+        let (code, out, _) = run(&["--since", "HEAD", &chapters]);
+        assert!(code == 1 && out.contains("1 finding:") && out.contains("recomputed 2.5"), "{out}");
+    }
+    write(folder.path(), "ch/one.tex", &new);
+    let (code, out, _) = run(&["--baseline", &cases, &chapters]);
+    assert!(code == 1 && out.contains("1 finding:") && out.contains("1 case left out"), "{out}");
 }
 
 #[test]
