@@ -14,6 +14,7 @@ mod notations;
 mod plain;
 mod readings;
 mod remarks;
+mod running;
 mod units;
 mod unrounded;
 mod unusual;

@@ -26,7 +26,7 @@ const CUT: [&str; 17] = [
     "audio",
 ];
 /// Elements that are cut out and end the line.
-const CUT_BLOCKS: [&str; 6] = ["pre", "nav", "textarea", "select", "noscript", "template"];
+const CUT_BLOCKS: [&str; 7] = ["title", "pre", "nav", "textarea", "select", "noscript", "template"];
 /// Elements that do not end a line, beside those that are known to end no sentence.
 const PHRASES: [&str; 14] =
     ["tt", "var", "abbr", "acronym", "big", "cite", "q", "ins", "label", "bdi", "bdo", "dfn", "wbr", "nobr"];
@@ -53,6 +53,8 @@ pub(crate) struct Running {
     /// Stretches of the page, each with the byte of the lines at which it begins; one as long as in the page is there as it is here.
     places: Vec<(usize, Span)>,
     scripts: Vec<Script>,
+    /// How long the lines were behind the last underlined words, which may stand above a stroke.
+    underlined: usize,
 }
 
 impl Running {
@@ -165,7 +167,8 @@ impl Running {
         if !tag.closes && !tag.empty && !VOID.contains(&name) {
             let raw = CUT.contains(&name) || CUT_BLOCKS.contains(&name);
             if raw || is_hidden(tag) {
-                let end = if raw { end_of(page, tag.end, name) } else { end_of_nested(page, tag) };
+                let close = |at| next_tag(page, at).map_or(page.len(), |close| close.end);
+                let end = if raw { close(end_of(page, tag.end, name)) } else { end_of_nested(page, tag) };
                 let whole = Span::new(tag.start, end);
                 if CUT_BLOCKS.contains(&name) {
                     self.block(whole)
@@ -186,10 +189,19 @@ impl Running {
                 self.push('(', span);
             }
             "br" => {
+                let stroke = self.underlined > 0 && self.text.trim_end().len() == self.underlined;
                 self.block(span);
                 self.truncate(self.text.len() - 2);
+                if stroke {
+                    self.edge(span);
+                }
             }
-            "a" if !self.scripts.is_empty() => self.scripts.iter_mut().for_each(|script| script.doubtful = true),
+            "u" if tag.closes => self.underlined = self.text.trim_end().len(),
+            "a" if !self.scripts.is_empty() => {
+                if let Some(script) = self.scripts.last_mut() {
+                    script.doubtful = true;
+                }
+            }
             _ if INLINE.contains(&name) || PHRASES.contains(&name) => {}
             _ => self.block(span),
         }
@@ -201,24 +213,24 @@ impl Running {
         let Some(Script { above, start, doubtful }) = self.scripts.pop() else { return };
         let inner = self.text.get(start + 2..).unwrap_or_default().trim();
         let degree = above && matches!(inner, "o" | "°" | "º" | "˚" | "∘");
-        let no_exponent = doubtful || matches!(inner, "th" | "st" | "nd" | "rd");
-        if !degree && !no_exponent && !inner.is_empty() {
+        let no_exponent = doubtful || inner.starts_with('[') || matches!(inner, "" | "th" | "st" | "nd" | "rd");
+        if !degree && !no_exponent {
             return self.push(')', page);
         }
-        let empty = inner.is_empty();
+        let left_out = inner.is_empty() || inner.starts_with('[');
         let from = self.place(Span::new(start, start + 1));
         self.truncate(start);
         if degree {
             self.push('°', from.join(page));
-        } else if !empty {
+        } else if !left_out {
             self.edge(from.join(page));
         }
     }
 }
 
-/// Whether an element is not shown, or is drawn letter by letter by a program for formulas, or in letters of another alphabet.
+/// Whether an element is not shown, or is drawn piece by piece as a formula or a fraction, or in letters of another alphabet.
 fn is_hidden(tag: &Tag<'_>) -> bool {
-    let drawn = |class: &str| class.starts_with("katex") || class.starts_with("MathJax");
+    let drawn = |class: &str| ["katex", "MathJax", "frac"].iter().any(|name| class.contains(name));
     tag.attribute("aria-hidden") == Some("true")
         || tag.name.starts_with("mjx-")
         || (tag.name == "span" && tag.attribute("class").is_some_and(drawn))
