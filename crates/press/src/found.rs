@@ -81,12 +81,17 @@ pub struct UnitFlag {
 /// A flag at first contact with a text.
 #[derive(Clone, Debug, serde::Deserialize)]
 pub struct Contact {
-    /// `first` to `eighth`; `again` if only a run after repairs raised it.
+    /// `first` to `ninth`; `again` if only a run after repairs raised it, `publisher` in another book by the publisher of the tuning
+    /// text.
     pub round: String,
     /// The text.
     pub text: String,
     /// The file in it, by its path.
     pub file: String,
+    /// The line of the result in the file.
+    pub line: u32,
+    /// The two sides that differ, as the program read them.
+    pub chain: String,
     /// Whether the hint of a misprint names what should be printed.
     pub hint_right: Option<Answer>,
     /// Whether the program flags it after the repairs.

@@ -1,6 +1,7 @@
 //! What an equals sign between two quantities may mean besides that they are equal: one stands for the other, or the factor
 //! between their units is rounded.
 
+use crate::printed::{Mode, Printed};
 use crate::token::{Kind, Token, any, trimmed};
 use crate::unit::{Dimension, is_percent, unit, without_prefix};
 use crate::value::{Angle, Value};
@@ -152,16 +153,18 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
         return true;
     }
     // A ratio and its size in decibels.
-    let in_decibels = |ratio: &Value, level: &Value| match (ratio.number(), level.number()) {
+    let in_decibels = |ratio: &Value, level: &Value, side: &[Token]| match (ratio.number(), level.number()) {
         (Ok(of), Ok(level)) if of.point > 0.0 && !ratio.has_unit => {
             let log = libm::log10(of.point);
-            [10.0, 20.0]
-                .iter()
-                .any(|factor| (factor * log - level.point).abs() <= level.half().max(0.02 * level.point.abs()))
+            let half =
+                side.iter().find_map(Token::number).and_then(Printed::read).map(|of| of.open(Mode::Result, false).0);
+            let near = half.unwrap_or_default().max(0.02 * level.point.abs());
+            [10.0, 20.0].iter().any(|factor| (factor * log - level.point).abs() <= near)
         }
         _ => false,
     };
-    if (decibels == [false, true] && in_decibels(one, other)) || (decibels == [true, false] && in_decibels(other, one))
+    if (decibels == [false, true] && in_decibels(one, other, right))
+        || (decibels == [true, false] && in_decibels(other, one, left))
     {
         return true;
     }

@@ -3,7 +3,7 @@
 //! A program that takes a part of something for a number finds sides that end where no author would end them, numbers inside an
 //! argument, and single digits that equal something else. None of these signs knows what was misread.
 
-use crate::chain::{Chain, Parted, Side};
+use crate::chain::{Chain, Parted, Relation, Side};
 use crate::evaluate::Evaluator;
 use crate::notation;
 use crate::printed::Mode;
@@ -36,6 +36,8 @@ pub enum Doubt {
     /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
     /// a bare number or its own size.
     Fragment,
+    /// Behind `≈` stands no result of what is before it.
+    Rough,
     /// The result is truncated where it should have been rounded.
     Truncated,
     /// The sides of several formulas of the document differ by this factor.
@@ -49,6 +51,7 @@ impl Doubt {
             Self::Cut => "a side may begin or end elsewhere",
             Self::Unknown => "something next to the numbers is not understood",
             Self::Fragment => "a number may be part of something else",
+            Self::Rough => "≈ may compare what is only roughly equal",
             Self::Truncated => "a truncated result is seldom meant to be rounded",
             Self::Habit => "other formulas of the document differ by the same factor",
         }
@@ -88,7 +91,19 @@ impl Place<'_> {
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
         }
+        if self.is_rough(judgement) {
+            return Some(Doubt::Rough);
+        }
         (judgement.verdict == Verdict::Truncated).then_some(Doubt::Truncated)
+    }
+
+    /// Whether a sign of approximate equality stands between two numbers, or before an expression, so that nobody may have computed the
+    /// right side: `1/(1 + 0.5) ≈ 1 − 0.5`.
+    fn is_rough(&self, judgement: &Judgement) -> bool {
+        let is_result = |right: &Value| right.is_literal() || count_numbers(&self.right.tokens) == 1;
+        let result = judgement.values.as_ref().is_some_and(|(left, right)| !left.is_literal() && is_result(right));
+        let rough = self.right.relation == Some(Relation::Approximate) && !result;
+        rough && judgement.verdict == Verdict::Inconsistent
     }
 
     fn begins_chain(&self) -> bool {
@@ -125,7 +140,7 @@ impl Place<'_> {
             let signed = (display || inside) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
             let parted = match self.chain.parted {
                 Parted::Not => false,
-                Parted::ByMark => literal,
+                Parted::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),
                 Parted::FromNumbers => true,
             };
             let by_word = surroundings::is_joined_by_word(self.text, self.left.span)
@@ -162,6 +177,7 @@ impl Place<'_> {
             || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
             || (notation::is_bracketed_number(right) && right[0].is('['))
             || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
+            || notation::has_phasor(right)
             || notation::is_mark(right)
             || notation::is_bracketed_number(left)
             || (plain && notation::are_references(left))
@@ -274,14 +290,34 @@ impl Place<'_> {
     }
 }
 
-/// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are: 9.81(2).
+/// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its
+/// sign.
 fn has_uncertainty(side: &Side) -> bool {
-    side.tokens.windows(4).any(|of| {
-        let [decimals, open, digits, close] = of else { return false };
-        let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
-        let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
-        open.is('(') && close.is(')') && fine && digits.len() <= 2 && !digits.contains('.')
-    })
+    let signed = |tokens: &[Token]| {
+        let mut plain = tokens.iter().filter(|token| !token.is_space());
+        plain.next().is_some_and(|open| open.is('(')) && plain.next().is_some_and(|sign| sign.is('±'))
+    };
+    let percent = any(&side.tokens, &|kind| matches!(kind, Kind::Word(word) if word == "%"));
+    (percent && has_bracket(&side.tokens, &signed))
+        || side.tokens.windows(4).any(|of| {
+            let [decimals, open, digits, close] = of else { return false };
+            let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
+            let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
+            open.is('(') && close.is(')') && fine && digits.len() <= 2 && !digits.contains('.')
+        })
+}
+
+fn count_numbers(tokens: &[Token]) -> usize {
+    let of = |token: &Token| {
+        usize::from(token.number().is_some()) + token.inner().into_iter().map(count_numbers).sum::<usize>()
+    };
+    tokens.iter().map(of).sum()
+}
+
+/// Whether a bracket of such a kind opens anywhere in these tokens.
+fn has_bracket(tokens: &[Token], such: &impl Fn(&[Token]) -> bool) -> bool {
+    (0..tokens.len())
+        .any(|at| such(&tokens[at..]) || tokens[at].inner().into_iter().any(|inner| has_bracket(inner, such)))
 }
 
 /// Whether the token at a place is one of these, or in braces that are no argument of what is not known.

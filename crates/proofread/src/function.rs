@@ -104,6 +104,16 @@ impl Evaluator<'_> {
                     let divisor = self.single(cursor)?;
                     so_far.over(&divisor)?
                 }
+                // An angle in brackets: cos 2(30°).
+                Some(so_far) if token.is('(') && so_far.angle.is_none() && !so_far.has_unit => {
+                    let mut ahead = *cursor;
+                    let factor = self.whole(ahead.group()?)?;
+                    if factor.angle != Some(Angle::Degrees) {
+                        break;
+                    }
+                    *cursor = ahead;
+                    so_far.times(&factor, None, true)?
+                }
                 Some(so_far) if starts => {
                     if token.number().is_some() || so_far.angle == Some(Angle::Degrees) {
                         break;

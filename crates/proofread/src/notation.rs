@@ -308,6 +308,18 @@ fn with_braced_decimals(text: &str, side: &[Token]) -> Option<Vec<Token>> {
     found.then_some(changed)
 }
 
+/// Whether a bare number is divided by an angle, as a phasor may be written: 12/−30°.
+pub(crate) fn has_phasor(side: &[Token]) -> bool {
+    let plain: Vec<&Token> = side.iter().filter(|token| !token.is_space()).collect();
+    let is_phasor = |of: &[&Token]| {
+        let angle = if of[2].is('-') { &of[3..] } else { &of[2..] };
+        let bare = of[0].number().is_some() && of[1].is('/');
+        bare && matches!(angle, [number, sign, ..] if number.number().is_some() && sign.word() == Some("°"))
+    };
+    let here = (0..plain.len()).any(|at| plain[at..].len() >= 4 && is_phasor(&plain[at..(at + 5).min(plain.len())]));
+    here || side.iter().any(|token| token.inner().into_iter().any(has_phasor))
+}
+
 /// Whether a side is one number in brackets, which may mean something else than the number: [4,6] = 12, {3.7} = 0.7.
 pub(crate) fn is_bracketed_number(side: &[Token]) -> bool {
     matches!(solid(side).as_slice(), [open, number, close] if open.is_one_of("([{") && close.is_one_of(")]}") && number.number().is_some())

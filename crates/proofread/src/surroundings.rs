@@ -123,12 +123,14 @@ fn spelled(text: &str) -> String {
         let inner = rest.strip_prefix('$').unwrap_or(rest);
         let command = inner.strip_prefix('\\').and_then(|name| {
             let length = name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len());
-            let name_of = |length: usize| unit_sign(name.get(..length)?).map(|sign| (sign, &name[length..]));
-            name_of(length.max(1))
+            let (name, behind) = (name.get(..length.max(1))?, name.get(length.max(1)..)?);
+            let sign = unit_sign(name).map(String::from);
+            // A private command is named after its unit.
+            sign.or_else(|| unit(name).is_some().then(|| name.to_owned())).map(|sign| (sign, behind))
         });
         match command {
             Some((sign, behind)) => {
-                out.push(sign);
+                out.push_str(&sign);
                 let closed =
                     if inner.len() < rest.len() { behind.strip_prefix('$') } else { behind.strip_prefix("{}") };
                 rest = closed.unwrap_or(behind);
@@ -254,6 +256,19 @@ pub(crate) fn goes_on_below(text: &str, span: Span) -> bool {
     let Some(below) = behind(text, span).trim_start_matches([' ', '\r']).strip_prefix('\n') else { return false };
     let below = below.trim_start_matches([' ', '\t', '>']);
     below.strip_prefix(['/', '×', '·', '÷', '=']).is_some_and(|rest| rest.starts_with(' '))
+}
+
+/// Whether a comma behind a place leads to a last number, so that two lists may be equal: `6/2, 8/2 = 3, 4`.
+pub(crate) fn ends_in_list(text: &str, span: Span) -> bool {
+    let rest = behind(text, span);
+    let next = rest
+        .trim_start_matches(['}', ' '])
+        .strip_prefix(',')
+        .map(|next| next.trim_start_matches(['\\', ' ', ',', '~', ';']));
+    next.is_some_and(|next| {
+        let clause = next.split(['$', '\n', '&']).next().unwrap_or_default();
+        next.starts_with(|c: char| c.is_ascii_digit() || c == '-') && !clause.contains('=')
+    })
 }
 
 /// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.

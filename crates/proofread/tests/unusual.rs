@@ -282,3 +282,41 @@ fn kilograms_in_a_pressure_are_their_weight() {
     assert_eq!(on(List::Units, &chain(r"9.8\times10^4"), Format::Markdown).len(), 1);
     listed(Format::Markdown, &[&chain(r"8.9\times10^4")]);
 }
+
+#[test]
+fn what_replaces_a_number_struck_out_is_no_exponent() {
+    unlisted(Format::Latex, &[r"$\frac{35-5}{1}=\cancel{30}^{\ 5}$"]);
+    listed(Format::Latex, &[r"$\frac{35-5}{1}=\cancel{31}$", r"$\frac{35-5}{1}=30^{\ 5}$"]);
+}
+
+#[test]
+fn decibels_are_as_coarse_as_they_are_printed() {
+    unlisted(Format::Latex, &[r"$K=\frac{5}{2\cdot4} = -4$ dB, so"]);
+    listed(Format::Latex, &[r"$K=\frac{5}{2\cdot4} = -5$ dB, so", r"$K=\frac{5}{2\cdot4} = -4$, so"]);
+}
+
+#[test]
+fn an_angle_behind_a_stroke_is_one_of_a_phasor() {
+    let chain =
+        |sign: &str| format!(r"$10\underline{{/30{sign}}}\cdot2\underline{{/-10{sign}}}=20\underline{{/20{sign}}}$");
+    unlisted(Format::Latex, &[&chain(r"^\circ")]);
+    listed(Format::Latex, &[&chain(""), r"$360^\circ/30^\circ = 13$"]);
+}
+
+#[test]
+fn an_angle_in_brackets_belongs_to_the_function() {
+    unlisted(Format::Latex, &[r"$30\cos 2(30^\circ) = 15.0$", r"$4\sin 30^\circ(2.0) = 4.0$"]);
+    listed(Format::Latex, &[r"$30\cos 2(30^\circ) = 15.1$", r"$4\sin 30^\circ(2.0) = 4.5$"]);
+}
+
+#[test]
+fn a_private_command_behind_a_formula_may_be_a_unit() {
+    unlisted(Format::Latex, &[r"$370.4\times30 = 11.11$\kW{} here"]);
+    listed(Format::Latex, &[r"$370.4\times30 = 12.11$\kW{} here", r"$370.4\times30 = 11.11$\foo{} here"]);
+}
+
+#[test]
+fn two_lists_may_be_equal() {
+    unlisted(Format::Latex, &[r"$a, b=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8,\ 4$ kN"]);
+    listed(Format::Latex, &[r"$a=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8$ kN"]);
+}

@@ -88,6 +88,11 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.seventh.understood", || Ok(because("seventh", "kiloohms")?.to_string())),
     ("found.seventh.rest", || rest("seventh")),
     ("found.eighth.flags", || Ok(round("eighth")?.len().to_string())),
+    ("found.publisher.flags", || Ok(round("publisher")?.len().to_string())),
+    ("found.publisher.real", || all_of("publisher")),
+    ("found.publisher.misread", || Ok(misread(&round("publisher")?).to_string())),
+    ("found.publisher.faults", || Ok(faults("publisher")?.to_string())),
+    ("found.publisher.after", || after_repairs("publisher")),
     ("found.last", || {
         let flags = last()?;
         Ok(format!("{} of {} flags mark real errors: {}", right(&flags), flags.len(), share(&flags)?))

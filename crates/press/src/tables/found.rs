@@ -88,6 +88,24 @@ pub fn misprints() -> anyhow::Result<Table> {
     )
 }
 
+/// The misprints on a number in other books by the same publisher.
+pub fn others() -> anyhow::Result<Table> {
+    let rows = contacts()?
+        .into_iter()
+        .filter(|flag| flag.round == "publisher" && flag.judgement == Judgement::Real)
+        .map(|flag| {
+            let module = flag.file.split('/').rev().nth(1).unwrap_or(&flag.file);
+            let line = format!("<code>{}</code> <small>line {}</small>", escape(module), flag.line);
+            Ok(vec![format!("{}, {line}", escape(&flag.text)), chain(&flag.chain)?, words(&flag.why)?])
+        });
+    table(
+        "Numbers in five other books by OpenStax that don't follow from what is printed beside them",
+        Cells::Words,
+        &["Book, module", "Printed", "Our reading"],
+        rows,
+    )
+}
+
 /// The misprints on a unit that still stand in the newest state.
 pub fn units() -> anyhow::Result<Table> {
     let rows = unit_flags()?

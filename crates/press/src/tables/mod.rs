@@ -57,6 +57,7 @@ const TABLES: &[(&str, Draw)] = &[
     ("found-texts", found::texts),
     ("found-misprints", found::misprints),
     ("found-units", found::units),
+    ("found-others", found::others),
     ("readings", readings::readings),
 ];
 

@@ -20,7 +20,7 @@ const fn dress(optional: bool, dropped: usize, kept: bool) -> Dress {
 
 const KNOWN: [(&str, Dress); 10] = [
     (
-        "mathbf boldsymbol mathit mathcal bm mathbb mathscr mathfrak pmb boxed underline cancel bcancel xcancel ensuremath fbox \
+        "mathbf boldsymbol mathit mathcal bm mathbb mathscr mathfrak pmb boxed underline ensuremath fbox \
          mathnormal mathrel mathbin mathop mathord mathopen mathclose mathpunct mathinner Aboxed uline uuline dotuline dashuline \
          hl textsl emph sout tcbhighmath mathbfit symbf symbfit symit vcenter",
         dress(false, 0, true),

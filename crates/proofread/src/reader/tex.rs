@@ -4,7 +4,7 @@ use super::dress::{self, stacked};
 use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
-use crate::token::{Function, Kind, Sign, Span, Token, show};
+use crate::token::{Function, Kind, Sign, Span, Token, has_number, show};
 use std::collections::HashMap;
 
 /// Deepest nesting of braces, fractions and scripts that is read.
@@ -420,6 +420,12 @@ impl Tex<'_> {
             "cancelto" => {
                 let (_to, of) = (self.argument(depth), self.argument(depth));
                 push(out, Kind::Group(of));
+            }
+            "cancel" | "bcancel" | "xcancel" => {
+                let of = self.argument(depth);
+                // What stands above or below a number that is struck out takes its place.
+                let replaced = has_number(&of) && self.peek().is_some_and(|next| "^_".contains(next.c));
+                push(out, if replaced { Kind::Unknown("a number struck out".to_owned()) } else { Kind::Group(of) });
             }
             "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
                 let options = self.optional().unwrap_or_default();
