@@ -35,7 +35,7 @@ const SEEDS: [(Format, &str); 7] = [
     (Format::Plain, "2 3/4 = 2.75 ± 3 °C = 276 K, 5 rev = 31.4 rad, 1,234.5 J/kg·K"),
 ];
 
-const PIECES: [&str; 50] = [
+const PIECES: [&str; 53] = [
     "\\frac",
     "{",
     "}",
@@ -65,6 +65,9 @@ const PIECES: [&str; 50] = [
     "<sup>",
     "</sup><sub>",
     "<a>/",
+    "<!-- -->",
+    "</u>&nbsp;",
+    "<s>",
     "<span aria-hidden=true>",
     "<p><br>&nbsp;",
     "°C",

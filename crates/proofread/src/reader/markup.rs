@@ -172,7 +172,10 @@ fn named(name: &str) -> Option<char> {
 /// The byte at which an element that has none of its name in it ends.
 pub(crate) fn end_of(text: &str, from: usize, name: &str) -> usize {
     let mut ends = text[from..].match_indices("</").map(|(at, _)| from + at);
-    let is_its = |at: &usize| text[at + 2..].get(..name.len()).is_some_and(|found| found.eq_ignore_ascii_case(name));
+    let is_its = |at: &usize| {
+        let (found, rest) = text[at + 2..].split_at_checked(name.len()).unwrap_or_default();
+        found.eq_ignore_ascii_case(name) && !rest.starts_with(|c: char| c.is_ascii_alphanumeric())
+    };
     ends.find(is_its).unwrap_or(text.len())
 }
 

@@ -37,11 +37,10 @@ const EDGE: char = '\u{fffc}';
 
 /// An index or an exponent that is open.
 struct Script {
-    above: bool,
     /// Where its mark is in the lines.
     start: usize,
-    /// Whether it may be something else: a note, or the part of a fraction below the stroke.
-    doubtful: bool,
+    /// Whether it leads to a note.
+    links: bool,
 }
 
 /// The lines of a page, with exponents behind `^`, indices behind `_`, and a sign for what is cut out.
@@ -131,7 +130,8 @@ impl Running {
         let mut at = range.start;
         while let Some(rest) = page.get(at..range.end).filter(|rest| !rest.is_empty()) {
             // Comments, declarations and instructions.
-            let hidden = ["<!--", "<!", "<?"].iter().filter_map(|mark| rest.find(mark)).min();
+            let mut marks = rest.match_indices('<').map(|(at, _)| at);
+            let hidden = marks.find(|at| rest[at + 1..].starts_with(['!', '?']));
             let shown = &rest[..hidden.unwrap_or(rest.len())];
             decoded(shown, at).into_iter().for_each(|sign| self.sign(sign));
             let Some(hidden) = hidden else { break };
@@ -182,26 +182,20 @@ impl Running {
             "img" | "input" => self.edge(span),
             "sup" | "sub" if tag.closes => self.close(span),
             "sup" | "sub" => {
-                let above = name == "sup";
-                let doubtful = !above && self.text.trim_end().ends_with(['/', '⁄', '∕']);
-                self.scripts.push(Script { above, start: self.text.len(), doubtful });
-                self.push(if above { '^' } else { '_' }, span);
+                self.scripts.push(Script { start: self.text.len(), links: false });
+                self.push(if name == "sup" { '^' } else { '_' }, span);
                 self.push('(', span);
             }
             "br" => {
-                let stroke = self.underlined > 0 && self.text.trim_end().len() == self.underlined;
+                let stroke = self.underlined > 0 && self.text.len() <= self.underlined + 1;
                 self.block(span);
                 self.truncate(self.text.len() - 2);
                 if stroke {
                     self.edge(span);
                 }
             }
-            "u" if tag.closes => self.underlined = self.text.trim_end().len(),
-            "a" if !self.scripts.is_empty() => {
-                if let Some(script) = self.scripts.last_mut() {
-                    script.doubtful = true;
-                }
-            }
+            "u" if tag.closes => self.underlined = self.text.len(),
+            "a" => self.scripts.last_mut().into_iter().for_each(|script| script.links = true),
             _ if INLINE.contains(&name) || PHRASES.contains(&name) => {}
             _ => self.block(span),
         }
@@ -210,19 +204,15 @@ impl Running {
 
     /// Ends an index or an exponent.
     fn close(&mut self, page: Span) {
-        let Some(Script { above, start, doubtful }) = self.scripts.pop() else { return };
+        let Some(Script { start, links }) = self.scripts.pop() else { return };
         let inner = self.text.get(start + 2..).unwrap_or_default().trim();
-        let degree = above && matches!(inner, "o" | "°" | "º" | "˚" | "∘");
-        let no_exponent = doubtful || inner.starts_with('[') || matches!(inner, "" | "th" | "st" | "nd" | "rd");
-        if !degree && !no_exponent {
+        let left_out = inner.is_empty() || inner.starts_with('[');
+        if !left_out && !links && !matches!(inner, "th" | "st" | "nd" | "rd") {
             return self.push(')', page);
         }
-        let left_out = inner.is_empty() || inner.starts_with('[');
         let from = self.place(Span::new(start, start + 1));
         self.truncate(start);
-        if degree {
-            self.push('°', from.join(page));
-        } else if !left_out {
+        if !left_out {
             self.edge(from.join(page));
         }
     }
