@@ -63,6 +63,10 @@ fn what_is_cut_out_or_apart_is_no_side() {
             "<p>y = <span class=\"x frac\"><i>9</i><i>3</i></span> + 1 = 4",
             "<p>y = <span class=x><i>9</i><i>3</i></span> + 1 = 4",
         ),
+        (
+            "<p>c = √<span style='text-decoration: overline'>3² + 4²</span> = √<i>26</i>",
+            "<p>c = √<span style='color: red'>(3² + 4²)</span> = √<i>26</i>",
+        ),
         ("<p>3 + 4 = 5 × 2</p><p>/ 7 = 2", "<p>3 + 4 = 5 × 2</p><p>7 = 2"),
     ] {
         assert_eq!(listed(page), 0, "{page}");

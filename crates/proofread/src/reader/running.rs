@@ -224,6 +224,7 @@ fn is_hidden(tag: &Tag<'_>) -> bool {
     tag.attribute("aria-hidden") == Some("true")
         || tag.name.starts_with("mjx-")
         || (tag.name == "span" && tag.attribute("class").is_some_and(drawn))
+        || tag.attribute("style").is_some_and(|style| style.contains("overline"))
         || (tag.name == "font" && tag.attribute("face").is_some_and(|face| face.eq_ignore_ascii_case("symbol")))
 }
 
