@@ -11,7 +11,7 @@ pub fn name_of_format(format: Format) -> &'static str {
         Format::Markdown => "Markdown with TeX",
         Format::Latex => "LaTeX",
         Format::Xml => "XML with MathML",
-        Format::Html => "HTML with MathML or TeX",
+        Format::Html => "HTML",
         Format::Notebook => "Jupyter notebook",
         Format::Plain => "plain lines",
     }

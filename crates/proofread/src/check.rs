@@ -8,7 +8,7 @@ use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
 use crate::notation;
-use crate::reader::{self, Definitions, Format, Formula, Unreadable, Written};
+use crate::reader::{self, Definitions, Format, Formula, From, Running, Unreadable, Written};
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, has_number};
 use crate::unrounded::Results;
@@ -98,6 +98,7 @@ const MOST_HINTS: usize = 300;
 ///
 /// If the text is longer than [`reader::LONGEST`], or is no notebook where it should be one.
 pub fn proofread(text: &str, format: Format, options: Options<'_>) -> Result<Report, Unreadable> {
+    let lines = Running::of(text, format);
     let mut check = Check {
         text,
         options,
@@ -111,13 +112,25 @@ pub fn proofread(text: &str, format: Format, options: Options<'_>) -> Result<Rep
     if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
         let known = &mut check.known;
         let mut count = |formula: Formula| chains(&formula.tokens).iter().for_each(|chain| known.count(chain));
-        reader::read_with(text, format, options.definitions, &mut count)?;
+        reader::read_with(text, format, options.definitions, &lines, &mut |formula, _| count(formula))?;
     } else if options.follow == Follow::Once {
         check.options.follow = Follow::Never;
     }
-    reader::read_with(text, format, options.definitions, &mut |formula| check.formula(&formula))?;
+    let mut in_lines = None;
+    reader::read_with(text, format, options.definitions, &lines, &mut |formula, from| {
+        if from == From::Lines && in_lines.is_none() {
+            in_lines = Some(check.report.findings.len());
+            (check.text, check.before) = (&lines.text, None);
+        }
+        check.formula(&formula);
+    })?;
     for at in check.factors.habits() {
         set_aside(&mut check.report.findings[at], Doubt::Habit);
+    }
+    if let Some(at) = in_lines {
+        let findings = &mut check.report.findings;
+        findings[at..].iter_mut().for_each(|finding| finding.place(&|span| lines.place(span)));
+        findings.sort_by_key(|finding| finding.span);
     }
     check.report.tally.bytes = text.len();
     check.report.tally.doubts = check.report.findings.iter().filter(|of| of.list == List::Doubts).count();

@@ -134,6 +134,12 @@ impl Finding {
             names: judgement.used.clone(),
         }
     }
+
+    /// Changes where everything in it was written.
+    pub(crate) fn place(&mut self, to: &dyn Fn(Span) -> Span) {
+        let own = [&mut self.span, &mut self.left_span, &mut self.right_span, &mut self.at];
+        own.into_iter().chain(self.hint.as_mut().map(|hint| &mut hint.at)).for_each(|span| *span = to(*span));
+    }
 }
 
 /// The chain around the side `right` as one line, and where the side `printed` is in it.

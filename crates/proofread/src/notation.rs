@@ -106,7 +106,8 @@ fn from_left_to_right(side: &[Token]) -> Option<Vec<Token>> {
         }
         out.push(copy);
         let [.., above, slash, below, times, ten, power] = out.as_slice() else { continue };
-        let numbers = above.number().is_some() && below.number().is_some() && ten.number() == Some("10");
+        let is_pi = above.kind == Kind::Name("π".to_owned());
+        let numbers = (above.number().is_some() || is_pi) && below.number().is_some() && ten.number() == Some("10");
         if numbers && slash.is('/') && times.is_one_of("×·") && matches!(power.kind, Kind::Power(_)) {
             let (at, span) = (out.len() - 6, above.span);
             out.insert(at + 3, Token::new(Kind::Operator(')'), span));

@@ -197,6 +197,20 @@ pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
 pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
     const JOINTS: [&str; 11] =
         ["divided by", "multiplied by", "of", "to", "times", "plus", "minus", "over", "per", "by", "less"];
+    const OPERATIONS: [&str; 12] = [
+        "root",
+        "square",
+        "cube",
+        "half",
+        "third",
+        "quarter",
+        "logarithm",
+        "sine",
+        "cosine",
+        "tangent",
+        "reciprocal",
+        "inverse",
+    ];
     const BOTH: [&str; 6] = ["sum of", "mean of", "average of", "product of", "difference of", "between"];
     let start = (span.start as usize).min(text.len());
     let mut from = start.saturating_sub(NEAR / 2);
@@ -208,6 +222,12 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
     // The sum of 3 and 4 = 7.
     let clause = before.rsplit(['.', '=', ';']).next().unwrap_or_default();
     let both = BOTH.iter().any(|words| clause.contains(words));
+    // The square root of 100 · 300 = 173.
+    if let Some(before) = before.strip_suffix(" of")
+        && OPERATIONS.contains(&before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default())
+    {
+        return true;
+    }
     let joint = JOINTS.iter().find_map(|joint| before.strip_suffix(joint));
     let joint = joint.or_else(|| before.strip_suffix("and").filter(|_| both));
     let Some(rest) = joint.filter(|rest| rest.ends_with(|c: char| c.is_whitespace() || c == '~')) else { return false };

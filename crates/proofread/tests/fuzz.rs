@@ -25,7 +25,7 @@ const SEEDS: [(Format, &str); 7] = [
     ),
     (
         Format::Html,
-        "<p class=x>\\(2+2=5\\) <math><mover><mi>i</mi><mo>^</mo></mover><mo>=</mo><mn>4</mn><script>a<b</script></math></p>",
+        "<p class=x>U<sub>1</sub> = 2&nbsp;&times; 10<sup>3</sup> V <!-- x --> = 5<br/>30<sup>o</sup> = <u>1</u><br>\\(2+2=5\\) <math><mover><mi>i</mi><mo>^</mo></mover><mo>=</mo><mn>4</mn><script>a<b</script></math></p>",
     ),
     (
         Format::Notebook,
@@ -35,7 +35,7 @@ const SEEDS: [(Format, &str); 7] = [
     (Format::Plain, "2 3/4 = 2.75 ± 3 °C = 276 K, 5 rev = 31.4 rad, 1,234.5 J/kg·K"),
 ];
 
-const PIECES: [&str; 46] = [
+const PIECES: [&str; 55] = [
     "\\frac",
     "{",
     "}",
@@ -61,6 +61,15 @@ const PIECES: [&str; 46] = [
     "<mrow>",
     "<msup>",
     "&#x1F600;",
+    "&pi;",
+    "<sup>",
+    "</sup><sub>",
+    "<a>/",
+    "<!-- -->",
+    "</u>&nbsp;",
+    "<s>",
+    "<span aria-hidden=true>",
+    "<p><br>&nbsp;",
     "°C",
     "10^{",
     "e",

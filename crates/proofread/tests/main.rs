@@ -17,6 +17,7 @@ mod notations;
 mod plain;
 mod readings;
 mod remarks;
+mod running;
 mod units;
 mod unrounded;
 mod unusual;

@@ -187,7 +187,8 @@ fn prefixes_are_understood_with_the_units() {
 #[test]
 fn a_quotient_may_end_before_a_power_of_ten() {
     unlisted(Format::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=30\times10^3$"]);
-    listed(Format::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=40\times10^3$"]);
+    unlisted(Format::Latex, &[r"$15000/(\pi/4\times10^2)=191$"]);
+    listed(Format::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=40\times10^3$", r"$15000/(\pi/4\times10^2)=291$"]);
 }
 
 #[test]

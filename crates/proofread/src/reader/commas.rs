@@ -3,7 +3,7 @@
 //! In one that is, `3,5` is three and a half and `1.000` a thousand, unless it has decimal points, too; in any other, `3,5`
 //! are two numbers and `1,000` is a thousand.
 
-use super::{Definitions, Format, formulas};
+use super::{Definitions, Format, Running, formulas};
 use crate::token::{Kind, Token};
 
 /// How the numbers of a text are written.
@@ -31,13 +31,19 @@ pub(crate) enum Points {
 }
 
 /// Whether commas part the decimals in a text, and what its points do then.
-pub(crate) fn are_decimal(text: &str, format: Format, elsewhere: Option<&Definitions>) -> Option<Points> {
+pub(crate) fn are_decimal(
+    text: &str,
+    format: Format,
+    elsewhere: Option<&Definitions>,
+    lines: &Running,
+) -> Option<Points> {
     if !may_be(text) {
         return None;
     }
     let mut seen = Seen::default();
     // A text that cannot be read says so when it is read.
     let _ = formulas(text, format, elsewhere, &mut |formula| count(&formula.tokens, text, &mut seen));
+    lines.read(&mut |formula| count(&formula.tokens, &lines.text, &mut seen));
     let both = seen.decimal_points > 0 && seen.thousands == 0;
     let points = if both { Points::Decimals } else { Points::Thousands };
     (seen.commas > 3 * seen.points && 2 * seen.commas >= seen.either).then_some(points)

@@ -3,8 +3,8 @@
 use super::definitions::Macros;
 use super::mathml;
 use super::pretext;
-use super::{Formula, Found, delimited, tex};
-use crate::token::{Sign, Span};
+use super::{Formula, Found, delimited, symbols, tex};
+use crate::token::{Kind, Sign, Span};
 
 /// Deepest nesting of elements that is kept; what is nested deeper becomes part of the deepest.
 const DEEPEST: usize = 40;
@@ -117,6 +117,7 @@ pub(crate) fn next_tag(text: &str, from: usize) -> Option<Tag<'_>> {
     }
 }
 
+/// Entities that have other names than commands of TeX.
 const ENTITIES: &[(&str, char)] = &[
     ("lt", '<'),
     ("gt", '>'),
@@ -127,7 +128,6 @@ const ENTITIES: &[(&str, char)] = &[
     ("thinsp", ' '),
     ("ensp", ' '),
     ("emsp", ' '),
-    ("times", '×'),
     ("minus", '−'),
     ("ndash", '–'),
     ("mdash", '—'),
@@ -137,35 +137,47 @@ const ENTITIES: &[(&str, char)] = &[
     ("frasl", '/'),
     ("plusmn", '±'),
     ("deg", '°'),
-    ("prime", '′'),
     ("radic", '√'),
     ("asymp", '≈'),
-    ("approx", '≈'),
     ("ne", '≠'),
     ("le", '≤'),
     ("ge", '≥'),
+    ("sup1", '¹'),
     ("sup2", '²'),
     ("sup3", '³'),
     ("frac12", '½'),
     ("frac14", '¼'),
-    ("pi", 'π'),
-    ("mu", 'μ'),
+    ("frac34", '¾'),
     ("micro", 'μ'),
-    ("Omega", 'Ω'),
-    ("omega", 'ω'),
-    ("theta", 'θ'),
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("Delta", 'Δ'),
-    ("delta", 'δ'),
-    ("lambda", 'λ'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
+    ("infin", '∞'),
+    ("there4", '∴'),
+    ("rarr", '→'),
+    ("rArr", '⇒'),
+    ("rsquo", '’'),
     ("hellip", '…'),
     ("InvisibleTimes", '\u{2062}'),
     ("ApplyFunction", '\u{2061}'),
 ];
+
+/// The character of an entity.
+fn named(name: &str) -> Option<char> {
+    let known = ENTITIES.iter().find(|(known, _)| *known == name).map(|(_, c)| *c);
+    known.or_else(|| match symbols::symbol(name) {
+        Kind::Operator(c) => Some(c),
+        Kind::Name(letter) => letter.chars().next(),
+        _ => None,
+    })
+}
+
+/// The byte at which an element that has none of its name in it ends.
+pub(crate) fn end_of(text: &str, from: usize, name: &str) -> usize {
+    let mut ends = text[from..].match_indices("</").map(|(at, _)| from + at);
+    let is_its = |at: &usize| {
+        let (found, rest) = text[at + 2..].split_at_checked(name.len()).unwrap_or_default();
+        found.eq_ignore_ascii_case(name) && !rest.starts_with(|c: char| c.is_ascii_alphanumeric())
+    };
+    ends.find(is_its).unwrap_or(text.len())
+}
 
 /// The characters of text between tags, with entities as the characters that they name.
 pub(crate) fn decoded(text: &str, base: usize) -> Vec<Sign> {
@@ -179,8 +191,7 @@ pub(crate) fn decoded(text: &str, base: usize) -> Vec<Sign> {
                 Some(hex) => u32::from_str_radix(hex, 16).ok(),
                 None => digits.parse().ok(),
             });
-            let named = ENTITIES.iter().find(|(known, _)| *known == name).map(|(_, c)| *c);
-            if let Some(c) = number.and_then(char::from_u32).or(named) {
+            if let Some(c) = number.and_then(char::from_u32).or_else(|| named(name)) {
                 let length = name.len() + 1;
                 sign = Sign { c, span: Span::new(base + at, base + at + 1 + length) };
                 for _ in 0..name.chars().count() + 1 {
@@ -263,7 +274,7 @@ const SCOPES: [&str; 10] =
 /// Elements whose text is not prose.
 const SILENT: [&str; 5] = ["script", "style", "code", "pre", "annotation"];
 /// Elements that do not end a sentence.
-const INLINE: [&str; 17] = [
+pub(crate) const INLINE: [&str; 17] = [
     "emphasis", "em", "i", "b", "strong", "span", "a", "link", "term", "sub", "sup", "u", "font", "mark", "small",
     "br", "newline",
 ];
@@ -303,8 +314,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             continue;
         } else if SILENT.contains(&tag.name.as_str()) && !tag.empty {
             let is_tex = tag.attribute("type").is_some_and(|kind| kind.starts_with("math/tex"));
-            let close = format!("</{}", tag.name);
-            let end = text[at..].find(&close).map_or(text.len(), |found| at + found);
+            let end = end_of(text, at, &tag.name);
             if is_tex {
                 let span = Span::new(at, end);
                 each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &Macros::default()), span));

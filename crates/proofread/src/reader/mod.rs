@@ -13,6 +13,7 @@ mod notebook;
 mod plain;
 mod pretext;
 mod recognised;
+mod running;
 mod siunitx;
 mod symbols;
 mod tex;
@@ -29,7 +30,7 @@ pub enum Format {
     Latex,
     /// XML with MathML, such as CNXML or a DocBook, or with TeX as in PreTeXt.
     Xml,
-    /// HTML with MathML, or with TeX for MathJax or KaTeX.
+    /// HTML: its running text, with exponents and indices as they are raised and lowered, MathML, and TeX for MathJax or KaTeX.
     Html,
     /// A Jupyter notebook.
     Notebook,
@@ -136,32 +137,51 @@ impl Formula {
 /// Takes the formulas as they are found.
 pub(crate) type Found<'f> = dyn FnMut(Formula) + 'f;
 
-/// Reads a text and hands over its formulas in their order.
+/// Reads a text and hands over its formulas, in their order; those in the running text of a page follow the others.
 ///
 /// # Errors
 ///
 /// If the text is too long, or is no notebook where it should be one.
 pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
-    read_with(text, format, None, each)
+    let lines = Running::of(text, format);
+    read_with(text, format, None, &lines, &mut |mut formula, from| {
+        if from == From::Lines {
+            formula.place(&|span| lines.place(span));
+        }
+        each(formula);
+    })
 }
 
-/// Reads a text with definitions from elsewhere.
+/// What a place of a formula is counted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum From {
+    /// The text that was given.
+    Text,
+    /// The lines of running text in it.
+    Lines,
+}
+
+/// Reads a text with definitions from elsewhere, and the lines of running text in it, whose formulas follow the others.
 pub(crate) fn read_with(
     text: &str,
     format: Format,
     elsewhere: Option<&Definitions>,
-    each: &mut Found<'_>,
+    lines: &Running,
+    each: &mut dyn FnMut(Formula, From),
 ) -> Result<(), Unreadable> {
     if text.len() > LONGEST {
         return Err(Unreadable::TooLong);
     }
-    if let Some(points) = commas::are_decimal(text, format, elsewhere) {
-        return formulas(text, format, elsewhere, &mut |mut formula| {
+    let points = commas::are_decimal(text, format, elsewhere, lines);
+    let mut understood = |mut formula: Formula, from| {
+        if let Some(points) = points {
             commas::understood(&mut formula.tokens, points);
-            each(formula);
-        });
-    }
-    formulas(text, format, elsewhere, each)
+        }
+        each(formula, from);
+    };
+    formulas(text, format, elsewhere, &mut |formula| understood(formula, From::Text))?;
+    lines.read(&mut |formula| understood(formula, From::Lines));
+    Ok(())
 }
 
 /// Most bytes that are struck out at once.
@@ -206,6 +226,7 @@ fn withdrawn(text: &str) -> Vec<std::ops::Range<usize>> {
 
 pub use definitions::Definitions;
 pub(crate) use plain::is_noun;
+pub(crate) use running::Running;
 pub(crate) use symbols::unit_sign;
 
 /// The tokens of running text that starts `base` bytes into the document.
@@ -215,7 +236,7 @@ pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {
     out
 }
 
-/// The formulas with their numbers as in English.
+/// The formulas with their numbers as in English, but none in running text of a page.
 fn formulas(
     text: &str,
     format: Format,
