@@ -97,7 +97,7 @@ pub(crate) fn defines(command: &str) -> bool {
 pub(crate) fn named(text: &str) -> Named {
     let mut out = Named::new();
     let mut at = 0;
-    while let Some(found) = text[at..].find(['\\', '%']).map(|found| at + found) {
+    while let Some(found) = text.as_bytes()[at..].iter().position(|c| b"\\%".contains(c)).map(|found| at + found) {
         at = found + 1;
         let rest = &text[at..];
         if text.as_bytes()[found] == b'%' {

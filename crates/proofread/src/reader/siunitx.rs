@@ -28,29 +28,40 @@ pub(crate) fn number(signs: &[Sign], out: &mut Vec<Token>) {
 }
 
 /// Units with those that the document names itself written out, a few times over if they name each other.
-pub(crate) fn named(signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
-    (0..4).fold(signs, |signs, _| {
+pub(crate) fn named(mut signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
+    for _ in 0..4 {
         let (mut out, mut at) = (Vec::new(), 0);
         while let Some(sign) = signs.get(at) {
-            let letters = signs[at + 1..].iter().take_while(|sign| sign.c.is_ascii_alphabetic()).count();
-            let end = at + 1 + if sign.c == '\\' { letters } else { 0 };
-            let name: String = signs[at + 1..end].iter().map(|sign| sign.c).collect();
+            let (name, end) = name_at(&signs, at);
             let named = macros.in_quantity(&name).filter(|of| of.arguments == 0 && !is_known(&name));
-            let named = named.filter(|of| !of.body.contains("circ"));
-            let body = named.map(|of| of.body.trim());
+            let body = named.map(|of| of.body.trim()).filter(|body| !body.contains("circ"));
             // Beside a prefix, a power or a stroke one unit is meant, and several in its place would be another thing.
-            let alone = out.is_empty() && signs[end..].iter().all(|sign| sign.c.is_whitespace());
-            let is_one = |body: &str| body.strip_prefix('\\').is_some_and(|name| name.chars().all(char::is_alphabetic));
-            match body.filter(|body| alone || is_one(body)) {
-                Some(body) => write(body, sign, &mut out),
+            let alone = at == 0 && end == signs.len();
+            match body {
+                Some(body) if alone || body.strip_prefix('\\').is_some_and(is_letters) => write(body, sign, &mut out),
                 // Several units in the place of one.
-                None if named.is_some_and(|of| upright(&of.body).is_none()) => write("?", sign, &mut out),
-                None => out.extend(&signs[at..end]),
+                Some(body) if upright(body).is_none() => write("?", sign, &mut out),
+                _ => out.extend(&signs[at..end]),
             }
             at = end;
         }
-        out
-    })
+        signs = out;
+    }
+    signs
+}
+
+/// The name of the command at a place, empty if there is none, and the place behind it.
+fn name_at(signs: &[Sign], at: usize) -> (String, usize) {
+    let name: String = match signs[at].c {
+        '\\' => signs[at + 1..].iter().map(|sign| sign.c).take_while(char::is_ascii_alphabetic).collect(),
+        _ => String::new(),
+    };
+    let end = at + 1 + name.len();
+    (name, end)
+}
+
+fn is_letters(text: &str) -> bool {
+    text.bytes().all(|c| c.is_ascii_alphabetic())
 }
 
 /// Whether a name is a word of siunitx, whatever else a document does with it.
@@ -61,10 +72,9 @@ fn is_known(name: &str) -> bool {
 
 /// The letters of a unit that are all of a definition, such as `\textsc{atm}`.
 fn upright(body: &str) -> Option<&str> {
-    let body = body.trim();
-    let inner = body.split_once('{').filter(|(command, _)| command.starts_with("\\text") || *command == "\\mathrm");
-    let letters = inner.and_then(|(_, inner)| inner.strip_suffix('}')).unwrap_or(body);
-    letters.chars().all(char::is_alphabetic).then_some(letters)
+    let inner = ["\\mathrm{", "\\text{", "\\textsc{"].iter().find_map(|command| body.strip_prefix(command));
+    let letters = inner.map_or(body, |inner| inner.trim_end_matches('}'));
+    is_letters(letters).then_some(letters)
 }
 
 /// Units in words with backslashes, such as `\kilo\metre\per\second\squared`, as plain TeX.
@@ -89,9 +99,8 @@ pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
             at += 1;
             continue;
         }
-        let length = signs[at + 1..].iter().take_while(|sign| sign.c.is_ascii_alphabetic()).count();
-        let name: String = signs[at + 1..=at + length].iter().map(|sign| sign.c).collect();
-        at += 1 + length.max(1);
+        let (name, end) = name_at(signs, at);
+        at = end.max(at + 2);
         match name.as_str() {
             "per" => below = true,
             "square" => power = "^2".to_owned(),
@@ -114,7 +123,7 @@ pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
                     continue;
                 }
                 let known = sign_of(name);
-                let letters = || macros.in_quantity(name).and_then(|of| upright(&of.body));
+                let letters = || macros.in_quantity(name).and_then(|of| upright(of.body.trim()));
                 let known = if known.is_empty() { letters().unwrap_or_default() } else { known };
                 let known = if known.is_empty() { abbreviated(name) } else { known.to_owned() };
                 if !out.is_empty() {
