@@ -4,7 +4,7 @@
 use crate::chain::{ROW_END, Relation, Side};
 use crate::reader::{Formula, Written};
 use crate::substitution::solid;
-use crate::token::{Function, Kind, Token};
+use crate::token::{Function, Kind, Token, any};
 use crate::unit::unit;
 use crate::value::{Angle, Value};
 use crate::verdict::{Verdict, judge};
@@ -342,6 +342,13 @@ pub(crate) fn are_references(side: &[Token]) -> bool {
     let terms = solid.split(|token| token.is_one_of("+-"));
     let is_reference = |term: &[&Token]| matches!(term, [open, number, close] if open.is('(') && close.is(')') && integer(number).is_some());
     solid.len() > 4 && terms.into_iter().all(is_reference)
+}
+
+/// Whether an `au` is the atomic unit of mass, and not the astronomical unit.
+pub(crate) fn is_atomic(left: &[Token], right: &[Token]) -> bool {
+    [left, right]
+        .into_iter()
+        .any(|side| any(side, &|kind| matches!(kind, Kind::Word(word) if word == "au" || word == "AU")))
 }
 
 /// Whether a side is two years or other numbers with a dash between them: 1914–1918.

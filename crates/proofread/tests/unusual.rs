@@ -321,3 +321,30 @@ fn two_lists_may_be_equal() {
     unlisted(Format::Latex, &[r"$a, b=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8,\ 4$ kN"]);
     listed(Format::Latex, &[r"$a=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8$ kN"]);
 }
+
+#[test]
+fn numbers_of_equations_are_a_doubt() {
+    let text = "$(1)+(2)=(4)$";
+    unlisted(Format::Latex, &[text]);
+    assert_eq!(on(List::Doubts, text, Format::Latex).len(), 1);
+    listed(Format::Latex, &["$(1)+(2)=4$"]);
+}
+
+#[test]
+fn au_may_be_a_unit_of_mass() {
+    unlisted(Format::Latex, &[r"$14.00\text{ au} = 2.32\times10^{-26}\text{ kg}$"]);
+    listed(Format::Latex, &[r"$14.00\text{ au} = 2.32\times10^{12}\text{ m}$"]);
+}
+
+#[test]
+fn what_a_drawing_defines_holds_in_it_alone() {
+    let text = |name: &str| format!("\\begin{{{name}}} \\def\\d{{7}} \\end{{{name}}} $\\d + 1.5 = 8.6$");
+    unlisted(Format::Latex, &[&text("tikzpicture"), &text("axis")]);
+    listed(Format::Latex, &[&text("center")]);
+}
+
+#[test]
+fn a_comma_is_the_sign_of_decimals_in_quantities() {
+    unlisted(Format::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,005}{A}$"]);
+    listed(Format::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,006}{A}$"]);
+}

@@ -93,6 +93,14 @@ pub(crate) fn defines(command: &str) -> bool {
     )
 }
 
+/// Where a drawing ends that begins behind the backslash; what it defines holds in it alone.
+fn end_of_drawing(rest: &str) -> Option<usize> {
+    const DRAWINGS: [&str; 4] = ["tikzpicture", "axis", "circuitikz", "pspicture"];
+    let inner = rest.strip_prefix("begin{")?;
+    let name = DRAWINGS.into_iter().find(|name| inner.strip_prefix(name).is_some_and(|rest| rest.starts_with('}')))?;
+    Some(rest.find(&format!("\\end{{{name}}}")).unwrap_or(rest.len()))
+}
+
 /// The macros that a text defines.
 pub(crate) fn named(text: &str) -> Named {
     let mut out = Named::new();
@@ -108,6 +116,8 @@ pub(crate) fn named(text: &str) -> Named {
         if length == 0 {
             // What is escaped begins nothing.
             at += rest.chars().next().map_or(0, char::len_utf8);
+        } else if let Some(end) = end_of_drawing(rest) {
+            at += end;
         } else if defines(&rest[..length])
             && let Some((name, meaning, end)) = definition(text, found)
         {

@@ -15,6 +15,10 @@ pub(crate) fn number(signs: &[Sign], out: &mut Vec<Token>) {
     let mantissa = if closes { &mantissa[..uncertain] } else { mantissa };
     let mantissa: Vec<Sign> =
         mantissa.iter().filter(|sign| !sign.c.is_whitespace() && !"{}~_".contains(sign.c)).copied().collect();
+    // A comma is the sign of decimals in this package, too.
+    let comma = mantissa.iter().filter(|sign| sign.c == ',').count() == 1 && mantissa.iter().all(|sign| sign.c != '.');
+    let point = |sign: Sign| if comma && sign.c == ',' { Sign { c: '.', ..sign } } else { sign };
+    let mantissa: Vec<Sign> = mantissa.into_iter().map(point).collect();
     words(&mantissa, out);
     let [e, power @ ..] = exponent else { return };
     let span = e.span;
