@@ -181,7 +181,7 @@ impl Place<'_> {
             || notation::is_mark(right)
             || notation::is_bracketed_number(left)
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
-            || (judgement.verdict == Verdict::Dimensions && notation::is_atomic(left, right))
+            || (judgement.verdict == Verdict::Dimensions && [left, right].into_iter().any(notation::has_two_meanings))
             || self.is_one_of_two()
             || (plain && notation::is_range(self.text, left))
             || (plain && self.begins_chain() && self.is_station())
@@ -254,12 +254,19 @@ impl Place<'_> {
         if times_letter && judgement.verdict == Verdict::Dimensions {
             return true;
         }
+        // e⁻¹ = 1 sets a letter, be it what it may.
+        let letter = matches!(&self.left.tokens[..], [base, Token { kind: Kind::Power(_), .. }] if base.kind == Kind::Name("e".to_owned()));
+        let sets = letter
+            && right.literal == Literal::Number
+            && bare(right)
+            && self.right.relation == Some(Relation::Equal)
+            && right.number().is_ok_and(|of| of.point.fract() == 0.0);
         let opposite = both && left.dimension == right.dimension && left.clone().negated().meets(right, ROUGH);
         // So is the deviation in per cent of what was measured.
         let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
             && right.is_literal()
             && left.clone().negated().meets(right, ROUGH);
-        lacks_unit || opposite || costs || deviates || (bare(left) && (is_small || (bare(right) && apart)))
+        lacks_unit || opposite || costs || deviates || sets || (bare(left) && (is_small || (bare(right) && apart)))
     }
 
     /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.

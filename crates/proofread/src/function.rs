@@ -70,7 +70,14 @@ impl Evaluator<'_> {
         if cursor.peek().is_some_and(|token| token.is_one_of("([{")) {
             let inner = cursor.group()?;
             let value = self.whole(inner)?;
-            let value = self.followed(value, cursor)?;
+            let mut value = value;
+            let raised = cursor.here().is_some_and(|token| matches!(token.kind, Kind::Power(_)));
+            if raised {
+                self.noticed.note(Reading::POWER_OUTSIDE);
+            }
+            if !raised || !self.chosen(Reading::POWER_OUTSIDE) {
+                value = self.followed(value, cursor)?;
+            }
             let bare = !value.has_unit && value.angle.is_none();
             let degrees = cursor.peek().and_then(Token::word) == Some("°");
             return if bare && degrees { self.with_unit(value, cursor, false) } else { Ok(value) };

@@ -344,11 +344,9 @@ pub(crate) fn are_references(side: &[Token]) -> bool {
     solid.len() > 4 && terms.into_iter().all(is_reference)
 }
 
-/// Whether an `au` is the atomic unit of mass, and not the astronomical unit.
-pub(crate) fn is_atomic(left: &[Token], right: &[Token]) -> bool {
-    [left, right]
-        .into_iter()
-        .any(|side| any(side, &|kind| matches!(kind, Kind::Word(word) if word == "au" || word == "AU")))
+/// Whether a side has the sign of two units: `au` of the atomic mass and the astronomical unit, `D` of the debye and the dioptre.
+pub(crate) fn has_two_meanings(side: &[Token]) -> bool {
+    any(side, &|kind| matches!(kind, Kind::Word(word) if ["au", "AU", "D"].contains(&word.as_str())))
 }
 
 /// Whether a side is two years or other numbers with a dash between them: 1914–1918.
@@ -457,8 +455,11 @@ pub(crate) fn has_lost_exponents(side: &[Token]) -> bool {
 /// Whether both sides are angles that differ by whole turns.
 pub(crate) fn differ_by_turns(left: &Value, right: &Value) -> bool {
     let degrees = |of: &Value| of.angle == Some(Angle::Degrees);
-    let moved = |by: f64| Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() };
-    degrees(left) && degrees(right) && [-2.0 * PI, 2.0 * PI].into_iter().any(|by| moved(by).meets(right, 1e-3))
+    let moved = |turns: i32| {
+        let by = 2.0 * PI * f64::from(turns);
+        Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() }
+    };
+    degrees(left) && degrees(right) && (-3..=3).any(|turns| turns != 0 && moved(turns).meets(right, 1e-3))
 }
 
 /// Whether the right side counts whole pieces, of which there have to be at least as many as the left side says.

@@ -47,6 +47,9 @@ impl Reading {
     /// An exponent of zero is a degree sign: `26^0`.
     pub const ZERO_DEGREES: Self = Self(1 << 18);
 
+    /// An exponent behind the brackets of a function's argument belongs to the function: `ln(2)^2` is the square of ln 2.
+    pub const POWER_OUTSIDE: Self = Self(1 << 19);
+
     /// Whether all choices of another set are in this one.
     pub fn has(self, other: Self) -> bool {
         self.0 & other.0 == other.0
@@ -82,7 +85,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 18] = [
+        const WORDS: [(Reading, &str); 19] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -101,6 +104,7 @@ impl Reading {
             (Reading::PERCENT, "a percentage of what stands before it"),
             (Reading::ZERO_DEGREES, "an exponent of zero as a degree sign"),
             (Reading::SHARE, "a percentage as a factor"),
+            (Reading::POWER_OUTSIDE, "a power of the function"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()
     }

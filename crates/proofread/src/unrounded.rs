@@ -116,6 +116,8 @@ impl Results {
             for side in [Some(side), full.as_deref()].into_iter().flatten() {
                 out.extend(self.unrounded(side, |of| of.ratio));
                 out.extend(self.unrounded(side, |of| of.from_start));
+                // With the digits that were printed.
+                out.extend(self.unrounded(side, |_| 1.0));
             }
         }
         out.extend(full);

@@ -4,6 +4,7 @@ use crate::chain::Relation;
 use crate::customs;
 use crate::evaluate::{Bindings, Evaluator};
 use crate::interval::Interval;
+use crate::join::has_letters;
 use crate::printed::Mode;
 use crate::reading::Reading;
 use crate::token::{Kind, Token, any};
@@ -162,7 +163,10 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
     }
     best.unwrap_or_else(|| {
         let verdict = match obstacle {
-            Some(Obstacle::MixedSum) => Verdict::Dimensions,
+            // A name whose value is zero, or has lost its unit, says nothing of the dimensions.
+            Some(Obstacle::MixedSum) if bindings.is_none() || ![left, right].into_iter().any(has_letters) => {
+                Verdict::Dimensions
+            }
             Some(Obstacle::NoValue(_)) if without_value => Verdict::Inconsistent,
             _ => Verdict::CannotEvaluate,
         };

@@ -41,6 +41,15 @@ fn a_number_may_have_been_printed_with_more_digits() {
 }
 
 #[test]
+fn what_was_printed_may_go_in_as_it_was_printed() {
+    let side = r"$\frac12\sqrt{20^2+12^2}=11.662$";
+    let angle = r"$\cos^{-1}\left(\frac{20-17/2}{11.66}\right)=9.5612^\circ$";
+    assert_eq!(wrong(angle, Format::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{side} and {angle}"), Format::Markdown), [""; 0]);
+    assert_eq!(wrong(&format!("{side} and {}", angle.replace("5612", "5622")), Format::Markdown).len(), 1);
+}
+
+#[test]
 fn a_conversion_before_gives_the_digits_that_went_on() {
     let size = r"$\frac{850\,\mathrm{km}}{0.133\,\mathrm{rad}} = 6.41\times10^6\,\mathrm{m}$";
     assert_eq!(wrong(size, Format::Markdown).len(), 1);

@@ -348,3 +348,38 @@ fn a_comma_is_the_sign_of_decimals_in_quantities() {
     unlisted(Format::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,005}{A}$"]);
     listed(Format::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,006}{A}$"]);
 }
+
+#[test]
+fn an_exponent_behind_brackets_may_belong_to_the_function() {
+    unlisted(
+        Format::Latex,
+        &[r"$1 + \frac{\pi^2}{\ln(0.05)^2} = 2.0997$", r"$\ln(3.0^2) = 2.2$", r"$\sin(30^\circ)^2 = 0.25$"],
+    );
+    listed(Format::Latex, &[r"$1 + \frac{\pi^2}{\ln(0.05)^2} = 2.1997$", r"$\sin(30^\circ)^2 = 0.35$"]);
+}
+
+#[test]
+fn directions_differ_by_whole_turns() {
+    unlisted(Format::Latex, &[r"$-(180^\circ + 180^\circ)-180^\circ = 180^\circ$"]);
+    listed(Format::Latex, &[r"$-(180^\circ + 180^\circ)-180^\circ = 170^\circ$"]);
+}
+
+#[test]
+fn a_letter_e_that_is_set_is_no_number() {
+    unlisted(Format::Latex, &["$e^{-1}=1$"]);
+    listed(Format::Latex, &["$e^{-1}=0.47$", "$2e^{-1}=1$"]);
+}
+
+#[test]
+fn a_unit_with_two_meanings_is_a_doubt_if_its_dimension_differs() {
+    let text = |unit: &str| format!(r"$8.01\times10^{{-30}}\,\mathrm{{C\,m}} = 2.4\,\mathrm{{{unit}}}$");
+    unlisted(Format::Latex, &[&text("D")]);
+    listed(Format::Latex, &[&text("V")]);
+}
+
+#[test]
+fn a_name_without_its_unit_says_nothing_of_dimensions() {
+    let text = |last: &str| format!(r"$t=0$ $x(t) = (3 \text{{ m/s}})t+2 \text{{ m}}$ {last}");
+    unlisted(Format::Latex, &[&text("")]);
+    listed(Format::Latex, &[&text(r"$(3 \text{ m/s})+2 \text{ m} = 6\text{ m}$")]);
+}
