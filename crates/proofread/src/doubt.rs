@@ -36,8 +36,6 @@ pub enum Doubt {
     /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
     /// a bare number or its own size.
     Fragment,
-    /// Behind `≈` stands no result of what is before it.
-    Rough,
     /// The result is truncated where it should have been rounded.
     Truncated,
     /// The sides of several formulas of the document differ by this factor.
@@ -51,7 +49,6 @@ impl Doubt {
             Self::Cut => "a side may begin or end elsewhere",
             Self::Unknown => "something next to the numbers is not understood",
             Self::Fragment => "a number may be part of something else",
-            Self::Rough => "≈ may compare what is only roughly equal",
             Self::Truncated => "a truncated result is seldom meant to be rounded",
             Self::Habit => "other formulas of the document differ by the same factor",
         }
@@ -91,19 +88,7 @@ impl Place<'_> {
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
         }
-        if self.is_rough(judgement) {
-            return Some(Doubt::Rough);
-        }
         (judgement.verdict == Verdict::Truncated).then_some(Doubt::Truncated)
-    }
-
-    /// Whether a sign of approximate equality stands between two numbers, or before an expression, so that nobody may have computed the
-    /// right side: `1/(1 + 0.5) ≈ 1 − 0.5`.
-    fn is_rough(&self, judgement: &Judgement) -> bool {
-        let is_result = |right: &Value| right.is_literal() || count_numbers(&self.right.tokens) == 1;
-        let result = judgement.values.as_ref().is_some_and(|(left, right)| !left.is_literal() && is_result(right));
-        let rough = self.right.relation == Some(Relation::Approximate) && !result;
-        rough && judgement.verdict == Verdict::Inconsistent
     }
 
     fn begins_chain(&self) -> bool {
@@ -313,13 +298,6 @@ fn has_uncertainty(side: &Side) -> bool {
             let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
             open.is('(') && close.is(')') && fine && digits.len() <= 2 && !digits.contains('.')
         })
-}
-
-fn count_numbers(tokens: &[Token]) -> usize {
-    let of = |token: &Token| {
-        usize::from(token.number().is_some()) + token.inner().into_iter().map(count_numbers).sum::<usize>()
-    };
-    tokens.iter().map(of).sum()
 }
 
 /// Whether a bracket of such a kind opens anywhere in these tokens.

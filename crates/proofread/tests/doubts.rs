@@ -170,17 +170,6 @@ fn a_ratio_may_be_given_in_decibels() {
 }
 
 #[test]
-fn a_sign_of_approximate_equality_may_only_compare() {
-    aside(Doubt::Rough, &[r"$(1 + 0.5)^{-1} \approx 1 - 0.5$", r"$0.67 \approx 0.5$"]);
-    counts(&[
-        r"$(1 + 0.5)^{-1} = 1 - 0.5$",
-        r"$(1 + 0.5)^{-1} \approx 0.5$",
-        r"$0.67 = 0.5$",
-        r"$3.0\,\text{m/s} \approx 0.33\,\text{s/m}$",
-    ]);
-}
-
-#[test]
 fn uncertainties_in_per_cent_are_a_doubt() {
     let quotient = r"$R=\frac{5.00\text{ V}\,(\pm1\%)}{0.250\text{ A}\,(\pm2\%)}=20.0\,\Omega\,(\pm3\%)$";
     aside(Doubt::Unknown, &[quotient]);
