@@ -383,3 +383,9 @@ fn a_name_without_its_unit_says_nothing_of_dimensions() {
     unlisted(Format::Latex, &[&text("")]);
     listed(Format::Latex, &[&text(r"$(3 \text{ m/s})+2 \text{ m} = 6\text{ m}$")]);
 }
+
+#[test]
+fn letters_at_a_number_in_running_text_are_a_factor() {
+    unlisted(Format::Markdown, &["51*420 - 30 = 348Tc\n"]);
+    listed(Format::Markdown, &["51*420 - 30 = 348 Tc\n", "51*420 - 30 = 348W\n"]);
+}

@@ -249,7 +249,9 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 let percent = before.and_then(Token::word).is_some_and(is_percent);
                 let of_numbers = (counted || percent) && before_number;
                 let power_of_e = word == "e" && rest.peek().is_some_and(|next| next.is('^'));
-                let named = letter || ((before_equals || calls) && !follows_unit);
+                // 348Tc is a product with a letter.
+                let glued = touching && follows_number && unit(&word).is_none() && word.chars().count() < 4;
+                let named = letter || glued || ((before_equals || calls) && !follows_unit);
                 let kind = if power_of_e {
                     Kind::Name(word)
                 } else if word == "pi" {
