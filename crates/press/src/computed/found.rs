@@ -37,7 +37,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.operands-visible", || planted(|of| [of.operands.visible()])),
     ("found.operands-invisible", invisible),
     ("found.first.commas", || commas()),
-    ("found.second.agreed", || agreed()),
+    ("found.second.agreed", || Ok(agreed(&round("second")?).to_string())),
     ("found.third.texts", || texts("third")),
     ("found.third.flags", || Ok(round("third")?.len().to_string())),
     ("found.third.early", || {
@@ -88,17 +88,27 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.seventh.understood", || Ok(because("seventh", "kiloohms")?.to_string())),
     ("found.seventh.rest", || rest("seventh")),
     ("found.eighth.flags", || Ok(round("eighth")?.len().to_string())),
-    ("found.publisher.flags", || Ok(round("publisher")?.len().to_string())),
-    ("found.publisher.real", || all_of("publisher")),
+    ("found.publisher.real", || confirmed(&round("publisher")?)),
     ("found.publisher.misread", || Ok(misread(&round("publisher")?).to_string())),
     ("found.publisher.faults", || Ok(faults("publisher")?.to_string())),
     ("found.publisher.after", || after_repairs("publisher")),
-    ("found.last", || {
-        let flags = last()?;
-        Ok(format!("{} of {} flags mark real errors: {}", right(&flags), flags.len(), share(&flags)?))
+    ("found.ninth.second", || Ok(confirmed_again(&round("ninth")?).to_string())),
+    ("found.ninth.flags", || Ok(round("ninth")?.len().to_string())),
+    ("found.tenth.letters", || Ok(because("tenth", "einbein")?.to_string())),
+    ("found.eleventh.repeated", || {
+        let most = richest("eleventh")?;
+        let of_it = |flag: &Contact| most.as_ref().is_some_and(|most| flag.text == most.text);
+        let flags: Vec<Contact> = round("eleventh")?.into_iter().filter(of_it).collect();
+        Ok((flags.len() - right(&flags)).to_string())
     }),
+    ("found.last", || confirmed(&last()?)),
     ("found.last.flags", || Ok(last()?.len().to_string())),
     ("found.last.misread", || Ok(misread(&last()?).to_string())),
+    ("found.last.second", || Ok(confirmed_again(&last()?).to_string())),
+    ("found.last.agreed", || Ok(agreed(&last()?).to_string())),
+    ("found.doubted", || confirmed(&with_doubts()?)),
+    ("found.doubted.flags", || Ok(with_doubts()?.len().to_string())),
+    ("found.doubted.misread", || Ok(misread(&with_doubts()?).to_string())),
 ];
 
 fn old() -> anyhow::Result<Vec<Flag>> {
@@ -192,12 +202,30 @@ pub fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
         whole("fifth", "sixth")?,
         whole("sixth", "seventh")?,
         whole("seventh", "eighth")?,
+        whole("eighth", "ninth")?,
+        whole("ninth", "tenth")?,
+        whole("tenth", "eleventh")?,
     ])
 }
 
-/// The flags of the last three rounds, whose program knew the rule for doubts.
+/// The flags of the rounds whose program knew the rule for doubts.
+fn with_doubts() -> anyhow::Result<Vec<Contact>> {
+    Ok([round("sixth")?, round("seventh")?, round("eighth")?, last()?].concat())
+}
+
+/// The flags of the last three rounds, which took one list of texts.
 fn last() -> anyhow::Result<Vec<Contact>> {
-    Ok([round("sixth")?, round("seventh")?, round("eighth")?].concat())
+    Ok([round("ninth")?, round("tenth")?, round("eleventh")?].concat())
+}
+
+/// The confirmed flags among some, with their share.
+fn confirmed(flags: &[Contact]) -> anyhow::Result<String> {
+    Ok(format!("{} of {} flags mark real errors: {}", right(flags), flags.len(), share(flags)?))
+}
+
+/// How many flags a second reader confirms.
+fn confirmed_again(flags: &[Contact]) -> usize {
+    flags.iter().filter(|flag| flag.second_judge == Some(Judgement::Real)).count()
 }
 
 /// How many of these flags are the program's own misreadings.
@@ -320,9 +348,9 @@ fn rest(name: &str) -> anyhow::Result<String> {
     Ok(format!("{} of {}, {}", right(&flags), flags.len(), precision(right(&flags), flags.len())))
 }
 
-/// On how many flags of the second round the two readers agree.
-fn agreed() -> anyhow::Result<String> {
-    Ok(round("second")?.iter().filter(|flag| flag.second_judge == Some(flag.judgement)).count().to_string())
+/// On how many flags two readers agree.
+fn agreed(flags: &[Contact]) -> usize {
+    flags.iter().filter(|flag| flag.second_judge == Some(flag.judgement)).count()
 }
 
 fn right(flags: &[Contact]) -> usize {

@@ -37,6 +37,9 @@ pub fn texts() -> anyhow::Result<Table> {
         ("sixth", "fifth"),
         ("seventh", "sixth"),
         ("eighth", "seventh"),
+        ("ninth", "eighth"),
+        ("tenth", "ninth"),
+        ("eleventh", "tenth"),
     ];
     for (name, words) in later {
         let (with, without): (Vec<&Run>, Vec<&Run>) = of_round(name).into_iter().partition(|run| run.flags > 0);
