@@ -24,6 +24,7 @@ const NAMES: &[&str] = &[
     "Control Data 6500",
     "ISO 2768-1",
     "ISO 286",
+    "July 2026",
     "June 2026",
     "1964",
     "November 2026",

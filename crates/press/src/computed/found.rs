@@ -103,7 +103,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     }),
     ("found.last", || confirmed(&last()?)),
     ("found.last.flags", || Ok(last()?.len().to_string())),
-    ("found.last.misread", || Ok(misread(&last()?).to_string())),
     ("found.last.second", || Ok(confirmed_again(&last()?).to_string())),
     ("found.last.agreed", || Ok(agreed(&last()?).to_string())),
     ("found.doubted", || confirmed(&with_doubts()?)),
