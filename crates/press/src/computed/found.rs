@@ -106,6 +106,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.last.second", || Ok(confirmed_again(&last()?).to_string())),
     ("found.last.agreed", || Ok(agreed(&last()?).to_string())),
     ("found.doubted", || confirmed(&with_doubts()?)),
+    ("found.doubted.faults", || Ok(distinct(&with_doubts()?).to_string())),
     ("found.doubted.flags", || Ok(with_doubts()?.len().to_string())),
     ("found.doubted.misread", || Ok(misread(&with_doubts()?).to_string())),
 ];
@@ -436,4 +437,28 @@ fn invisible() -> anyhow::Result<String> {
 /// An integer with a comma between thousands.
 fn thousands(number: u32) -> String {
     if number < 1000 { number.to_string() } else { format!("{},{:03}", number / 1000, number % 1000) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_proofreaders_readme_says_how_reliable_it_is() {
+        let readme = include_str!("../../../proofread/README.md").split_whitespace().collect::<Vec<_>>().join(" ");
+        let (flags, old) = (with_doubts().expect("flags"), old().expect("flags"));
+        let [share, known] =
+            [(right(&flags), flags.len()), (real(&old), old.len())].map(|(part, all)| percent(part, all)[0]);
+        let errors = errors().expect("planted errors");
+        let [tried, noticed] =
+            [errors.results.tried + errors.operands.tried, errors.results.noticed + errors.operands.noticed];
+        for phrase in [
+            format!("with {} flags in texts by others, {share:.0} % marked real errors", flags.len()),
+            format!("whose mark-up it knows, {known:.0} %"),
+            format!("{} of {} errors", errata_found().expect("errata"), errata().expect("errata").len()),
+            format!("{:.0} % of errors that were planted", percent(noticed as usize, tried as usize)[0]),
+        ] {
+            assert!(readme.contains(&phrase), "{phrase}");
+        }
+    }
 }

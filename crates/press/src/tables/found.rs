@@ -61,7 +61,7 @@ pub fn texts() -> anyhow::Result<Table> {
 pub fn rounds() -> anyhow::Result<Table> {
     table(
         "Rounds with texts that we had not looked at before: flags on a number, how many of them mark real errors, with the 95 % \
-         interval of their share, how many are misreadings, and the real errors among the flags that are left after the repairs",
+         interval of their share, how many are misreadings, and the real errors among the flags that the repaired program raises in the whole texts",
         Cells::NamedNumbers,
         &["Round", "Texts", "Flags", "Real errors", "Share", "Misread", "After repairs"],
         computed::found::rounds()?.into_iter().map(Ok).collect::<Vec<_>>(),
