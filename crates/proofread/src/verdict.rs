@@ -256,6 +256,14 @@ impl Pair<'_> {
         }
         let mut strict = self.both(Mode::Strict, literal, reading)?;
         let mut lenient = self.both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
+        let fewer = |one: &Value, other: &Value| one.parts.pairs(&other.parts).all(|(a, b)| a.half() < b.half());
+        // A quantity that is converted isn't rounded to tens before.
+        if literal == [true, true] && points.iter().all(|point| point.has_unit) {
+            let [exact, _] = self.both(Mode::Strict, [false, false], reading)?;
+            if fewer(&exact, &strict[0]) {
+                (strict[0], lenient[0]) = (exact.clone(), exact);
+            }
+        }
         let both_units = points.iter().all(|point| point.has_unit);
         if self.noticed.has(Reading::MINUS) {
             for value in points.iter_mut().chain(&mut strict).chain(&mut lenient) {
@@ -325,7 +333,6 @@ impl Pair<'_> {
         if self.relation == Relation::Approximate && rough && lenient[0].meets(&lenient[1], 0.05) {
             return Ok(fine(Verdict::Approximate));
         }
-        let fewer = |one: &Value, other: &Value| one.parts.pairs(&other.parts).all(|(a, b)| a.half() < b.half());
         let cut = match literal {
             [false, true] => is_cut(&points[0], right),
             [true, false] => is_cut(&points[1], left),

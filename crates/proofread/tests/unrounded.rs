@@ -110,7 +110,11 @@ fn a_number_that_both_sides_print_is_one_value() {
 fn a_conversion_has_no_steps_on_which_to_round() {
     all(&[
         (r"195\,880\,\text{Pa} = 195.88\,\text{kPa}", &["consistent"]),
-        (r"195\,880\,\text{Pa} = 195.89\,\text{kPa}", &["inconsistent"]),
+        (r"195\,880\,\text{Pa} = 195.89\,\text{kPa}", &["last-digit"]),
+        // A quantity that is converted isn't rounded to tens before.
+        (r"50\,\text{km/h} = 13.9\,\text{m/s}", &["consistent"]),
+        (r"50\,\text{km/h} = 15.2\,\text{m/s}", &["inconsistent"]),
+        (r"30\,\text{kW} = 41.5\,\text{hp}", &["inconsistent"]),
         (r"1290\,\text{g} = 1.29\,\text{kg}", &["consistent"]),
         (r"1290\,\text{g} = 1.28\,\text{kg}", &["inconsistent"]),
         (r"96\,\text{km/h} = 26.67\,\text{m/s}", &["consistent"]),
