@@ -344,7 +344,9 @@ impl Factors {
         let Some((left, right)) = &judgement.values else { return };
         let (Ok(left), Ok(right)) = (left.number(), right.number()) else { return };
         let factor = left.point / right.point;
-        if factor.is_finite() && factor != 0.0 && !(0.95..1.05).contains(&factor) {
+        // A misplaced point does repeat.
+        let misplaced = [0.1, 10.0].into_iter().any(|ten| (factor.abs() / ten - 1.0).abs() < 0.005);
+        if !misplaced && factor.is_finite() && factor != 0.0 && !(0.95..1.05).contains(&factor) {
             self.0.push(Factor { finding, formula, factor, sides: sides.map(str::to_owned) });
         }
     }

@@ -155,7 +155,23 @@ fn accepted_cases_are_left_out_wherever_they_move() {
     // The cases lie in the folder themselves, and are no document.
     let (code, out, told) = run(&["--accept", cases, folder.path().to_str().expect("UTF-8")]);
     assert_eq!((code, out.as_str()), (0, ""), "{told}");
-    assert_eq!(run(&["--baseline", cases, folder.path().to_str().expect("UTF-8")]).0, 0);
+    let name = folder.path().to_str().expect("UTF-8");
+    assert_eq!(run(&["--baseline", cases, name]).0, 0);
+    // A file has one name, however it was reached.
+    let other = format!("{name}/./{}", Path::new(&file).file_name().and_then(|name| name.to_str()).expect("a name"));
+    assert_eq!(run(&["--baseline", cases, &other]).0, 0);
+    // Nor are they a document where nobody says what they are, but other lines of JSON are.
+    let (code, _, told) = run(&[name]);
+    assert_eq!((code, told.as_str()), (1, ""));
+    fs::write(folder.path().join("more.jsonl"), "{\"case\": 1, \"file\": 2}\n").expect("written");
+    let (code, _, told) = run(&[name]);
+    assert!(code == 2 && told.contains("the object needs `text`"), "{told}");
+}
+
+#[test]
+fn nothing_is_summed_up_where_nothing_was_read() {
+    let (code, out, told) = run(&["there-is-no-such-file.md"]);
+    assert_eq!((code, out.as_str()), (2, ""), "{told}");
 }
 
 pub fn git(folder: &Path, arguments: &[&str]) -> bool {

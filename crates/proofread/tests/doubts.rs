@@ -132,6 +132,12 @@ fn three_formulas_with_the_same_factor_are_a_habit() {
 }
 
 #[test]
+fn points_are_misplaced_more_than_once() {
+    let text = "$2.5 + 1.5 = 40$\n\n$6.0 + 3.0 = 90$\n\n$3.5 + 1.5 = 50$\n";
+    assert_eq!(doubts(text, Format::Markdown), [None; 3]);
+}
+
+#[test]
 fn a_doubt_is_counted_and_has_no_hint() {
     let report =
         proofread("$1, 2, 3.5 = 6.5$ and $1/18 = 0.0555$", Format::Markdown, Options::default()).expect("a text");

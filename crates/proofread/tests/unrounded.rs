@@ -116,7 +116,7 @@ fn a_conversion_has_no_steps_on_which_to_round() {
         (r"50\,\text{km/h} = 15.2\,\text{m/s}", &["inconsistent"]),
         (r"30\,\text{kW} = 41.5\,\text{hp}", &["inconsistent"]),
         (r"1290\,\text{g} = 1.29\,\text{kg}", &["consistent"]),
-        (r"1290\,\text{g} = 1.28\,\text{kg}", &["inconsistent"]),
+        (r"1290\,\text{g} = 1.28\,\text{kg}", &["last-digit"]),
         (r"96\,\text{km/h} = 26.67\,\text{m/s}", &["consistent"]),
         // The size of a horsepower is rounded.
         (r"1\,\text{hp} = 735\,\text{W}", &["rounded"]),

@@ -19,6 +19,12 @@ pub(crate) fn fingerprint(finding: &Finding) -> String {
     format!("{}: {} | {}", finding.verdict.name(), squeezed(&finding.left), squeezed(&finding.right))
 }
 
+/// A path without `./`, so that a file has one name however it was reached.
+fn plain(file: &str) -> String {
+    let parts = Path::new(file).components().filter(|part| *part != std::path::Component::CurDir);
+    parts.collect::<std::path::PathBuf>().to_string_lossy().into_owned()
+}
+
 impl Baseline {
     /// Reads the file.
     pub fn read(path: &Path) -> Result<Self, String> {
@@ -31,14 +37,14 @@ impl Baseline {
             let (Some(file), Some(of)) = (key("file"), key("case")) else {
                 return Err(wrong(format!("line {}: an accepted case needs `file` and `case`", number + 1)));
             };
-            cases.insert((file, of), case);
+            cases.insert((plain(&file), of), case);
         }
         Ok(Self { cases, met: Cell::new(0) })
     }
 
     /// Whether a finding is accepted.
     pub fn has(&self, file: &str, finding: &Finding) -> bool {
-        let found = self.cases.contains_key(&(file.to_owned(), fingerprint(finding)));
+        let found = self.cases.contains_key(&(plain(file), fingerprint(finding)));
         self.met.set(self.met.get() + usize::from(found));
         found
     }
@@ -47,8 +53,9 @@ impl Baseline {
     pub fn accept(&mut self, file: &str, finding: &Finding) {
         self.met.set(self.met.get() + 1);
         let case = fingerprint(finding);
-        let new = || json!({ "file": file, "case": case, "why": "" });
-        self.cases.entry((file.to_owned(), case.clone())).or_insert_with(new);
+        let file = plain(file);
+        let new = json!({ "file": file, "case": case, "why": "" });
+        self.cases.entry((file, case)).or_insert(new);
     }
 
     /// How many findings were accepted.

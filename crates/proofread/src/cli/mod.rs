@@ -143,7 +143,7 @@ impl<'a> Run<'a> {
                 crate::summary::count(sum.accepted, "case"),
                 path.display()
             ));
-        } else {
+        } else if self.documents > 0 || !self.failed || !matches!(arguments.format, Written::Text) {
             let end = self.writer.end(&sum);
             self.streams.print(&end)?;
         }
