@@ -9,7 +9,7 @@ use crate::notation;
 use crate::printed::Mode;
 use crate::reader::{Formula, Written};
 use crate::reading::Reading;
-use crate::substitution;
+use crate::substitution::{self, solid};
 use crate::surroundings;
 use crate::token::{Kind, Span, Token, any};
 use crate::unit::unit;
@@ -242,7 +242,6 @@ impl Place<'_> {
         // e⁻¹ = 1 sets a letter, be it what it may.
         let letter = matches!(&self.left.tokens[..], [base, Token { kind: Kind::Power(_), .. }] if base.kind == Kind::Name("e".to_owned()));
         let sets = letter
-            && right.literal == Literal::Number
             && bare(right)
             && self.right.relation == Some(Relation::Equal)
             && right.number().is_ok_and(|of| of.point.fract() == 0.0);
@@ -286,12 +285,8 @@ impl Place<'_> {
 /// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its
 /// sign.
 fn has_uncertainty(side: &Side) -> bool {
-    let signed = |tokens: &[Token]| {
-        let mut plain = tokens.iter().filter(|token| !token.is_space());
-        plain.next().is_some_and(|open| open.is('(')) && plain.next().is_some_and(|sign| sign.is('±'))
-    };
     let percent = any(&side.tokens, &|kind| matches!(kind, Kind::Word(word) if word == "%"));
-    (percent && has_bracket(&side.tokens, &signed))
+    (percent && has_signed_bracket(&side.tokens))
         || side.tokens.windows(4).any(|of| {
             let [decimals, open, digits, close] = of else { return false };
             let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
@@ -300,10 +295,10 @@ fn has_uncertainty(side: &Side) -> bool {
         })
 }
 
-/// Whether a bracket of such a kind opens anywhere in these tokens.
-fn has_bracket(tokens: &[Token], such: &impl Fn(&[Token]) -> bool) -> bool {
-    (0..tokens.len())
-        .any(|at| such(&tokens[at..]) || tokens[at].inner().into_iter().any(|inner| has_bracket(inner, such)))
+/// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
+fn has_signed_bracket(tokens: &[Token]) -> bool {
+    solid(tokens).windows(2).any(|of| of[0].is('(') && of[1].is('±'))
+        || tokens.iter().any(|token| token.inner().into_iter().any(has_signed_bracket))
 }
 
 /// Whether the token at a place is one of these, or in braces that are no argument of what is not known.

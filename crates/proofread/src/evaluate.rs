@@ -261,13 +261,12 @@ impl<'b> Evaluator<'b> {
             if !token.is_one_of("+-") {
                 break;
             }
-            let sign = cursor.at;
+            // 20 % + 5 % are 25 %.
+            let behind_percent = |cursor: &Cursor<'_>| cursor.before().and_then(Token::word) == Some("%");
+            let percents = behind_percent(cursor);
             cursor.at += 1;
             let mut term = self.product(cursor)?;
-            // 20 % + 5 % are 25 %.
-            let percents =
-                cursor.tokens[..sign].iter().rev().find(|token| !token.is_space()).and_then(Token::word) == Some("%");
-            if !percents && term.literal == Literal::Number && cursor.before().and_then(Token::word) == Some("%") {
+            if !percents && term.literal == Literal::Number && behind_percent(cursor) {
                 self.noticed.note(Reading::PERCENT);
                 if self.chosen(Reading::PERCENT) {
                     term = sum.times(&Value { has_unit: false, ..term }, None, true)?;

@@ -69,8 +69,7 @@ impl Evaluator<'_> {
     fn argument(&mut self, of: Function, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
         if cursor.peek().is_some_and(|token| token.is_one_of("([{")) {
             let inner = cursor.group()?;
-            let value = self.whole(inner)?;
-            let mut value = value;
+            let mut value = self.whole(inner)?;
             let raised = cursor.here().is_some_and(|token| matches!(token.kind, Kind::Power(_)));
             if raised {
                 self.noticed.note(Reading::POWER_OUTSIDE);

@@ -311,13 +311,18 @@ fn with_braced_decimals(text: &str, side: &[Token]) -> Option<Vec<Token>> {
 
 /// Whether a bare number is divided by an angle, as a phasor may be written: 12/−30°.
 pub(crate) fn has_phasor(side: &[Token]) -> bool {
-    let plain: Vec<&Token> = side.iter().filter(|token| !token.is_space()).collect();
     let is_phasor = |of: &[&Token]| {
-        let angle = if of[2].is('-') { &of[3..] } else { &of[2..] };
-        let bare = of[0].number().is_some() && of[1].is('/');
-        bare && matches!(angle, [number, sign, ..] if number.number().is_some() && sign.word() == Some("°"))
+        let [bare, stroke, angle @ ..] = of else { return false };
+        let angle = match angle {
+            [minus, rest @ ..] if minus.is('-') => rest,
+            all => all,
+        };
+        bare.number().is_some()
+            && stroke.is('/')
+            && matches!(angle, [number, sign, ..] if number.number().is_some() && sign.word() == Some("°"))
     };
-    let here = (0..plain.len()).any(|at| plain[at..].len() >= 4 && is_phasor(&plain[at..(at + 5).min(plain.len())]));
+    let plain = solid(side);
+    let here = (0..plain.len()).any(|at| is_phasor(&plain[at..]));
     here || side.iter().any(|token| token.inner().into_iter().any(has_phasor))
 }
 
@@ -328,7 +333,7 @@ pub(crate) fn is_bracketed_number(side: &[Token]) -> bool {
 
 /// Whether a side adds or multiplies numbers in brackets of their own, which may be those of lines or equations: (4) + (5).
 pub(crate) fn are_references(side: &[Token]) -> bool {
-    let solid: Vec<&Token> = side.iter().filter(|token| !token.is_space()).collect();
+    let solid = solid(side);
     // (2) · 7 = 7, where (2) is a result.
     if let [open, number, close, sign, rest @ ..] = solid.as_slice()
         && !rest.iter().any(|token| token.is('('))
@@ -438,7 +443,7 @@ fn under_root(side: &[Token]) -> Option<Vec<Token>> {
 
 /// Whether exponents may have lost their place in running text: (6.38 × 106)2 for (6.38 × 10⁶)².
 pub(crate) fn has_lost_exponents(side: &[Token]) -> bool {
-    let solid: Vec<&Token> = side.iter().filter(|token| !token.is_space()).collect();
+    let solid = solid(side);
     solid.windows(2).any(|pair| {
         let touches = pair[0].span.end == pair[1].span.start;
         let digits = pair[1].number().unwrap_or_default();

@@ -1,5 +1,5 @@
-//! Numbers that went into a calculation with other digits than are printed: results from before with the digits that they had or that were printed then,
-//! constants of nature in full, and 3.14 for π.
+//! Numbers that went into a calculation with other digits than are printed: results from before with the digits that they had or
+//! that were printed then, constants of nature in full, and 3.14 for π.
 
 use crate::chain::{Relation, Side};
 use crate::printed::{self as digits, Mode};

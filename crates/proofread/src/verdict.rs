@@ -259,7 +259,7 @@ impl Pair<'_> {
         let fewer = |one: &Value, other: &Value| one.parts.pairs(&other.parts).all(|(a, b)| a.half() < b.half());
         // A quantity that is converted isn't rounded to tens before.
         if literal == [true, true] && points.iter().all(|point| point.has_unit) {
-            let [exact, _] = self.both(Mode::Strict, [false, false], reading)?;
+            let exact = self.value(0, Mode::Strict, reading, &mut Vec::new())?;
             if fewer(&exact, &strict[0]) {
                 (strict[0], lenient[0]) = (exact.clone(), exact);
             }

@@ -1,9 +1,12 @@
 //! Accepted cases: a file with a line of JSON for each, which people may edit and add reasons to.
 
 use crate::finding::Finding;
+use crate::reader::LONGEST;
 use serde_json::{Value, json};
 use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 /// The cases by file and fingerprint.
@@ -40,6 +43,15 @@ impl Baseline {
             cases.insert((plain(&file), of), case);
         }
         Ok(Self { cases, met: Cell::new(0) })
+    }
+
+    /// Whether the lines of a file are accepted cases, and no documents.
+    pub fn is_in(path: &Path) -> bool {
+        let mut line = Vec::new();
+        let read =
+            File::open(path).and_then(|file| BufReader::new(file).take(LONGEST as u64).read_until(b'\n', &mut line));
+        let first: Option<Value> = read.ok().and_then(|_| serde_json::from_slice(&line).ok());
+        first.is_some_and(|first| first["case"].is_string() && first["file"].is_string() && first["text"].is_null())
     }
 
     /// Whether a finding is accepted.

@@ -1,6 +1,7 @@
 //! The documents that were asked for: files, folders, standard input, and lines of JSON.
 
 use super::arguments::Input;
+use super::baseline::Baseline;
 use crate::reader::{Format, LONGEST};
 use serde_json::Value;
 use std::fs::File;
@@ -102,22 +103,13 @@ fn folder(path: &Path, input: Option<Input>, depth: usize, out: &mut Vec<Result<
         } else if kind.is_file() {
             // Whatever the input is said to be, only files whose name tells a text are taken from a folder.
             if let Some(found) =
-                file(&entry.path(), None).filter(|found| found.format.is_some() || !has_cases(&entry.path()))
+                file(&entry.path(), None).filter(|found| found.format.is_some() || !Baseline::is_in(&entry.path()))
             {
                 let format = input.map_or(found.format, Input::format);
                 out.push(Ok(Source { format, ..found }));
             }
         }
     }
-}
-
-/// Whether the lines of a file are accepted cases, and no documents.
-fn has_cases(path: &Path) -> bool {
-    let Ok(file) = File::open(path) else { return false };
-    let mut line = Vec::new();
-    let read = BufReader::new(file).take(LONGEST as u64).read_until(b'\n', &mut line);
-    let first: Option<Value> = read.ok().and_then(|_| serde_json::from_slice(&line).ok());
-    first.is_some_and(|first| first["case"].is_string() && first["file"].is_string() && first["text"].is_null())
 }
 
 /// Hands over the documents of a source.

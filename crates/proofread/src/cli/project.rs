@@ -125,10 +125,10 @@ impl Project {
         let file = file.canonicalize().ok()?;
         let top = self.tops.get(&file)?.clone();
         let contents = self.read(&file)?;
-        let said = contents.main.as_deref().and_then(|main| find(main, [folder_of(&file), None], &top));
+        let said = contents.main.as_deref().and_then(|main| find(main, [file.parent(), None], &top));
         let said = said.filter(|main| *main != file);
         let mains = self.mains.get(&file).into_iter().flatten().filter(|main| **main != file).take(MOST_MAINS).cloned();
-        let folder = folder_of(&file);
+        let folder = file.parent();
         let included = said.is_none();
         let mut roots: Vec<Root> = match said {
             Some(main) => vec![(main, true)],
@@ -152,7 +152,7 @@ impl Project {
             let mut one = Gathered::default();
             // What one of several documents reads has no bearing on the other ones.
             let into = if is_main && at > 0 { &mut one } else { &mut out };
-            let main = if is_main { folder_of(root) } else { folder };
+            let main = if is_main { root.parent() } else { folder };
             self.gather(root, (main, &top), *early, into);
             if is_main && at > 0 {
                 out.take_part(&one.definitions);
@@ -171,7 +171,7 @@ impl Project {
             return;
         }
         let mut out = Gathered::default();
-        self.visit(file, (folder_of(file), top), true, DEEPEST, &mut out, &mut |_, _, _| {});
+        self.visit(file, (file.parent(), top), true, DEEPEST, &mut out, &mut |_, _, _| {});
         for part in out.seen {
             self.mains.entry(part).or_default().insert(file.to_owned());
         }
@@ -202,7 +202,7 @@ impl Project {
         for (is_early, definitions) in [(true, &contents.preamble), (false, &contents.body)] {
             for of in contents.inclusions.iter().filter(|of| of.early == is_early) {
                 // LaTeX looks beside the main document; some packages look beside the file.
-                if let Some(other) = find(&of.name, [main, folder_of(file)], top) {
+                if let Some(other) = find(&of.name, [main, file.parent()], top) {
                     self.visit(&other, (main, top), early && is_early, depth - 1, out, take);
                 }
             }
@@ -222,10 +222,6 @@ impl Project {
         self.files.insert(file.to_owned(), contents.clone());
         contents
     }
-}
-
-fn folder_of(file: &Path) -> Option<&Path> {
-    file.parent()
 }
 
 fn is(file: &Path, extension: &str) -> bool {

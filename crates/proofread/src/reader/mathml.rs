@@ -114,7 +114,7 @@ fn into(of: &Element, out: &mut Vec<Token>) {
 }
 
 fn begins_with(tokens: &[Token], signs: &str) -> bool {
-    tokens.iter().find(|token| !token.is_space()).is_some_and(|first| first.is_one_of(signs))
+    trimmed(tokens).first().is_some_and(|first| first.is_one_of(signs))
 }
 
 /// Whether a table is a column whose cells are parted by lines, which stand for strokes of fractions.
