@@ -10,21 +10,26 @@ use toml::Table;
 
 /// Which crates of the workspace each crate may use.
 const MAY_USE: &[(&str, &[&str])] = &[
+    ("host", &[]),
     ("kinematics", &[]),
     ("dynamics", &["kinematics", "mimic"]),
     ("mimic", &[]),
     ("case1973", &["kinematics", "dynamics", "mimic"]),
     ("ledger", &["kinematics", "dynamics", "mimic", "case1973"]),
     ("figures", &["kinematics", "dynamics", "mimic", "case1973"]),
-    ("proofread", &[]),
+    ("proofread", &["host"]),
     ("workshop", &["kinematics"]),
     ("ask", &["kinematics", "dynamics", "figures", "workshop"]),
     ("live", &["kinematics", "dynamics", "mimic", "case1973", "figures", "ask"]),
-    ("press", &["kinematics", "mimic", "case1973", "ledger", "figures", "ask", "live", "proofread", "proofread-page"]),
+    (
+        "press",
+        &["host", "kinematics", "mimic", "case1973", "ledger", "figures", "ask", "live", "proofread", "proofread-page"],
+    ),
     ("proofread-page", &["proofread"]),
     (
         "geneva",
         &[
+            "host",
             "kinematics",
             "dynamics",
             "mimic",
