@@ -1,10 +1,12 @@
 //! The claims and exceptions on each line of a source, the comparison with a copy, and the inventory file for a copy.
 
+use crate::input::MOST_BYTES;
 use crate::output::{Outcome, count, heading, wrapped};
 use crate::printable::shown_path;
-use crate::{input, typed};
-use anyhow::bail;
+use crate::typed;
+use anyhow::{Error, bail};
 use clap::Args;
+use geneva_host::files;
 use geneva_ledger::{Entry, Line, Work, listed, numeric_tokens};
 use std::path::{Path, PathBuf};
 
@@ -71,7 +73,8 @@ fn inventory(work: Work, lines: &[Line]) -> String {
 
 /// The copy of a source that an option names.
 fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
-    let bytes = input::file(file, &format!("{option} a text file with your copy of {work}"))?;
+    let wanted = format!("{option} a text file with your copy of {work}");
+    let bytes = files::read(file, MOST_BYTES, &wanted).map_err(Error::msg)?;
     // Digits are the same in every encoding that a copy is likely to have.
     let text = String::from_utf8_lossy(&bytes).into_owned();
     if let Some((at, _)) = text.lines().enumerate().find(|(_, line)| line.len() > LONGEST_LINE) {

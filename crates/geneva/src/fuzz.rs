@@ -3,12 +3,12 @@
 //! The options come from the parser itself, so a new one is tried without being named here. `GENEVA_FUZZ` says how many
 //! lines are tried, and `GENEVA_FUZZ_SEED` which.
 
-use crate::printable::is_obeyed;
 use crate::{Arguments, Command};
 use crate::{claims, completions, coverage, errata, escapement, mimic, quick_return, sweep, wheel};
 use anstream::adapter::strip_str;
 use clap::CommandFactory;
 use fastrand::Rng;
+use geneva_host::printable::is_obeyed;
 use geneva_ledger::Work;
 use geneva_mimic::language::DECKS;
 use std::ffi::OsString;

@@ -3,9 +3,12 @@
 //! A folder may be by somebody else. git obeys the configuration of the repository that it takes a folder for, and much
 //! of a configuration names programs: a monitor of the file system, filters, a signature's checker. A folder that only
 //! looks like a bare repository can even be committed to an honest one and comes along with its clone. So every call of
-//! git is made by [`Repository::ask`], for a repository that was found by its `.git`.
+//! git is made by [`Repository::ask`], for a repository that was found by its `.git`. What is asked here reads the objects of the
+//! repository alone: neither the index nor the work tree, on which filters and drivers run.
 
+use crate::printable::{in_words, shown, shown_path};
 use std::ffi::OsStr;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -20,16 +23,27 @@ const SETTINGS: [&str; 7] = [
     "submodule.recurse=false",
 ];
 
-/// Variables that would lead git to another repository than the one that is asked.
-const MISLEADING: [&str; 7] = [
+/// Variables that would lead git to another repository, or to other objects, than those that are asked for.
+const MISLEADING: [&str; 13] = [
     "GIT_DIR",
     "GIT_WORK_TREE",
     "GIT_COMMON_DIR",
     "GIT_INDEX_FILE",
     "GIT_NAMESPACE",
+    "GIT_PREFIX",
+    "GIT_OBJECT_DIRECTORY",
+    "GIT_ALTERNATE_OBJECT_DIRECTORIES",
+    "GIT_GRAFT_FILE",
+    "GIT_SHALLOW_FILE",
+    "GIT_ATTR_SOURCE",
     "GIT_EXTERNAL_DIFF",
-    "GIT_CEILING_DIRECTORIES",
+    "GIT_DISCOVERY_ACROSS_FILESYSTEM",
 ];
+
+/// Most bytes of an answer.
+const MOST_ANSWERED: u64 = 256 << 20;
+/// Most bytes that are kept of what git says of a failure.
+const MOST_SAID: u64 = 4096;
 
 /// A repository of git with a work tree.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,7 +63,7 @@ impl Repository {
     /// None if there is no such folder or the path leads nowhere.
     pub fn around(path: &Path) -> Option<Self> {
         let path = std::fs::canonicalize(path).ok()?;
-        let top = path.ancestors().find(|folder| std::fs::symlink_metadata(folder.join(".git")).is_ok())?;
+        let top = path.ancestors().find(|folder| is_repository(&folder.join(".git")))?;
         Some(Self { top: top.to_owned() })
     }
 
@@ -75,30 +89,42 @@ impl Repository {
         // Neither a lock nor a visit to another machine, and the words of git as everybody knows them.
         git.env("GIT_OPTIONAL_LOCKS", "0").env("GIT_NO_LAZY_FETCH", "1").env("GIT_ALLOW_PROTOCOL", "none");
         git.env("GIT_TERMINAL_PROMPT", "0").env("LC_ALL", "C");
-        git.arg("-C").arg(&self.top).args(arguments).stdin(Stdio::null());
-        let output = git.output().map_err(|why| format!("git cannot be started: {why}"))?;
-        if output.status.success() {
-            return Ok(output.stdout);
+        // If what is at the top is no repository after all, git must not take one above it.
+        git.env("GIT_CEILING_DIRECTORIES", self.top.parent().unwrap_or(&self.top));
+        git.arg("-C").arg(&self.top).args(arguments);
+        let told = |why: &dyn std::fmt::Display| format!("git in {}: {why}", shown_path(&self.top));
+        match answer(git) {
+            Err(why) => Err(format!("git cannot be started: {}", in_words(&why))),
+            Ok(Answer { whole: false, .. }) => {
+                Err(told(&format!("its answer is longer than {} MiB, the most that is read", MOST_ANSWERED >> 20)))
+            }
+            Ok(Answer { succeeded: true, said, .. }) => Ok(said),
+            Ok(Answer { complaint, .. }) => {
+                let complaint = String::from_utf8_lossy(&complaint);
+                let first = complaint.lines().find(|line| !line.trim().is_empty());
+                Err(told(&first.unwrap_or("it failed without a word")))
+            }
         }
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        let first = said.lines().find(|line| !line.trim().is_empty()).unwrap_or("it failed without a word");
-        Err(format!("git in {}: {first}", self.top.display()))
     }
 
     /// The full name of the commit that a revision stands for, in any form that git knows; none if git knows no such commit.
     ///
     /// # Errors
     ///
-    /// git cannot be started.
+    /// git cannot be started, or refuses the repository.
     pub fn commit(&self, revision: &str) -> Result<Option<String>, String> {
-        self.ask(["--version"])?;
+        self.ask(["rev-parse", "--git-dir"])?;
+        // An option is no revision. Not every git knows the words that say so here (`--end-of-options`).
+        let is_option = revision.starts_with('-');
         let resolved = |revision: &str| {
-            let answer = self.ask(["rev-parse", "--verify", "--quiet", "--end-of-options", revision]).ok()?;
-            let name = String::from_utf8(answer).ok()?.trim_end().to_owned();
+            let answer = self.ask(["rev-parse", "--verify", "--quiet", revision]).ok()?;
+            let name = String::from_utf8(answer).ok()?;
             // A negated revision (`^HEAD`) is a range, not a commit.
-            (!name.is_empty() && name.bytes().all(|digit| digit.is_ascii_hexdigit())).then_some(name)
+            name.strip_suffix('\n').filter(|name| is_name(name)).map(str::to_owned)
         };
-        Ok(resolved(revision).and_then(|object| resolved(&format!("{object}^{{commit}}"))))
+        let object = if is_option { None } else { resolved(revision) };
+        // In two steps, since whatever stands behind `:/` is text that is looked for.
+        Ok(object.and_then(|object| resolved(&format!("{object}^{{commit}}"))))
     }
 
     /// The regular files of a commit (its full name) with their paths below the top, in bytes as git keeps them.
@@ -107,7 +133,7 @@ impl Repository {
     ///
     /// git cannot be started or fails.
     pub fn files(&self, commit: &str) -> Result<Vec<(PathBuf, Blob)>, String> {
-        let listed = self.ask(["ls-tree", "-r", "-z", "--full-tree", "--end-of-options", commit])?;
+        let listed = self.ask(["ls-tree", "-r", "-z", "--full-tree", named(commit)?])?;
         let entry = |line: &[u8]| {
             let tab = line.iter().position(|byte| *byte == b'\t')?;
             let (about, name) = line.split_at(tab);
@@ -127,8 +153,63 @@ impl Repository {
     ///
     /// git cannot be started or fails.
     pub fn content(&self, blob: &Blob) -> Result<Vec<u8>, String> {
-        self.ask(["cat-file", "blob", &blob.id])
+        self.ask(["cat-file", "blob", named(&blob.id)?])
     }
+}
+
+/// Whether git takes this `.git` for a repository, or refuses it; it looks further above if it is neither.
+fn is_repository(git: &Path) -> bool {
+    let has = |name: &str| git.join(name).exists();
+    match std::fs::metadata(git) {
+        Ok(there) if there.is_dir() => has("HEAD") && ((has("objects") && has("refs")) || has("commondir")),
+        Ok(there) => there.is_file(),
+        Err(_) => false,
+    }
+}
+
+/// Whether this is the full name of an object.
+fn is_name(name: &str) -> bool {
+    matches!(name.len(), 40 | 64) && name.bytes().all(|digit| digit.is_ascii_hexdigit())
+}
+
+fn named(name: &str) -> Result<&str, String> {
+    if is_name(name) { Ok(name) } else { Err(format!("`{}` is no full name of an object of git", shown(name))) }
+}
+
+/// What git answered.
+struct Answer {
+    succeeded: bool,
+    /// Whether the answer is shorter than the bound.
+    whole: bool,
+    said: Vec<u8>,
+    complaint: Vec<u8>,
+}
+
+/// Runs git, and reads no more than the bounds.
+fn answer(mut git: Command) -> io::Result<Answer> {
+    let mut child = git.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
+    let (out, errors) = (child.stdout.take(), child.stderr.take());
+    let complain = move || -> io::Result<Vec<u8>> {
+        let mut kept = Vec::new();
+        if let Some(mut errors) = errors {
+            errors.by_ref().take(MOST_SAID).read_to_end(&mut kept)?;
+            io::copy(&mut errors, &mut io::sink())?;
+        }
+        Ok(kept)
+    };
+    // What is said on the one stream must not wait for the other to be read.
+    let complaints = std::thread::spawn(complain);
+    let mut said = Vec::new();
+    let read = out.map_or(Ok(0), |out| out.take(MOST_ANSWERED + 1).read_to_end(&mut said));
+    let whole = said.len() as u64 <= MOST_ANSWERED;
+    if !whole || read.is_err() {
+        // It may have ended by itself.
+        let _ = child.kill();
+    }
+    let ended = child.wait()?;
+    let complaint = complaints.join().unwrap_or_else(|_| Ok(Vec::new()));
+    read?;
+    Ok(Answer { succeeded: ended.success(), whole, said, complaint: complaint? })
 }
 
 /// A path out of the bytes that git has for it.
@@ -143,3 +224,6 @@ fn path_of(bytes: &[u8]) -> PathBuf {
         std::ffi::OsString::from(String::from_utf8_lossy(bytes).into_owned()).into()
     }
 }
+
+#[cfg(test)]
+mod attacked;

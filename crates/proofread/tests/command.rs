@@ -212,7 +212,7 @@ fn wrong_input_is_told_and_the_rest_is_read() {
     let binary = folder.path().join("b.txt");
     fs::write(&binary, [0u8, 1, 2]).expect("written");
     for (path, words) in
-        [("nowhere.md", "nowhere.md"), ("a.pdf", "say --input"), (binary.to_str().expect("UTF-8"), "zero bytes")]
+        [("nowhere.md", "nowhere.md"), ("src", "in this folder"), (binary.to_str().expect("UTF-8"), "zero bytes")]
     {
         let (code, _, told) = run(&[path]);
         assert_eq!(code, 2);
@@ -229,4 +229,89 @@ fn nothing_that_a_terminal_obeys_is_printed() {
     cli::run(&arguments(&["proofread", file.to_str().expect("UTF-8")]), &mut kept);
     let obeyed = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
     assert!(!kept.out.contains(obeyed) && kept.out.contains("printed 5, recomputed 4"), "{:?}", kept.out);
+}
+
+#[test]
+fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
+    let (folder, file) = folder();
+    fs::create_dir(folder.path().join("chapters")).expect("made");
+    fs::write(folder.path().join("a.pdf"), "").expect("written");
+    let at = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let wanted = "give a text file or a folder of them, or - for standard input";
+    for (given, words) in [
+        (
+            at("chapers"),
+            format!("{}: No such file or directory; the nearest name is {}; {wanted}", at("chapers"), at("chapters")),
+        ),
+        (at("nofile.md"), format!("cannot read {}: No such file or directory; {wanted}", at("nofile.md"))),
+        (format!("{file}/"), format!("{file}/ is no folder; give the file as {file}")),
+        (
+            at("a.pdf"),
+            "a.pdf: the name tells no format (md, tex, xml, cnxml, ptx, html, ipynb, txt or jsonl); say --input"
+                .to_owned(),
+        ),
+        (at("chapters"), "no file in this folder has a name that tells a format".to_owned()),
+        ("/dev/full.md\u{202e}".to_owned(), "/dev/full.md\\u{202e}".to_owned()),
+    ] {
+        let (code, _, told) = run(&[&given]);
+        assert!(code == 2 && told.contains(&words), "{words}\nis not in\n{told}");
+    }
+    // What is right beside it is read all the same.
+    let (code, out, _) = run(&[&at("nofile.md"), &file]);
+    assert!(code == 2 && out.contains("2 findings:"), "{out}");
+}
+
+#[test]
+fn accepted_cases_are_written_whole_or_not_at_all() {
+    let (folder, file) = folder();
+    let at = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let (code, _, told) = run(&["--accept", &at("none/x"), &file]);
+    let words = format!(
+        "cannot write {}: No such file or directory; give another --accept, in a folder that exists",
+        at("none/x")
+    );
+    assert!(code == 2 && told.contains(&words), "{told}");
+    let (code, _, told) = run(&["--baseline", &at("none"), &file]);
+    assert!(code == 2 && told.contains("give a file that --accept wrote"), "{told}");
+    #[cfg(unix)]
+    for option in ["--accept", "--baseline"] {
+        let (code, _, told) = run(&[option, "/dev/full", &file]);
+        assert!(code == 2 && told.contains("/dev/full is a pipe or a device, not a regular file"), "{told}");
+    }
+    // A run that ends before its end leaves what was there.
+    let cases = at("cases.jsonl");
+    fs::write(&cases, "no case\n").expect("written");
+    assert_eq!(run(&["--accept", &cases, &file]).0, 2);
+    assert_eq!(fs::read_to_string(&cases).expect("readable"), "no case\n");
+    assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 2);
+}
+
+#[test]
+fn a_report_for_code_review_names_files_below_the_repository() {
+    let uris = |line: &[&str]| -> Vec<String> {
+        let (_, out, told) = run(&[&["--format", "sarif"], line].concat());
+        let whole: Value = serde_json::from_str(&out).unwrap_or_else(|why| panic!("{why}: {out}{told}"));
+        let results = whole["runs"][0]["results"].as_array().expect("results");
+        let uri = |of: &Value| of["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].clone();
+        results.iter().map(|of| uri(of).as_str().expect("a string").to_owned()).collect()
+    };
+    let (folder, _) = folder();
+    let inside = folder.path().join("a folder");
+    fs::create_dir(&inside).expect("made");
+    let file = inside.join("b:c.md");
+    fs::write(&file, "$2 + 2 = 5$").expect("written");
+    let file = file.to_str().expect("UTF-8");
+    if git(folder.path(), &["init", "-q"]) {
+        assert_eq!(uris(&[file]), ["a%20folder/b%3Ac.md"]);
+    }
+    let lines = folder.path().join("all.jsonl");
+    let ids = ["//evil.example/x", "../../../etc/passwd", "", "http://a.example", "a/./b c", "\u{202e}"];
+    let line = |id: &&str| format!("{}\n", serde_json::json!({ "id": id, "text": "$2 + 2 = 5$" }));
+    fs::write(&lines, ids.iter().map(line).collect::<String>()).expect("written");
+    let expected =
+        ["./evil.example/x", "./__/__/__/etc/passwd", "./line%203", "./http%3A/a.example", "./a/b%20c", "./%E2%80%AE"];
+    assert_eq!(uris(&[lines.to_str().expect("UTF-8")]), expected);
+    // A name that a terminal would obey is told in words.
+    let (_, out, _) = run(&[lines.to_str().expect("UTF-8")]);
+    assert!(out.contains("--> \\u{202e}:1:") && !out.contains('\u{202e}'), "{out}");
 }

@@ -18,6 +18,8 @@ mod plain;
 mod readings;
 mod remarks;
 mod running;
+#[cfg(feature = "cli")]
+mod since;
 mod units;
 mod unrounded;
 mod unusual;

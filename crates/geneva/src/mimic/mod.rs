@@ -4,15 +4,16 @@ mod listed;
 mod report;
 
 use crate::destination::apart_from;
-use crate::input::{self, STANDARD_INPUT};
+use crate::input::{MOST_BYTES, STANDARD_INPUT};
 use crate::output::count;
 use crate::printable::{shown, shown_path};
 use crate::progress;
 use crate::threads::Threads;
 use crate::typed::{self, Format, Output, as_typed, formats};
-use anyhow::{anyhow, bail, ensure};
+use anyhow::{Error, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_case1973::Hypothesis;
+use geneva_host::files;
 use geneva_ledger::meyer::runs::table::rows;
 use geneva_mimic::language::{
     Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
@@ -266,12 +267,15 @@ fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
 /// The text of a file, or of standard input, and what that is called. A byte order mark is no part of it.
 fn text_of(path: &Path) -> anyhow::Result<(String, String)> {
     let (name, bytes) = if path == Path::new(STANDARD_INPUT) {
-        ("standard input".to_owned(), input::standard_input()?)
+        let name = "standard input".to_owned();
+        let read = files::read_stream(std::io::stdin().lock(), &name, MOST_BYTES);
+        (name, read.map_err(Error::msg)?)
     } else {
         let wanted = format!("a text file, or {STANDARD_INPUT} for standard input");
-        (shown_path(path), input::file(path, &wanted)?)
+        (shown_path(path), files::read(path, MOST_BYTES, &wanted).map_err(Error::msg)?)
     };
-    let text = input::text(&name, bytes)?;
+    let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name} is not text in UTF-8; give cards in UTF-8"))?;
+    let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
     Ok((name, text))
 }
 

@@ -2,10 +2,11 @@
 
 use crate::finding::Finding;
 use crate::reader::LONGEST;
+use geneva_host::files::{self, NewFile};
+use geneva_host::printable::shown_path;
 use serde_json::{Value, json};
 use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
@@ -31,8 +32,9 @@ fn plain(file: &str) -> String {
 impl Baseline {
     /// Reads the file.
     pub fn read(path: &Path) -> Result<Self, String> {
-        let wrong = |why: String| format!("{}: {why}", path.display());
-        let text = std::fs::read_to_string(path).map_err(|why| wrong(why.to_string()))?;
+        let wrong = |why: String| format!("{}: {why}; give a file that --accept wrote", shown_path(path));
+        let bytes = files::read(path, LONGEST as u64, "a file that --accept wrote")?;
+        let text = String::from_utf8(bytes).map_err(|_| wrong("this is not text in UTF-8".to_owned()))?;
         let mut cases = BTreeMap::new();
         for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
             let case: Value = serde_json::from_str(line).map_err(|why| wrong(format!("line {}: {why}", number + 1)))?;
@@ -48,8 +50,8 @@ impl Baseline {
     /// Whether the lines of a file are accepted cases, and no documents.
     pub fn is_in(path: &Path) -> bool {
         let mut line = Vec::new();
-        let read =
-            File::open(path).and_then(|file| BufReader::new(file).take(LONGEST as u64).read_until(b'\n', &mut line));
+        let Ok(file) = files::open(path, "a file") else { return false };
+        let read = BufReader::new(file).take(LONGEST as u64).read_until(b'\n', &mut line);
         let first: Option<Value> = read.ok().and_then(|_| serde_json::from_slice(&line).ok());
         first.is_some_and(|first| first["case"].is_string() && first["file"].is_string() && first["text"].is_null())
     }
@@ -75,9 +77,11 @@ impl Baseline {
         self.met.get()
     }
 
-    /// Writes the file.
-    pub fn write(&self, path: &Path) -> Result<(), String> {
-        let text: String = self.cases.values().map(|case| format!("{case}\n")).collect();
-        std::fs::write(path, text).map_err(|why| format!("{}: {why}", path.display()))
+    /// Writes the cases, and puts the file in its place.
+    pub fn write(&self, mut file: NewFile) -> Result<(), String> {
+        for case in self.cases.values() {
+            file.add(format!("{case}\n").as_bytes())?;
+        }
+        file.finish().map(drop)
     }
 }

@@ -3,10 +3,17 @@
 use super::arguments::Input;
 use super::baseline::Baseline;
 use crate::reader::{Format, LONGEST};
+use geneva_host::files;
+use geneva_host::printable::{in_words, shown, shown_path};
 use serde_json::Value;
-use std::fs::File;
+use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
+
+/// The name that stands for standard input.
+pub(crate) const STANDARD_INPUT: &str = "-";
+/// What can be read, for errors.
+const WANTED: &str = "a text file or a folder of them, or - for standard input";
 
 /// A text and its name.
 pub(crate) struct Document {
@@ -15,6 +22,8 @@ pub(crate) struct Document {
     pub format: Format,
     /// The file, if it is one.
     pub path: Option<PathBuf>,
+    /// The argument that named the file, or the folder in which it was found.
+    pub argument: Option<PathBuf>,
 }
 
 /// Where documents come from.
@@ -49,7 +58,7 @@ const DEEPEST: usize = 64;
 pub(crate) fn sources(paths: &[PathBuf], input: Option<Input>) -> Result<Vec<Result<Source, String>>, String> {
     let mut out = Vec::new();
     for path in paths {
-        if path.as_os_str() == "-" {
+        if path.as_os_str() == STANDARD_INPUT {
             let format = input.map_or(Some(Format::Markdown), Input::format);
             out.push(Ok(Source { path: None, format, folder: None }));
         } else if path.is_dir() {
@@ -59,16 +68,53 @@ pub(crate) fn sources(paths: &[PathBuf], input: Option<Input>) -> Result<Vec<Res
                 found.folder = Some(path.clone());
             }
             if out.len() == before {
-                return Err(format!("{}: no file here whose name tells a format that is read", path.display()));
+                return Err(format!(
+                    "{}: no file in this folder has a name that tells a format ({KNOWN}); give files, and say --input",
+                    shown_path(path)
+                ));
             }
+        } else if let Some(why) = missing(path) {
+            out.push(Err(why));
         } else {
-            out.push(file(path, input).ok_or_else(|| {
-                let known = "md, tex, xml, cnxml, ptx, html, ipynb, txt or jsonl";
-                format!("{}: the name tells no format ({known}); say --input", path.display())
-            }));
+            out.push(
+                file(path, input)
+                    .ok_or_else(|| format!("{}: the name tells no format ({KNOWN}); say --input", shown_path(path))),
+            );
         }
     }
     Ok(out)
+}
+
+/// Endings of names that tell a format, for errors.
+const KNOWN: &str = "md, tex, xml, cnxml, ptx, html, ipynb, txt or jsonl";
+
+/// Why a path leads nowhere, with the name beside it that was probably meant.
+fn missing(path: &Path) -> Option<String> {
+    let why = fs::metadata(path).err()?;
+    let name = shown_path(path);
+    let text = path.to_string_lossy();
+    let bare = text.trim_end_matches(std::path::is_separator);
+    if bare.len() < text.len() && Path::new(bare).is_file() {
+        return Some(format!("{name} is no folder; give the file as {}", shown_path(Path::new(bare))));
+    }
+    let nearest = nearest(path).map(|near| format!("; the nearest name is {}", shown_path(&near)));
+    Some(format!("cannot read {name}: {}{}; give {WANTED}", in_words(&why), nearest.unwrap_or_default()))
+}
+
+/// The path whose last name is nearest to that of a path which leads nowhere.
+fn nearest(path: &Path) -> Option<PathBuf> {
+    const MOST_COMPARED: usize = 10_000;
+    let wanted = path.file_name()?.to_string_lossy();
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let entries = fs::read_dir(folder.unwrap_or(Path::new("."))).ok()?.filter_map(Result::ok).take(MOST_COMPARED);
+    let name = |entry: fs::DirEntry| entry.file_name();
+    let near = entries.map(name).filter_map(|name| {
+        let distance = strsim::damerau_levenshtein(&wanted, &name.to_string_lossy());
+        // A third of the letters: another name is no slip.
+        (3 * distance <= wanted.chars().count()).then_some((distance, name))
+    });
+    let (_, name) = near.min()?;
+    Some(folder.map_or_else(|| PathBuf::from(&name), |folder| folder.join(&name)))
 }
 
 fn file(path: &Path, input: Option<Input>) -> Option<Source> {
@@ -83,15 +129,15 @@ fn file(path: &Path, input: Option<Input>) -> Option<Source> {
 }
 
 fn folder(path: &Path, input: Option<Input>, depth: usize, out: &mut Vec<Result<Source, String>>) {
-    let entries = match std::fs::read_dir(path) {
+    let entries = match fs::read_dir(path) {
         Ok(entries) => entries,
         Err(why) => {
-            out.push(Err(format!("{}: {why}", path.display())));
+            out.push(Err(format!("cannot read {}: {}; give another folder", shown_path(path), in_words(&why))));
             return;
         }
     };
     let mut entries: Vec<_> = entries.filter_map(Result::ok).collect();
-    entries.sort_by_key(std::fs::DirEntry::file_name);
+    entries.sort_by_key(fs::DirEntry::file_name);
     for entry in entries {
         let name = entry.file_name().to_string_lossy().into_owned();
         let Ok(kind) = entry.file_type() else { continue };
@@ -117,35 +163,35 @@ pub(crate) fn each(
     source: &Source,
     take: &mut dyn FnMut(Result<Document, String>) -> Result<(), String>,
 ) -> Result<(), String> {
-    let name = source.path.as_ref().map_or("standard input".to_owned(), |path| path.display().to_string());
-    let stream: Box<dyn Read> = match &source.path {
-        None => Box::new(std::io::stdin()),
-        Some(path) => match File::open(path) {
-            Ok(file) => Box::new(file),
-            Err(why) => return take(Err(format!("{name}: {why}"))),
+    let (stream, name): (Box<dyn Read>, String) = match &source.path {
+        None => (Box::new(std::io::stdin()), "standard input".to_owned()),
+        Some(path) => match files::open(path, WANTED) {
+            Ok(file) => (Box::new(file), path.display().to_string()),
+            Err(why) => return take(Err(why)),
         },
     };
-    match source.format {
-        Some(format) => {
-            let text = whole(stream).map_err(|why| format!("{name}: {why}"));
-            take(text.map(|text| Document { name, text, format, path: source.path.clone() }))
-        }
-        None => lines(&name, BufReader::new(stream), take),
-    }
+    let is_stream = source.path.is_none();
+    let Some(format) = source.format else {
+        return lines(&name, is_stream, BufReader::new(stream), take);
+    };
+    let bytes = files::read_stream(stream, &shown(&name), LONGEST as u64);
+    let text = bytes.and_then(|bytes| match bytes.is_empty() && is_stream {
+        // Whatever was to write a text into it has failed, or was never started.
+        true => Err(EMPTY.to_owned()),
+        false => decoded(bytes).map_err(|why| format!("{}: {why}", shown(&name))),
+    });
+    let argument = source.folder.clone().or_else(|| source.path.clone());
+    take(text.map(|text| Document { name, text, format, path: source.path.clone(), argument }))
 }
 
-fn whole(stream: impl Read) -> Result<String, String> {
-    let mut bytes = Vec::new();
-    stream.take(LONGEST as u64 + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
-    if bytes.len() > LONGEST {
-        return Err(crate::reader::Unreadable::TooLong.to_string());
-    }
-    text(bytes)
-}
+/// What is told if nothing at all comes from standard input.
+const EMPTY: &str =
+    "standard input is closed or empty, so there is no text to check; pipe a text into it, or give files";
 
-pub(crate) fn text(bytes: Vec<u8>) -> Result<String, String> {
+/// Bytes as text.
+pub(crate) fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.iter().take(4096).any(|byte| *byte == 0) {
-        return Err("this is not text: it has zero bytes".to_owned());
+        return Err("this is not text: it has zero bytes; give a text file".to_owned());
     }
     // An old file in another encoding is read all the same; only its letters with accents are lost.
     Ok(String::from_utf8(bytes).unwrap_or_else(|wrong| String::from_utf8_lossy(wrong.as_bytes()).into_owned()))
@@ -153,6 +199,7 @@ pub(crate) fn text(bytes: Vec<u8>) -> Result<String, String> {
 
 fn lines(
     name: &str,
+    is_stream: bool,
     mut stream: impl BufRead,
     take: &mut dyn FnMut(Result<Document, String>) -> Result<(), String>,
 ) -> Result<(), String> {
@@ -161,16 +208,17 @@ fn lines(
         let mut bytes = Vec::new();
         let limit = LONGEST as u64 * 2;
         match stream.by_ref().take(limit).read_until(b'\n', &mut bytes) {
+            Ok(0) if number == 0 && is_stream => return take(Err(EMPTY.to_owned())),
             Ok(0) => return Ok(()),
             Ok(_) => {}
-            Err(why) => return take(Err(format!("{name}: {why}"))),
+            Err(why) => return take(Err(format!("cannot read {}: {}", shown(name), in_words(&why)))),
         }
         number += 1;
         if bytes.trim_ascii().is_empty() {
             continue;
         }
-        let wrong = |why: String| format!("{name}:{number}: {why}");
-        take(text(bytes).and_then(|line| record(&line, number)).map_err(wrong))?;
+        let wrong = |why: String| format!("{}:{number}: {why}", shown_path(Path::new(name)));
+        take(decoded(bytes).and_then(|line| record(&line, number)).map_err(wrong))?;
     }
 }
 
@@ -179,7 +227,7 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
     let value: Value = serde_json::from_str(line).map_err(|why| format!("this is not a JSON object: {why}"))?;
     let text = value["text"].as_str().ok_or("the object needs `text`, a string")?.to_owned();
     let name = match &value["id"] {
-        Value::String(id) => id.clone(),
+        Value::String(id) if !id.is_empty() => id.clone(),
         Value::Number(id) => id.to_string(),
         _ => format!("line {number}"),
     };
@@ -187,9 +235,9 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
         Value::Null => Format::Markdown,
         Value::String(format) => Format::named(format).or_else(|| Format::of_extension(format)).ok_or_else(|| {
             let known: Vec<&str> = Format::ALL.iter().map(|(name, _)| *name).collect();
-            format!("the format `{format}` is not known; it is one of {}", known.join(", "))
+            format!("the format `{}` is not known; it is one of {}", shown(format), known.join(", "))
         })?,
         _ => return Err("`format` must be a string".to_owned()),
     };
-    Ok(Document { name, text, format, path: None })
+    Ok(Document { name, text, format, path: None, argument: None })
 }

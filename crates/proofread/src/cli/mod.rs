@@ -19,8 +19,12 @@ use crate::reader::{Definitions, Format};
 use arguments::Written;
 use baseline::Baseline;
 use documents::{Document, Source};
+use geneva_host::files::{NewFile, OutputOption};
+use geneva_host::printable::shown_path;
 use output::Outcome;
 use project::Project;
+use since::{Earlier, Since};
+use std::path::Path;
 
 /// What a document gave, ready to be written.
 struct Checked<'d> {
@@ -45,6 +49,8 @@ struct Run<'a> {
     arguments: &'a Arguments,
     streams: &'a mut dyn Streams,
     baseline: Baseline,
+    /// The file that the accepted cases are written to.
+    accepted: Option<NewFile>,
     writer: Box<dyn Writer>,
     project: Project,
     sum: Tally,
@@ -79,6 +85,8 @@ impl<'a> Run<'a> {
             (None, Some(path)) if path.exists() => Baseline::read(path)?,
             _ => Baseline::default(),
         };
+        let option = OutputOption { name: "--accept", instead: "" };
+        let accepted = arguments.accept.as_deref().map(|path| NewFile::new(path, option)).transpose()?;
         let writer: Box<dyn Writer> = match arguments.format {
             Written::Text => Box::new(text::Text),
             Written::Json => Box::new(json::Json::default()),
@@ -89,6 +97,7 @@ impl<'a> Run<'a> {
             arguments,
             streams,
             baseline,
+            accepted,
             writer,
             project: Project::default(),
             sum: Tally::default(),
@@ -100,7 +109,7 @@ impl<'a> Run<'a> {
 
     fn all(mut self) -> Result<Outcome, String> {
         let arguments = self.arguments;
-        let since = arguments.since.as_deref().map(since::Since::new);
+        let since = arguments.since.as_deref().map(|revision| Since::new(revision, &arguments.files)).transpose()?;
         let accepting = arguments.accept.is_some();
         let sources = documents::sources(&arguments.files, arguments.input)?;
         for (file, folder) in sources.iter().flatten().filter_map(Source::latex) {
@@ -136,12 +145,12 @@ impl<'a> Run<'a> {
             units_listed: arguments.units,
             doubts_listed: arguments.doubts,
         };
-        if let Some(path) = &arguments.accept {
-            self.baseline.write(path)?;
+        if let (Some(path), Some(file)) = (&arguments.accept, self.accepted.take()) {
+            self.baseline.write(file)?;
             self.streams.tell(&format!(
                 "{} accepted in {}\n",
                 crate::summary::count(sum.accepted, "case"),
-                path.display()
+                shown_path(path)
             ));
         } else if self.documents > 0 || !self.failed || !matches!(arguments.format, Written::Text) {
             let end = self.writer.end(&sum);
@@ -162,19 +171,19 @@ impl<'a> Run<'a> {
     }
 
     /// Proofreads a document and writes what it gave.
-    fn one(&mut self, document: &Document, since: Option<&since::Since>) -> Result<(), String> {
-        if let Some(since) = since
-            && !since.changed(document)?
-        {
-            return Ok(());
-        }
+    fn one(&mut self, document: &Document, since: Option<&Since>) -> Result<(), String> {
+        let before = match since.map(|since| since.earlier(document)).transpose()? {
+            Some(Earlier::Same) => return Ok(()),
+            Some(Earlier::Other(text)) => Some(text),
+            Some(Earlier::Missing) | None => None,
+        };
         let definitions = document.path.as_deref().filter(|_| document.format == Format::Latex);
         let definitions = definitions.and_then(|path| self.project.definitions(path));
         let report = self
             .report(document, &document.text, definitions.as_deref())
-            .map_err(|why| format!("{}: {why}", document.name))?;
+            .map_err(|why| format!("{}: {why}", shown_path(Path::new(&document.name))))?;
         let mut findings = report.findings;
-        if let Some(before) = since.map(|since| since.text(document)).transpose()?.flatten() {
+        if let Some(before) = before {
             let before = self
                 .report(document, &before, definitions.as_deref())
                 .map(|report| report.findings)

@@ -1,6 +1,7 @@
 //! Streams, exit codes, and text that no terminal obeys.
 
 use clap::builder::styling::{AnsiColor, Style};
+use geneva_host::printable::{escaped, is_obeyed};
 
 /// Where the words of the command go. Both take colours, which the caller strips where no terminal shows them.
 pub trait Streams {
@@ -39,7 +40,7 @@ impl Outcome {
 /// An error message with its mark.
 pub(crate) fn error(message: &str) -> String {
     let red = AnsiColor::Red.on_default().bold();
-    format!("{red}error:{red:#} {}\n", printable(message))
+    format!("{red}error:{red:#} {}\n", escaped(message))
 }
 
 /// A style for headings.
@@ -47,18 +48,12 @@ pub(crate) fn bold() -> Style {
     Style::new().bold()
 }
 
-/// Text in which whatever a terminal would obey is replaced.
+/// A line of a text in which one sign stands for each that a terminal would obey, so that it is as long as it was.
 pub(crate) fn printable(text: &str) -> String {
-    let hidden = |c: char| matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    text.chars()
-        .map(|c| {
-            if c == '\t' {
-                ' '
-            } else if c.is_control() || hidden(c) {
-                '\u{fffd}'
-            } else {
-                c
-            }
-        })
-        .collect()
+    let shown = |c: char| match c {
+        '\t' => ' ',
+        c if is_obeyed(c) => '\u{fffd}',
+        c => c,
+    };
+    text.chars().map(shown).collect()
 }

@@ -2,8 +2,9 @@
 //!
 //! Definitions are all that is taken from them. Each file is read once, however many documents include it.
 
-use super::documents::text;
+use super::documents::decoded;
 use crate::reader::Definitions;
+use geneva_host::files;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -215,10 +216,8 @@ impl Project {
         if let Some(known) = self.files.get(file) {
             return known.clone();
         }
-        let is_text = |of: &std::fs::Metadata| of.is_file() && of.len() <= LONGEST;
-        let readable = std::fs::metadata(file).is_ok_and(|of| is_text(&of));
-        let bytes = if readable { std::fs::read(file).ok() } else { None };
-        let contents = bytes.and_then(|bytes| text(bytes).ok()).map(|text| Arc::new(contents(&text)));
+        let text = files::read(file, LONGEST, "a LaTeX file").and_then(decoded);
+        let contents = text.ok().map(|text| Arc::new(contents(&text)));
         self.files.insert(file.to_owned(), contents.clone());
         contents
     }

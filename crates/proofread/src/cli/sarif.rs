@@ -1,31 +1,61 @@
 //! Findings for code review: the Static Analysis Results Interchange Format, version 2.1.0 (OASIS).
 
 use super::baseline::fingerprint;
+use super::documents::Document;
 use super::{Checked, Sum, Writer};
 use crate::finding::{Finding, List};
 use crate::place::Lines;
 use crate::verdict::Verdict;
+use geneva_host::git::Repository;
 use serde_json::{Value, json};
+use std::path::{Component, Path};
 
 #[derive(Default)]
 pub(crate) struct Sarif {
     results: Vec<Value>,
 }
 
-/// A path as part of a URI.
-fn uri(name: &str) -> String {
+/// Where a document is, as code review names it: a file by its path in its repository, or below the working directory where there
+/// is none. A line of JSON counts as a file in the working directory, whatever its id says.
+fn uri(document: &Document) -> String {
+    let Some(path) = &document.path else {
+        let parts = document.name.split('/').filter(|part| !matches!(*part, "" | "."));
+        let parts = parts.map(|part| if part == ".." { "__" } else { part });
+        return format!("./{}", encoded(parts.map(str::as_bytes)));
+    };
+    let whole = path.canonicalize().unwrap_or_else(|_| path.clone());
+    let top = Repository::around(&whole).map(|repository| repository.top().to_owned());
+    let top = top.or_else(|| std::env::current_dir().and_then(|folder| folder.canonicalize()).ok());
+    match top.and_then(|top| whole.strip_prefix(top).ok()) {
+        Some(inside) => encoded(names(inside)),
+        None => format!("file:///{}", encoded(names(&whole))),
+    }
+}
+
+/// The names of which a path is made.
+fn names(path: &Path) -> impl Iterator<Item = &[u8]> {
+    path.components().filter_map(|part| match part {
+        Component::Normal(name) => Some(name.as_encoded_bytes()),
+        _ => None,
+    })
+}
+
+/// Names with strokes between them, and a code for each byte that may mean something else.
+fn encoded<'n>(names: impl Iterator<Item = &'n [u8]>) -> String {
     let mut out = String::new();
-    for byte in name.trim_start_matches("./").bytes() {
-        match byte {
-            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' | b'~' => out.push(char::from(byte)),
-            b'\\' => out.push('/'),
-            _ => out += &format!("%{byte:02X}"),
+    for name in names {
+        out += if out.is_empty() { "" } else { "/" };
+        for byte in name {
+            match byte {
+                b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'.' | b'-' | b'_' | b'~' => out.push(char::from(*byte)),
+                _ => out += &format!("%{byte:02X}"),
+            }
         }
     }
     out
 }
 
-fn result(name: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
+fn result(uri: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
     let [start, end] = lines.places(finding.at);
     let mut message = format!("{}: {}.", finding.chain, finding.verdict.words());
     if let Some(recomputed) = &finding.recomputed {
@@ -44,7 +74,7 @@ fn result(name: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
         "message": { "text": message },
         "locations": [{
             "physicalLocation": {
-                "artifactLocation": { "uri": uri(name) },
+                "artifactLocation": { "uri": uri },
                 "region": {
                     "startLine": start.line,
                     "startColumn": start.column,
@@ -60,7 +90,8 @@ fn result(name: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
 impl Writer for Sarif {
     fn document(&mut self, checked: &Checked<'_>) -> String {
         let lines = Lines::new(&checked.document.text);
-        let results = checked.findings.iter().map(|finding| result(&checked.document.name, finding, &lines));
+        let uri = if checked.findings.is_empty() { String::new() } else { uri(checked.document) };
+        let results = checked.findings.iter().map(|finding| result(&uri, finding, &lines));
         self.results.extend(results);
         String::new()
     }

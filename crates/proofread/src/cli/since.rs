@@ -1,88 +1,101 @@
 //! What a change brings in: findings that the text of an earlier revision does not have.
+//!
+//! Texts may be by strangers, so that nothing of a text's folder is asked or run. The repository is the one around an argument,
+//! and of that only the objects are read. A file that is not in the revision is new, and so is one in a repository within.
 
 use super::baseline::fingerprint;
-use super::documents::Document;
+use super::documents::{Document, STANDARD_INPUT, decoded};
 use crate::finding::Finding;
-use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap};
-use std::ffi::OsStr;
+use geneva_host::git::{Blob, Repository};
+use geneva_host::printable::{shown, shown_path};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::rc::Rc;
 
-/// An earlier revision, of the repository in which each file is.
+/// A commit and its files.
+struct Commit {
+    repository: Repository,
+    files: HashMap<PathBuf, Blob>,
+}
+
+/// An earlier revision, of the repository around each argument.
 pub(crate) struct Since {
-    revision: String,
-    changed: RefCell<HashMap<PathBuf, BTreeSet<PathBuf>>>,
+    commits: HashMap<PathBuf, Rc<Commit>>,
 }
 
-fn git(folder: &Path, arguments: &[&OsStr]) -> Result<Vec<u8>, String> {
-    let output = Command::new("git")
-        .arg("-C")
-        .arg(folder)
-        .args(arguments)
-        .output()
-        .map_err(|why| format!("git cannot be started, which --since needs: {why}"))?;
-    if output.status.success() {
-        return Ok(output.stdout);
-    }
-    let said = String::from_utf8_lossy(&output.stderr);
-    Err(format!("git: {}", said.lines().next().unwrap_or("it failed without a word")))
-}
-
-fn words<const N: usize>(words: [&str; N]) -> [&OsStr; N] {
-    words.map(OsStr::new)
-}
-
-fn folder_of(path: &Path) -> PathBuf {
-    match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
-    }
+/// A document at the earlier revision.
+pub(crate) enum Earlier {
+    /// It was as it is.
+    Same,
+    /// It was another text.
+    Other(String),
+    /// It was not there.
+    Missing,
 }
 
 impl Since {
-    pub fn new(revision: &str) -> Self {
-        Self { revision: revision.to_owned(), changed: RefCell::default() }
-    }
-
-    fn path<'d>(&self, document: &'d Document) -> Result<&'d Path, String> {
-        document.path.as_deref().ok_or_else(|| format!("{}: --since needs files", document.name))
-    }
-
-    /// Whether the file differs from the revision, or is not in it.
-    pub fn changed(&self, document: &Document) -> Result<bool, String> {
-        let path = self.path(document)?;
-        let folder = folder_of(path);
-        let whole = std::fs::canonicalize(path).map_err(|why| format!("{}: {why}", path.display()))?;
-        let top = git(&folder, &words(["rev-parse", "--show-toplevel"]))?;
-        let top = PathBuf::from(String::from_utf8_lossy(&top).trim_end());
-        let mut known = self.changed.borrow_mut();
-        if !known.contains_key(&top) {
-            if self.revision.starts_with('-') {
-                return Err(format!("`{}` is no revision", self.revision));
+    /// Looks the revision up in the repositories around the arguments. What an argument that leads nowhere lacks is not told here.
+    pub fn new(revision: &str, arguments: &[PathBuf]) -> Result<Self, String> {
+        let mut by_top: HashMap<PathBuf, Rc<Commit>> = HashMap::new();
+        let mut commits = HashMap::new();
+        for argument in arguments {
+            let name = shown_path(argument);
+            if argument.as_os_str() == STANDARD_INPUT {
+                return Err("standard input has no earlier revision; give --since files, or leave it out".to_owned());
             }
-            let revision = format!("{}^{{commit}}", self.revision);
-            git(&top, &words(["rev-parse", "--verify", "--quiet", &revision]))
-                .map_err(|_| format!("git does not know the revision `{}`", self.revision))?;
-            let changed = git(&top, &words(["diff", "--name-only", "--no-renames", "-z", &self.revision, "--"]))?;
-            let new = git(&top, &words(["ls-files", "--others", "--exclude-standard", "-z"]))?;
-            let names = [changed, new].concat();
-            let names = names.split(|byte| *byte == 0).filter(|name| !name.is_empty());
-            let base = std::fs::canonicalize(&top).unwrap_or_else(|_| top.clone());
-            let paths = names.map(|name| base.join(String::from_utf8_lossy(name).as_ref())).collect();
-            known.insert(top.clone(), paths);
+            if !argument.exists() {
+                continue;
+            }
+            let repository = Repository::around(argument).ok_or_else(|| {
+                format!("{name} is in no repository of git; give --since files of one, or leave it out")
+            })?;
+            let commit = match by_top.get(repository.top()) {
+                Some(known) => known.clone(),
+                None => {
+                    let top = repository.top().to_owned();
+                    let found = commit(repository, revision).map_err(|why| format!("{name}: {why}"))?;
+                    by_top.entry(top).or_insert(Rc::new(found)).clone()
+                }
+            };
+            commits.insert(argument.clone(), commit);
         }
-        Ok(known.get(&top).is_some_and(|paths| paths.contains(&whole)))
+        Ok(Self { commits })
     }
 
-    /// The text of the file at the revision, or none if it was not there.
-    pub fn text(&self, document: &Document) -> Result<Option<String>, String> {
-        let path = self.path(document)?;
-        let Some(name) = path.file_name() else { return Ok(None) };
-        let object = format!("{}:./{}", self.revision, name.to_string_lossy());
-        let text = git(&folder_of(path), &words(["show", &object]));
-        Ok(text.ok().map(|bytes| String::from_utf8_lossy(&bytes).into_owned()))
+    /// What a document was at the revision.
+    pub fn earlier(&self, document: &Document) -> Result<Earlier, String> {
+        let (Some(path), Some(argument)) = (&document.path, &document.argument) else {
+            return Err(format!(
+                "{}: a line of JSON has no earlier revision; give --since files, or leave it out",
+                shown(&document.name)
+            ));
+        };
+        let Some(Commit { repository, files }) = self.commits.get(argument).map(Rc::as_ref) else {
+            return Ok(Earlier::Missing);
+        };
+        let whole = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());
+        let blob = whole.strip_prefix(repository.top()).ok().and_then(|name: &Path| files.get(name));
+        let Some(blob) = blob else { return Ok(Earlier::Missing) };
+        let content = repository.content(blob).map_err(|why| format!("{}: {why}", shown_path(path)))?;
+        Ok(match decoded(content) {
+            Ok(text) if text == document.text => Earlier::Same,
+            Ok(text) => Earlier::Other(text),
+            Err(_) => Earlier::Missing,
+        })
     }
+}
+
+fn commit(repository: Repository, revision: &str) -> Result<Commit, String> {
+    let name = repository.commit(revision)?.ok_or_else(|| {
+        let top = shown_path(repository.top());
+        format!(
+            "git does not know the revision `{}` in {top}; give a commit, a branch or a tag, and fetch it first where git has \
+             only a part of the history",
+            shown(revision)
+        )
+    })?;
+    let files = repository.files(&name)?.into_iter().collect();
+    Ok(Commit { repository, files })
 }
 
 /// Leaves what was not there before; a case that occurs twice must have been there twice.

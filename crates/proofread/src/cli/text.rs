@@ -7,6 +7,7 @@ use crate::place::Lines;
 use crate::reader::Format;
 use crate::summary::{self, count};
 use clap::builder::styling::AnsiColor;
+use geneva_host::printable::escaped;
 
 /// Longest line of the text that is shown around a place, in characters.
 const WIDTH: usize = 100;
@@ -53,7 +54,7 @@ fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
     let (bold, blue) = (bold(), AnsiColor::Blue.on_default().bold());
     let colour = if finding.list == List::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
     let [from, to] = lines.places(finding.at);
-    let name = printable(&checked.document.name);
+    let name = escaped(&checked.document.name);
     let gutter = " ".repeat(from.line.to_string().len());
     let mut text = format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.words());
     text += &format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
