@@ -2,6 +2,7 @@
 //! tablet and of two screens, light, dark and on paper, by keyboard alone and without scripts.
 
 pub(crate) mod devtools;
+mod formulas;
 mod letters;
 mod policy;
 

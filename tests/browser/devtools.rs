@@ -29,8 +29,19 @@ pub enum Medium {
     Paper,
 }
 
+/// How a browser sets letters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Letters {
+    /// As they are drawn, each as wide as the font's table of widths says.
+    Exact,
+    /// Put on whole pixels, each as wide as its drawing says. The browser does this on desktops that ask for it, and
+    /// without a window.
+    OnPixels,
+}
+
 /// A process that shows the pages of one test after the other. It ends when its pipe is closed, and its profile goes with it.
 struct Process {
+    letters: Letters,
     shell: Child,
     /// None once it has been told to end.
     commands: Option<ChildStdin>,
@@ -66,10 +77,17 @@ fn program() -> Option<PathBuf> {
 impl Browser {
     /// A browser with an empty page. Where there is none, this says so and gives none; where one must be, it fails.
     pub fn start() -> Option<Self> {
+        Self::start_with(Letters::Exact)
+    }
+
+    /// A browser as [`Self::start`] gives it, which sets letters in this way.
+    pub fn start_with(letters: Letters) -> Option<Self> {
         let started = match program() {
             None => Err(format!("none of {} is installed, and $CHROMIUM does not name one", NAMES.join(", "))),
             Some(_) if !cfg!(unix) => Err("its pipe is laid by a Unix shell".to_owned()),
-            Some(program) => Self::from(&program).map_err(|why| format!("{} does not start: {why}", program.display())),
+            Some(program) => {
+                Self::from(&program, letters).map_err(|why| format!("{} does not start: {why}", program.display()))
+            }
         };
         match started {
             Ok(browser) => Some(browser),
@@ -82,10 +100,13 @@ impl Browser {
         }
     }
 
-    fn from(program: &Path) -> Result<Self, String> {
-        let idle = IDLE.lock().ok().and_then(|mut idle| idle.pop());
+    fn from(program: &Path, letters: Letters) -> Result<Self, String> {
+        let idle = IDLE.lock().ok().and_then(|mut idle| {
+            let at = idle.iter().position(|process| process.letters == letters)?;
+            Some(idle.swap_remove(at))
+        });
         // One that has ended in the meantime is replaced.
-        idle.and_then(|process| Self::of(process).ok()).map_or_else(|| Self::of(Process::start(program)?), Ok)
+        idle.and_then(|process| Self::of(process).ok()).map_or_else(|| Self::of(Process::start(program, letters)?), Ok)
     }
 
     /// A new tab, apart from all that the process has shown.
@@ -323,7 +344,11 @@ impl Drop for Browser {
 }
 
 impl Process {
-    fn start(program: &Path) -> Result<Self, String> {
+    fn start(program: &Path, letters: Letters) -> Result<Self, String> {
+        let hinting = match letters {
+            Letters::Exact => "none",
+            Letters::OnPixels => "full",
+        };
         let profile = TempDir::new().map_err(|error| error.to_string())?.keep();
         // The browser reads commands from its file 3 and answers on its file 4. The shell clears up after it, also when the
         // test program has ended.
@@ -340,7 +365,8 @@ impl Process {
                 "--disable-sync",
                 "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
             ])
-            .args(["--allow-file-access-from-files", "--font-render-hinting=none"])
+            .arg("--allow-file-access-from-files")
+            .arg(format!("--font-render-hinting={hinting}"))
             // Nobody waits for a page: helpers that collect garbage beside its scripts only take processors from others.
             .arg("--js-flags=--single-threaded")
             .arg(format!("--user-data-dir={}", profile.display()))
@@ -360,7 +386,7 @@ impl Process {
                 }
             }
         });
-        Ok(Self { shell, commands: Some(commands), messages, calls: 0 })
+        Ok(Self { letters, shell, commands: Some(commands), messages, calls: 0 })
     }
 }
 

@@ -123,9 +123,10 @@ def redraw(font, changes, advance=None, drawn_as=None):
     for glyph, (scale, shift) in changes.items():
         glyphs = font.getGlyphSet()
         width = font["hmtx"][drawn_as or glyph][0] if advance is None else advance
-        pen = T2CharStringPen(width, glyphs)
-        glyphs[drawn_as or glyph].draw(TransformPen(pen, (scale, 0, 0, 1, shift, 0)))
         old = top.CharStrings[glyph]
+        # A drawing says its width as a difference, and some browsers read it there instead of in hmtx.
+        pen = T2CharStringPen(width - old.private.nominalWidthX, glyphs)
+        glyphs[drawn_as or glyph].draw(TransformPen(pen, (scale, 0, 0, 1, shift, 0)))
         top.CharStrings[glyph] = pen.getCharString(old.private, old.globalSubrs)
         font["hmtx"][glyph] = (width, round(bounds(font, glyph)[0]))
 
