@@ -1,6 +1,7 @@
 //! Does `geneva wheel` say what the kinematics say, and does it refuse what they refuse?
 
 mod cycle;
+mod designer;
 mod everywhere;
 mod idle;
 mod loads;
@@ -166,7 +167,8 @@ fn the_sheet_says_what_the_object_says() {
 #[test]
 fn keys_are_always_there_and_null_without_what_they_need() {
     let all = object(&["wheel", "--stations", "6", "--rpm", "360", "--crank-radius", "50", "--inertia", "1"]);
-    let others = ["braking_pin_force_n", "friction_torque_nm", "peak_contact_pressure_mpa", "wheel_inertia_kgm2"];
+    let own = ["wheel_inertia_kgm2", "table_inertia_kgm2"];
+    let others = [&own[..], &["braking_pin_force_n", "friction_torque_nm", "peak_contact_pressure_mpa"]].concat();
     // Of two crescents there is no number with one pin.
     let loads = OF_LOAD.iter().copied().chain(others).chain(["crescent_web_mm"]);
     let loads: Vec<_> = loads.collect();
@@ -178,12 +180,11 @@ fn keys_are_always_there_and_null_without_what_they_need() {
         (&["--rpm", "360", "--crank-radius", "50"], loads.clone()),
         (
             &["--rpm", "360", "--inertia", "0.1"],
-            [&OF_SIZE[..], &OF_KNOCK, &forces, &["friction_torque_nm", "wheel_inertia_kgm2", "crescent_web_mm"]]
-                .concat(),
+            [&OF_SIZE[..], &OF_KNOCK, &forces, &own, &["friction_torque_nm", "crescent_web_mm"]].concat(),
         ),
         (
             &["--rpm", "360", "--inertia", "0.1", "--friction-torque", "2", "--crank-radius", "50"],
-            vec!["peak_contact_pressure_mpa", "wheel_inertia_kgm2", "crescent_web_mm"],
+            [&own[..], &["peak_contact_pressure_mpa", "crescent_web_mm"]].concat(),
         ),
     ] {
         let found = object(&[&["wheel", "--stations", "6"], options].concat());

@@ -1,7 +1,7 @@
 //! Does `geneva wheel` report the same loads as the dynamics, in the units that it states?
 
 use super::kinds;
-use crate::{assert_is_plain, number, object, on_sheet, pin, stdout};
+use crate::{assert_is_plain, number, object, on_sheet, pin, refused, stdout};
 use geneva_dynamics::line_contact::{LineContact, MATERIALS};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use std::f64::consts::PI;
@@ -115,6 +115,24 @@ fn the_wheels_own_inertia_is_added_to_that_of_the_table() {
         loads.pin_moment().driving.value / 0.05,
         max_relative = 1e-12
     );
+}
+
+#[test]
+fn an_inertia_that_is_less_than_the_wheels_own_is_refused() {
+    let plate = ["wheel", "--stations", "6", "--crank-radius", "40", "--thickness", "12", "--rpm", "60"];
+    let steel = ["--pin-material", "steel", "--wheel-material", "steel"];
+    let own = number(&object(&[&plate[..], &["--density", "7800"]].concat()), "wheel_inertia_kgm2");
+    let with = |inertia: f64| {
+        let inertia = inertia.to_string();
+        refused(&[&plate[..], &steel, &["--inertia", &inertia]].concat())
+    };
+    let why = with(0.001);
+    for words in ["--inertia 0.001", "a wheel of steel alone has 0.0020", "add --density 7800"] {
+        assert!(why.contains(words), "{why}");
+    }
+    assert!(with(own * 0.999_999).contains("--inertia"));
+    let all = own.to_string();
+    assert_eq!(number(&object(&[&plate[..], &steel, &["--inertia", &all]].concat()), "inertia_kgm2"), own);
 }
 
 #[test]

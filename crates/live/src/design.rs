@@ -23,7 +23,7 @@ pub const LIVE: Live = Live {
         Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).typed([0.001, 10_000.0]),
         Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
         Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).typed([0.001, 100_000.0]),
-        Control::slider("inertia", "inertia of wheel and table", "kg m²", [0.0, 0.05], 0.0005, 0.002).typed([0.0, 1e6]),
+        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002).typed([0.0, 1e6]),
         Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1).typed([0.0, 1e6]),
         Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0]),
         Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
@@ -70,7 +70,8 @@ pub const LIVE: Live = Live {
     others: &[
         Quantity::new("crank-radius", "crank radius"),
         Quantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
-        Quantity::new("own", "the wheel's own part of the inertia"),
+        Quantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
+        Quantity::field("together", "inertia of table and wheel together", "inertia_kgm2"),
         Quantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
         Quantity::new("where", "the least clearance is"),
         Quantity::field("held", "mid-dwell backlash holds for", "dwell_backlash_held_fraction"),
@@ -129,6 +130,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
         inertia: Some(settings.value("inertia")?),
         friction_torque: Some(settings.value("friction")?),
         thickness: Some(settings.value("thickness")?),
+        density: Some(wall.density),
         pin_material: Some(MATERIALS[0]),
         wheel_material: Some(wall),
         centre_error: settings.value("error")?,
@@ -195,14 +197,12 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     fields.retain(|field| is_known(field.key));
     fields.push(blow);
     let clearance = design.clearance().map_err(words)?;
-    let own = design.question.wheel_material.map(|of| design.own_inertia(of.density)).transpose().map_err(words)?;
     let number = |of: &Quantity| match of.key {
         Some(key) => {
             Number::of(of.name, fields.iter().find(|field| field.key == key)?).map(|number| worded(number, key, sizes))
         }
         None => match of.name {
             "crank-radius" => Some(Number::new("crank-radius", sizes.crank_radius, 3, "mm")),
-            "own" => own.flatten().map(|own| Number::significant("own", own, 3, "kg m²")),
             "clearance" => clearance
                 .map(|(nearest, tolerance)| Number::new("clearance", nearest.distance, decimals(tolerance), "mm")),
             "where" => clearance.map(|(nearest, _)| place(&nearest)),
@@ -221,9 +221,10 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         ("wheel-shaft", sizes.wheel_shaft),
         ("bore-play", sizes.play.bore),
     ];
-    let depth = clearance.map(|(nearest, _)| nearest.distance);
+    // What is less than the tolerance is no overlap: without play the parts touch.
+    let overlaps = clearance.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
-    let message = message(&design.warnings(), error, is_met, depth, is_late);
+    let message = message(&design.warnings(), error, is_met, overlaps, is_late);
     Ok(Answer { further, followers, message, ..Answer::new(stations::dimensions_on_a_page(sizes), numbers) })
 }
 
@@ -252,28 +253,29 @@ fn place(nearest: &Nearest) -> Number {
     Number { text, ..at }
 }
 
-/// What is to be said of the setting; `depth` is the least clearance in millimetres, if it was found.
-fn message(warnings: &[Warning], error: f64, is_met: bool, depth: Option<f64>, is_late: bool) -> Option<String> {
-    if depth.is_some_and(|depth| depth < 0.0) {
-        return Some(
-            "With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much."
-                .to_owned(),
-        );
-    }
-    if !is_met {
-        return Some("With the axes at this distance the pin does not meet the slot.".to_owned());
-    }
+/// What is to be said of the setting: first what is wrong with it, then the warnings of the command.
+fn message(warnings: &[Warning], error: f64, is_met: bool, overlaps: bool, is_late: bool) -> Option<String> {
+    let wrong = if overlaps {
+        Some("With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much.")
+    } else if !is_met {
+        Some("With the axes at this distance the pin does not meet the slot.")
+    } else {
+        None
+    };
     let warnings = warnings.iter().map(|warning| format!("Before you make it: {warning}."));
-    let moved = (error != 0.0).then(|| {
+    let moved = (error != 0.0 && wrong.is_none()).then_some(
         "Clearance and knock are for the axes as you moved them. Sizes, times and loads are for the right distance, \
-         and we know the backlash only there."
-            .to_owned()
-    });
-    let late = is_late.then(|| {
+         and we know the backlash only there.",
+    );
+    let late = (is_late && wrong.is_none()).then_some(
         "With so little play, some of the clearances take too long to compute in a page. The command geneva wheel \
-         computes them."
-            .to_owned()
-    });
-    let all: Vec<String> = warnings.chain(moved).chain(late).collect();
+         computes them.",
+    );
+    let all: Vec<String> = wrong
+        .map(str::to_owned)
+        .into_iter()
+        .chain(warnings)
+        .chain([moved, late].into_iter().flatten().map(str::to_owned))
+        .collect();
     Some(all.join(" ")).filter(|text| !text.is_empty())
 }

@@ -1,8 +1,9 @@
 //! A model for OpenSCAD.
 //!
 //! The file begins with the sizes as variables and builds both parts from circles and squares, so that a size can be
-//! changed there: pin, slot, shafts, thickness. What follows from the numbers of stations and pins and from the crank
-//! radius is written as formulas; the crescent is not, because it comes from the motion.
+//! changed there: a thinner pin, a wider slot, shafts, thickness. The crescent comes from the motion and is no formula, so
+//! with other stations or a longer crank the parts would jam. The file refuses that: beside the sizes it asserts that no
+//! part has more material anywhere than in the design of which it was made. Parts that run still run with less.
 
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
@@ -23,38 +24,87 @@ pub fn scad(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
         .locking_disc
         .map_or((0.0, [0.0, 0.0]), |disc| (disc.radius, [disc.crescent.centre, disc.crescent.radius]));
     let variables = [
-        ("stations", f64::from(sizes.wheel.stations()), "slots of the wheel"),
-        ("pins", f64::from(sizes.wheel.pins()), "pins of the driver"),
-        ("crank_radius", sizes.crank_radius, "driver's axis to a pin's centre"),
-        ("pin_diameter", sizes.pin_diameter, "diameter of a pin"),
-        ("slot_width", sizes.slot_width, "pin diameter plus play"),
-        ("bottom_clearance", sizes.bottom_clearance, "how much deeper the slots are than the pins need"),
-        ("locking_arc_radius", sizes.locking_arc_radius, "of the hollows in the wheel"),
-        ("locking_disc_radius", disc, "0: there is no dwell"),
-        ("crescent_centre", cut[0], "driver's axis to the centre of the cut"),
-        ("crescent_radius", cut[1], "follows from the motion, so it depends on all sizes above"),
-        ("plate_radius", sizes.plate_radius, "plate behind the wheel"),
-        ("wheel_bore", sizes.wheel_bore(), "diameter; 0 for none"),
-        ("driver_bore", sizes.driver_bore(), "diameter; 0 for none"),
-        ("thickness", thickness, "wheel, locking disc and plate"),
-        ("axial_play", sizes.play.slot, "between wheel and plate"),
-        ("tolerance", tolerance, "greatest distance of a chord from its arc"),
+        ("stations", f64::from(sizes.wheel.stations()), May::Stay, "slots of the wheel"),
+        ("pins", f64::from(sizes.wheel.pins()), May::Stay, "pins of the driver"),
+        ("crank_radius", sizes.crank_radius, May::Stay, "driver's axis to a pin's centre"),
+        ("pin_diameter", sizes.pin_diameter, May::Shrink, "diameter of a pin"),
+        ("slot_width", sizes.slot_width, May::Grow, "pin diameter plus play"),
+        ("bottom_clearance", sizes.bottom_clearance, May::Grow, "how much deeper the slots are than the pins need"),
+        ("tip_radius", sizes.tip_radius, May::Shrink, "wheel's axis to the corners of the slots"),
+        ("locking_arc_radius", sizes.locking_arc_radius, May::Grow, "of the hollows in the wheel"),
+        ("locking_disc_radius", disc, May::Shrink, "0: there is no dwell"),
+        ("crescent_centre", cut[0], May::Stay, "driver's axis to the centre of the cut"),
+        ("crescent_radius", cut[1], May::Grow, "comes from the motion with all sizes above"),
+        ("plate_radius", sizes.plate_radius, May::Change, "plate behind the wheel"),
+        ("wheel_bore", sizes.wheel_bore(), May::Change, "diameter; 0 for none"),
+        ("driver_bore", sizes.driver_bore(), May::Change, "diameter; 0 for none"),
+        ("thickness", thickness, May::Change, "wheel, locking disc and plate"),
+        ("axial_play", sizes.play.slot, May::Change, "between wheel and plate"),
+        ("tolerance", tolerance, May::Shrink, "greatest distance of a chord from its arc"),
     ];
     let mut text = String::from("// Geneva wheel and driver; lengths in millimetres, angles in degrees.\n");
-    for (name, value, meaning) in variables {
+    for (name, value, _, meaning) in variables {
         text += &format!("{name} = {}; // {meaning}\n", value + 0.0);
     }
-    Ok(text + MODEL)
+    text += "\n// The crescent was found for these numbers. With less material the parts still run; with more they may jam.\n";
+    for (name, value, may, _) in variables {
+        if let Some((sign, words)) = may.limit() {
+            let value = value + 0.0;
+            text += &format!(
+                "assert({name} {sign} {value}, \"{name} must {words} {value}, or the parts may jam: make a new file\");\n"
+            );
+        }
+    }
+    Ok(text + WHOLE + MODEL)
 }
+
+/// How a variable may be changed without more material anywhere.
+#[derive(Clone, Copy)]
+enum May {
+    Stay,
+    Shrink,
+    Grow,
+    /// It bounds nothing that moves past another part in the plane of the wheel.
+    Change,
+}
+
+impl May {
+    /// The sign between the variable and its number, and the words for it.
+    fn limit(self) -> Option<(&'static str, &'static str)> {
+        match self {
+            Self::Stay => Some(("==", "be")),
+            Self::Shrink => Some(("<=", "be at most")),
+            Self::Grow => Some((">=", "be at least")),
+            Self::Change => None,
+        }
+    }
+}
+
+/// What keeps each part in one piece, and the plate off the wheel and its shaft.
+const WHOLE: &str = r#"
+half_pitch = 180 / stations;
+centre_distance = crank_radius / sin(half_pitch);
+slot_end = centre_distance - crank_radius - bottom_clearance;
+assert(pin_diameter > 0, "pin_diameter must be above 0");
+assert(thickness > 0, "thickness must be above 0");
+assert(tolerance > 0, "tolerance must be above 0");
+assert(axial_play >= 0, "axial_play must be 0 or more, or the plate is in the wheel");
+assert(wheel_bore >= 0, "wheel_bore must be 0 or more");
+assert(driver_bore >= 0, "driver_bore must be 0 or more");
+assert(slot_end > slot_width / 2 + wheel_bore / 2, "the slots meet the bore of the wheel: make wheel_bore smaller");
+assert(2 * slot_end * sin(half_pitch) > slot_width, "the slots meet one another: make slot_width or bottom_clearance smaller");
+assert(crank_radius > slot_width / 2 + locking_arc_radius, "no horn is left between slots and locking arcs: make them smaller");
+assert(plate_radius >= crank_radius + pin_diameter / 2, "plate_radius must be crank_radius + pin_diameter / 2 or more, to carry the pins");
+assert(plate_radius + wheel_bore / 2 < centre_distance, "the plate meets the wheel's shaft: make plate_radius or wheel_bore smaller");
+assert(tip_radius + driver_bore / 2 < centre_distance, "the wheel meets the driver's shaft: make driver_bore smaller");
+assert(crank_radius > pin_diameter / 2 + driver_bore / 2, "the driver's bore cuts the pins: make driver_bore smaller");
+assert(locking_disc_radius == 0 || driver_bore == 0 || crescent_centre > crescent_radius + driver_bore / 2,
+  "the crescent meets the driver's bore: make driver_bore smaller");
+"#;
 
 const MODEL: &str = r#"
 part = "assembly"; // "assembly", "wheel" or "driver"
 
-half_pitch = 180 / stations;
-centre_distance = crank_radius / sin(half_pitch);
-wheel_radius = crank_radius / tan(half_pitch);
-tip_radius = sqrt(pow(wheel_radius, 2) + pow(slot_width / 2, 2));
-slot_end = centre_distance - crank_radius - bottom_clearance;
 engagement = 90 - half_pitch;
 
 // Crank angle from the line of centres, and the wheel's angle with it.
@@ -107,6 +157,9 @@ else {
 "#;
 
 #[cfg(test)]
+mod changed;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use geneva_kinematics::wheel::{Choices, Scale, Wheel};
@@ -129,6 +182,7 @@ mod tests {
             assert_eq!(value("crank_radius"), sizes.crank_radius);
             assert_eq!(value("slot_width"), sizes.slot_width);
             assert_eq!(value("bottom_clearance"), sizes.bottom_clearance);
+            assert_eq!(value("tip_radius"), sizes.tip_radius);
             assert_eq!(value("locking_disc_radius") > 0.0, sizes.locking_disc.is_some());
             if let Some(disc) = sizes.locking_disc {
                 assert_eq!(value("crescent_centre"), disc.crescent.centre);
@@ -156,9 +210,6 @@ mod tests {
         let known = [
             "sin",
             "cos",
-            "tan",
-            "sqrt",
-            "pow",
             "floor",
             "abs",
             "atan2",
@@ -167,6 +218,7 @@ mod tests {
             "ceil",
             "acos",
             "module",
+            "assert",
             "circle",
             "linear_extrude",
             "height",

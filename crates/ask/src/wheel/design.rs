@@ -3,8 +3,8 @@
 use super::Question;
 use super::kind::{AnyWheel, Kind};
 use crate::Error;
-use crate::written::as_typed;
-use geneva_dynamics::line_contact::LineContact;
+use crate::written::{as_typed, rounded_up};
+use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
@@ -62,14 +62,15 @@ impl Design {
             (None, Some(scale)) => Some(crank_radius(&wheel, scale)?),
             (None, None) => None,
         };
-        let wheel_inertia = match (sizes, question.thickness, question.density) {
-            (Some(sizes), Some(thickness), Some(density)) => Some(own_inertia(&sizes, thickness, density)?),
-            _ => None,
-        };
+        let own = |density| own_inertia(sizes.as_ref(), question.thickness, density);
+        let wheel_inertia = question.density.map(own).transpose()?.flatten();
         let inertia = match (wheel_inertia, question.inertia) {
             (Some(wheel), others) => Some(wheel + others.unwrap_or(0.0)),
             (None, all) => all,
         };
+        if let (None, Some(all), Some(material)) = (question.density, question.inertia, question.wheel_material) {
+            holds_the_wheel(all, own(material.density)?, material)?;
+        }
         let contact = match (sizes, question.thickness, question.pin_material, question.wheel_material) {
             (Some(sizes), Some(thickness), Some(pin), Some(wall)) => {
                 Some(LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, &pin, &wall)?)
@@ -123,14 +124,9 @@ impl Design {
         self.speed().zip(self.crank_radius).map(|(speed, radius)| speed * radius)
     }
 
-    /// Moment of inertia of the wheel alone, in kg m², of this density in kg/m³, if size and thickness are given.
-    ///
-    /// # Errors
-    ///
-    /// A thickness or a density that is not above zero.
-    pub fn own_inertia(&self, density: f64) -> Result<Option<f64>, Error> {
-        let outline = self.sizes.zip(self.question.thickness);
-        outline.map(|(sizes, thickness)| own_inertia(&sizes, thickness, density)).transpose()
+    /// Moment of inertia, in kg m², of what turns with the wheel, if it is given and the wheel's own is known besides.
+    pub fn table_inertia(&self) -> Option<f64> {
+        self.question.inertia.filter(|_| self.wheel_inertia.is_some())
     }
 
     /// The pressure in MPa between pin and slot under a force in N, if thickness and materials are given.
@@ -187,8 +183,23 @@ impl Design {
 /// Pascals of a megapascal.
 const MEGA: f64 = 1e6;
 
-fn own_inertia(sizes: &Sizes, thickness: f64, density: f64) -> Result<f64, Error> {
-    Ok(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
+/// Moment of inertia of the wheel alone, in kg m², if size and thickness are given.
+fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density: f64) -> Result<Option<f64>, Error> {
+    let outline = sizes.zip(thickness);
+    Ok(outline.map(|(sizes, thickness)| sizes.outline().wheel.moment_of_inertia(thickness, density)).transpose()?)
+}
+
+/// Refuses a moment of inertia of everything that turns if it is less than the wheel's own.
+fn holds_the_wheel(all: f64, wheel: Option<f64>, material: Material) -> Result<(), Error> {
+    let Some(wheel) = wheel.filter(|wheel| all < *wheel) else { return Ok(()) };
+    let Material { name, density, .. } = material;
+    Err(refused!(
+        "--inertia {}: a wheel of {name} alone has {} kg m², so with everything that turns with it, it has more; give that, or \
+         add --density {} if the wheel is to be added to what you gave",
+        as_typed(all),
+        rounded_up(wheel),
+        as_typed(density)
+    ))
 }
 
 /// What is found at the first time, and kept.

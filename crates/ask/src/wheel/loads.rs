@@ -38,6 +38,8 @@ pub fn fields(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<F
             .line("moment of inertia", "of the wheel and everything that turns with it"),
         Field::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
             .line("", "part of the wheel itself, from its outline, thickness and density"),
+        Field::in_unit("table_inertia_kgm2", design.table_inertia(), "kg m²")
+            .line("", "part of the table and all else that turns with the wheel, as given"),
         Field::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included"),
         Field::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")

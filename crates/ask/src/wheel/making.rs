@@ -34,7 +34,7 @@ impl Design {
     fn drive(&self) -> Vec<Field> {
         let fourth = |radius: f64| libm::pow(radius / 1000.0, 4.0);
         let own = self.wheel_inertia.zip(self.crank_radius).map(|(own, radius)| own / fourth(radius));
-        let share = self.wheel_inertia.zip(self.question.inertia).map(|(own, given)| own / given);
+        let share = self.wheel_inertia.zip(self.table_inertia()).map(|(own, table)| own / table);
         vec![
             Field::in_unit("driver_speed_rad_s", self.speed(), "rad/s").line("driver", "speed"),
             Field::in_unit("turn_s", self.question.rpm.map(|rpm| 60.0 / rpm), "s").line("", "time of a turn"),
@@ -42,9 +42,7 @@ impl Design {
             Field::in_unit("thickness_mm", self.question.thickness, "mm").line("thickness", "of the wheel"),
             Field::in_unit("wheel_inertia_factor_kg_m2", own, "kg/m²")
                 .line("wheel's inertia", "over the fourth power of the crank radius"),
-            Field::new("wheel_inertia_share", share)
-                .line("", "over the inertia that is given")
-                .rounded(Rounding::Percent(0)),
+            Field::new("wheel_inertia_share", share).line("", "over the table's inertia").rounded(Rounding::Percent(0)),
         ]
     }
 
