@@ -3,6 +3,7 @@
 mod examples;
 mod paths;
 mod units;
+mod waits;
 mod words;
 
 use geneva_ledger::numeric_tokens;
