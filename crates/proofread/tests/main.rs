@@ -18,6 +18,7 @@ mod plain;
 mod readings;
 mod remarks;
 mod running;
+mod thresholds;
 mod units;
 mod unrounded;
 mod unusual;
