@@ -23,6 +23,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
+use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// The program, whatever the terminal and the settings of whoever runs the test.
@@ -53,16 +54,25 @@ fn page_of(Answer { stdout, stderr, code }: &Answer) -> String {
     format!("success: {success}\nexit_code: {code}\n----- stdout -----\n{stdout}\n----- stderr -----\n{stderr}")
 }
 
-/// What the process `geneva errata` writes, with its exit code, and how long it takes: it derives every verdict, so it runs
-/// once for all tests that look at it.
-fn errata() -> &'static (Answer, Duration) {
-    static ERRATA: OnceLock<(Answer, Duration)> = OnceLock::new();
+/// Waits for what another process does, however busy the machine is.
+#[track_caller]
+fn until(awaited: &str, mut is_there: impl FnMut() -> bool) {
+    let end = Instant::now() + Duration::from_secs(600);
+    while !is_there() {
+        assert!(Instant::now() < end, "{awaited} never came");
+        sleep(Duration::from_millis(1));
+    }
+}
+
+/// What the process `geneva errata` writes, with its exit code: it derives every verdict, so it runs once for all tests that
+/// look at it.
+fn errata() -> &'static Answer {
+    static ERRATA: OnceLock<Answer> = OnceLock::new();
     ERRATA.get_or_init(|| {
-        let start = Instant::now();
         let Output { status, stdout, stderr } = run(&["errata"]);
         let [stdout, stderr] = [stdout, stderr].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
         let code = status.code().and_then(|code| code.try_into().ok()).expect("an exit code");
-        (Answer { stdout, stderr, code }, start.elapsed())
+        Answer { stdout, stderr, code }
     })
 }
 
@@ -173,7 +183,12 @@ fn assert_is_drawn(arguments: &[&str], figure: &Figure) {
 
 /// Whether a signal is ignored here, as `INT` is in what a shell runs in the background: children ignore it too.
 fn is_ignored(signal: i32) -> bool {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    is_ignored_by(std::process::id(), signal)
+}
+
+/// Whether a signal is ignored by this process.
+fn is_ignored_by(process: u32, signal: i32) -> bool {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
     let ignored = status.lines().find_map(|line| u64::from_str_radix(line.strip_prefix("SigIgn:")?.trim(), 16).ok());
     ignored.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
@@ -383,7 +398,7 @@ fn an_answer_goes_into_a_file_if_one_is_named() {
 
 #[test]
 fn the_errata_are_those_of_the_ledger() {
-    settings().bind(|| insta::assert_snapshot!("errata", page_of(&errata().0)));
+    settings().bind(|| insta::assert_snapshot!("errata", page_of(errata())));
     pin_answer("errata-json", &["errata", "--format", "json"]);
     pin_answer("errata-markdown", &["errata", "--format", "markdown"]);
     pin("errata-of-jazar-with-copies", &["errata", "--source", "jazar", "--all"]);
@@ -497,7 +512,7 @@ fn piped(input: &str) -> Output {
 
 #[test]
 fn nothing_but_text_goes_into_a_pipe() {
-    let Answer { stdout, stderr, code } = &errata().0;
+    let Answer { stdout, stderr, code } = errata();
     assert!(!stdout.contains('\u{1b}') && stderr.is_empty() && *code == 0, "{stderr}");
     for arguments in [
         &["claims", "--source", "jazar"][..],

@@ -1,11 +1,10 @@
 //! Which files, threads and terminals the program refuses, whatever the command: it ends soon, with a message, and leaves
 //! everything as it was.
 
-use crate::{errata, geneva, refusal, refused, run, stdout};
+use crate::{geneva, refusal, refused, run, stdout};
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
 
 /// Two decks' worth of room: what is read at most, and some more.
 const TOO_LARGE: u64 = 16_000_001;
@@ -123,20 +122,6 @@ fn the_threads_of_the_variable_are_held_to_those_of_the_option() {
     // The option counts more than the variable.
     let output = with(&[&sweep[..], &["--threads", "1"]].concat(), "garbage").output().expect("the program runs");
     assert!(output.status.success(), "{output:?}");
-}
-
-#[test]
-fn the_slips_of_a_source_are_found_without_the_others() {
-    let time = |arguments: &[&str]| {
-        let start = Instant::now();
-        assert_eq!(run(arguments).status.code(), Some(0));
-        start.elapsed()
-    };
-    let of_all = errata().1;
-    for command in ["errata", "claims"] {
-        let of_one = time(&[command, "--source", "pin"]);
-        assert!(of_one < of_all / 3 || of_one < Duration::from_millis(100), "{command}: {of_one:?} of {of_all:?}");
-    }
 }
 
 #[test]

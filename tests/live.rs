@@ -121,9 +121,8 @@ fn of(browser: &mut Browser, name: &str, expression: &str) -> Value {
     ))
 }
 
-/// A function of the page that waits until the figures have answered: twice, for the first answer may be to an earlier setting.
-const SETTLED: &str = "const settled = async () => { for (let k = 0; k < 2; k++) { await new Promise(done => setTimeout(done, 40)); \
-                       await genevaLive('x') } }";
+/// A function that waits until a figure `f` shows what it is set to.
+const SETTLED: &str = "const settled = () => until(() => !f.matches('[aria-busy]'))";
 
 #[test]
 fn a_slider_goes_by_arrow_keys_and_the_page_stays() {
@@ -142,8 +141,7 @@ fn a_slider_goes_by_arrow_keys_and_the_page_stays() {
     let reset = of(
         &mut browser,
         "wheel",
-        "(g.querySelector('[data-do=reset]').click(), await new Promise(done => setTimeout(done, 80)), \
-         f.querySelector('svg').outerHTML)",
+        "(g.querySelector('[data-do=reset]').click(), await settled(), f.querySelector('svg').outerHTML)",
     );
     assert!(reset == before[1], "the still figure is not back");
 }
@@ -341,8 +339,7 @@ fn a_link_carries_the_setting_and_the_pointer_turns_the_crank() {
         let event = json!({ "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1 });
         browser.command("Input.dispatchMouseEvent", event);
     }
-    let crank = of(&mut browser, "wheel", "g.elements.crank.value");
-    assert_eq!(crank, json!("90"));
+    assert_eq!(of(&mut browser, "wheel", "await until(() => g.elements.crank.value === '90')"), json!(true));
 }
 
 #[test]
@@ -350,14 +347,19 @@ fn what_plays_can_be_paused_and_makes_steps_for_who_wants_less_motion() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);
     open(&mut browser, "jazar", "#fig-live-wheel?crank=0");
-    let values = |browser: &mut Browser| {
+    // The page's clock goes on by 50 ms when the test says so, however long that takes.
+    const CLOCK: &str = "const own = requestAnimationFrame; let clock = 1e6; globalThis.requestAnimationFrame = run => own(() => run(clock)); \
+         const tick = async () => { clock += 50; await new Promise(done => own(done)); seen.add(g.elements.crank.value) }";
+    let values = |browser: &mut Browser, ticks: &str| {
         of(
             browser,
             "wheel",
-            "(async () => { const play = g.querySelector('[data-do=play]'); play.click(); const seen = new Set(); for (let k = 0; k < \
-             30; k++) { await new Promise(done => setTimeout(done, 50)); seen.add(g.elements.crank.value) } const during = \
-             play.textContent; play.click(); const last = g.elements.crank.value; await new Promise(done => setTimeout(done, 200)); \
-             return [seen.size, during, play.textContent, last === g.elements.crank.value] })()",
+            &format!(
+                "(async () => {{ const play = g.querySelector('[data-do=play]'), seen = new Set([g.elements.crank.value]); {CLOCK}; \
+                 play.click(); {ticks}; const during = play.textContent; play.click(); await settled(); seen.add(g.elements.crank.value); \
+                 const played = seen.size; for (let k = 0; k < 30; k++) {{ await tick() }} globalThis.requestAnimationFrame = own; \
+                 return [played, during, play.textContent, seen.size === played] }})()"
+            ),
         )
     };
     let wanted = |browser: &mut Browser, motion: &str| {
@@ -365,12 +367,12 @@ fn what_plays_can_be_paused_and_makes_steps_for_who_wants_less_motion() {
         browser.command("Emulation.setEmulatedMedia", features);
     };
     wanted(&mut browser, "no-preference");
-    let smooth = values(&mut browser);
-    assert!(smooth[0].as_u64().is_some_and(|count| count > 5), "{smooth}");
-    assert_eq!([&smooth[1], &smooth[2], &smooth[3]], [&json!("Pause"), &json!("Play"), &json!(true)]);
+    let smooth = values(&mut browser, "await until(async () => { await tick(); return seen.size > 20 })");
+    assert_eq!([&smooth[1], &smooth[2], &smooth[3]], [&json!("Pause"), &json!("Play"), &json!(true)], "{smooth}");
     wanted(&mut browser, "reduce");
-    let stepped = values(&mut browser);
-    assert!(stepped[0].as_u64().is_some_and(|count| (1..=3).contains(&count)), "{stepped}");
+    // One step in a second: the first frame starts the clock, and two seconds and a half are left.
+    let stepped = values(&mut browser, "for (let k = 0; k < 51; k++) { await tick(); await settled() }");
+    assert_eq!(stepped, json!([3, "Pause", "Play", true]));
 }
 
 #[test]

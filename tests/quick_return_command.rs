@@ -258,3 +258,31 @@ fn the_drawings_are_those_of_the_figures_and_stand_alone() {
         }
     }
 }
+
+#[test]
+fn an_angle_and_the_angle_with_whole_turns_give_the_same_answer() {
+    let of = |ground: &str, crank: &str, option: &str, degrees: f64| {
+        let degrees = degrees.to_string();
+        let sheet = stdout(&command([ground, crank, option, &degrees, "60"], &[]), 0);
+        (sheet, object([ground, crank, option, &degrees, "60"], &[]))
+    };
+    for (ground, crank) in [("0.3", "0.1"), ("0.1", "0.3")] {
+        let turns = crank == "0.3";
+        let of_crank = (-175..=180).step_by(35).map(|degrees| ("--crank-angle", degrees));
+        // A lever that swings reaches less than 20° to either side.
+        let of_lever = if turns { -175..=180 } else { -18..=18 };
+        let of_lever = of_lever.step_by(if turns { 35 } else { 9 }).map(|degrees| ("--lever-angle", degrees));
+        for (option, degrees) in of_crank.chain(of_lever) {
+            // Not on the way back, where a rounding decides to which side something points.
+            let degrees = f64::from(degrees) + 0.25;
+            let (sheet, first) = of(ground, crank, option, degrees);
+            for whole in [-720.0, -360.0, 360.0, 1080.0] {
+                let (later_sheet, later) = of(ground, crank, option, degrees + whole);
+                assert_eq!(sheet, later_sheet, "{option} {degrees}° and {whole}° more");
+                for (key, value) in first.iter().filter_map(|(key, value)| Some((key, value.as_f64()?))) {
+                    approx::assert_abs_diff_eq!(number(&later, key), value, epsilon = 1e-9 * (1.0 + value.abs()));
+                }
+            }
+        }
+    }
+}

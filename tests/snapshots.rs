@@ -1,7 +1,7 @@
-//! Which numbers are behind the figures and the verdicts? They are pinned as text, with the drawings beside them.
+//! Which numbers are behind the figures, the verdicts and the sentences? They are pinned as text, with the drawings beside them.
 
 use geneva_ledger::verdicts;
-use geneva_press::figures;
+use geneva_press::{figures, placeholders};
 use insta::{Settings, assert_snapshot};
 
 /// Binds snapshots to `snapshots/<area>`, named without a module.
@@ -19,6 +19,13 @@ fn the_figures_and_the_numbers_behind_them() {
         let figure = figures::by_name(name).expect("a figure");
         in_area("series", || assert_snapshot!(*name, figure.series.to_text()));
         in_area("drawings", || assert_snapshot!(*name, figure.svg));
+    }
+}
+
+#[test]
+fn what_a_reader_reads_for_each_placeholder() {
+    for (page, text) in placeholders::readings(&crate::path("book/src")).expect("all are known") {
+        in_area("pages", || assert_snapshot!(page, text));
     }
 }
 

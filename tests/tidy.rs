@@ -3,6 +3,7 @@
 mod examples;
 mod paths;
 mod units;
+mod waits;
 mod words;
 
 use geneva_ledger::numeric_tokens;
@@ -264,7 +265,7 @@ fn a_witness_shares_no_code_with_what_it_vouches_for() {
 
 #[test]
 fn a_snapshot_is_reviewed_before_it_is_kept() {
-    for entry in ["series", "drawings", "ledger", "command-line"] {
+    for entry in ["series", "drawings", "ledger", "pages", "command-line"] {
         for file in std::fs::read_dir(crate::path("snapshots").join(entry)).expect("an area of snapshots") {
             let name = file.expect("readable").file_name().to_string_lossy().into_owned();
             assert!(

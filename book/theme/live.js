@@ -82,28 +82,30 @@
             again ||= Boolean(progress);
         };
 
-        const draw = async () => {
-            if (busy) {
-                again = true;
-                return;
-            }
-            busy = true;
+        const answered = async () => {
             try {
                 await load();
             } catch (error) {
-                busy = false;
                 return say(`The figure cannot be moved here: ${error.message}.`, true);
             }
-            await new Promise(requestAnimationFrame);
-            again = false;
-            try {
-                show(JSON.parse(await ask(question())));
-            } catch (error) {
-                refuse(`The figure has no answer for this setting: ${error.message}.`);
+            while (again) {
+                await new Promise(requestAnimationFrame);
+                again = false;
+                try {
+                    show(JSON.parse(await ask(question())));
+                } catch (error) {
+                    refuse(`The figure has no answer for this setting: ${error.message}.`);
+                }
             }
-            busy = false;
-            if (again) {
-                draw();
+        };
+        const draw = async () => {
+            again = true;
+            if (!busy) {
+                busy = true;
+                figure.setAttribute('aria-busy', 'true');
+                await answered();
+                busy = false;
+                figure.removeAttribute('aria-busy');
             }
         };
 

@@ -1,16 +1,18 @@
 //! A build that is ended by a signal leaves nothing behind, and leaves the old book as it was.
 
 use super::{inside, names};
-use crate::{is_ignored, refusal, small_workspace};
+use crate::{is_ignored, is_ignored_by, refusal, small_workspace, until};
 use std::fs;
 use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 const TERMINATE: (&str, i32) = ("TERM", 15);
+
+/// The number of the signal `HUP`.
+#[cfg(target_os = "linux")]
+const HANG_UP: i32 = 1;
 
 /// The signals that end a program here. Two of them do not where the tests run in the background of a shell or under `nohup`:
 /// what starts there ignores them, and so do its children.
@@ -50,12 +52,10 @@ fn workspace_of(text: &str) -> TempDir {
 fn started(mut command: Command, workspace: &Path, awaited: &str) -> (Child, PathBuf) {
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
     let hidden = workspace.join(".out.geneva-build");
-    let begun = Instant::now();
-    while !hidden.join(awaited).exists() {
+    until(awaited, || {
         assert!(child.try_wait().expect("a child").is_none(), "it ended before {awaited} was there");
-        assert!(begun.elapsed() < Duration::from_secs(60), "{awaited} never came");
-        sleep(Duration::from_millis(1));
-    }
+        hidden.join(awaited).exists()
+    });
     (child, hidden)
 }
 
@@ -102,11 +102,7 @@ fn what_a_killed_build_leaves_is_cleared_by_the_next() {
     fs::create_dir_all(hidden.join("new/css")).expect("writable");
 
     let (child, _) = started(build(&workspace), workspace.path(), "lock");
-    let begun = Instant::now();
-    while hidden.join("new").exists() {
-        assert!(begun.elapsed() < Duration::from_secs(60), "it is not cleared");
-        sleep(Duration::from_millis(1));
-    }
+    until("an empty folder", || !hidden.join("new").exists());
     assert_is_ended(&workspace, child, signal(0));
 }
 
@@ -128,8 +124,9 @@ fn a_signal_that_is_ignored_stays_ignored() {
     command.args(["-c", "trap '' HUP; exec \"$0\" book build --output out", env!("CARGO_BIN_EXE_geneva")]);
     command.current_dir(workspace.path());
     let (mut child, hidden) = started(command, workspace.path(), "lock");
+    // The system drops what is ignored before the program sees it.
+    assert!(is_ignored_by(child.id(), HANG_UP));
     send("HUP", &child);
-    sleep(Duration::from_millis(300));
     assert!(child.try_wait().expect("a child").is_none() && hidden.join("lock").is_file());
     assert_is_ended(&workspace, child, signal(1));
 }

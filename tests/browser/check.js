@@ -67,9 +67,7 @@ const geneva = (() => {
         };
         [...document.querySelectorAll('main details')].filter(isOpened).forEach(of => { of.open = true; });
         document.querySelectorAll('.claims > li').forEach(of => { of.style.contentVisibility = 'visible'; });
-        while (document.querySelector('main details[open] > [aria-busy="true"]')) {
-            await new Promise(done => { setTimeout(done, 10); });
-        }
+        await until(() => !document.querySelector('main details[open] > [aria-busy="true"]'));
     };
 
     /** Closes the list of chapters, as it is closed for one who comes with a narrow screen. */

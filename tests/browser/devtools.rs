@@ -11,7 +11,14 @@ use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 /// How long one answer may take, however busy the machine is.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(600);
+
+/// What every page has besides its own scripts. `until` gives the value of a function as soon as it is neither null nor
+/// false; tests wait for what they wait for by it, and never for a time. And what a page gives up after some seconds, it gives
+/// up only when the test does: how long a reader waits is not what a busy machine is asked.
+const WAITING: &str = "globalThis.until = async is => { for (;;) { const found = await is(); if (found) { return found } \
+     await new Promise(done => setTimeout(done, 10)) } }; \
+     { const own = setTimeout; globalThis.setTimeout = (run, time, ...rest) => own(run, time >= 1000 ? 1e9 : time, ...rest) }";
 
 /// The height of a window, in pixels, where a test does not choose one.
 const HEIGHT: u32 = 900;
@@ -128,6 +135,7 @@ impl Browser {
             browser.ask(&format!("{domain}.enable"), json!({}))?;
         }
         browser.ask("Page.setLifecycleEventsEnabled", json!({ "enabled": true }))?;
+        browser.ask("Page.addScriptToEvaluateOnNewDocument", json!({ "source": WAITING }))?;
         browser.ask("Emulation.setFocusEmulationEnabled", json!({ "enabled": true }))?;
         Ok(browser)
     }
@@ -277,8 +285,19 @@ impl Browser {
         bytes(printed["data"].as_str().unwrap_or_default())
     }
 
+    /// Waits until the browser is at an address that ends so.
+    #[track_caller]
+    pub fn arrive(&mut self, ending: &str) {
+        let end = Instant::now() + PATIENCE;
+        // Whatever changes the address after it has been asked for is told by a message.
+        while !self.address().is_some_and(|address| address.ends_with(ending)) {
+            let event = self.message(end).unwrap_or_else(|why| panic!("the browser: {ending}: {why}"));
+            self.events.push_back(event);
+        }
+    }
+
     /// Where the browser is. While it goes from one page to another, there is none.
-    pub fn address(&mut self) -> Option<String> {
+    fn address(&mut self) -> Option<String> {
         let history = self.ask("Page.getNavigationHistory", json!({})).ok()?;
         let now = usize::try_from(history["currentIndex"].as_u64()?).ok()?;
         history["entries"][now]["url"].as_str().map(str::to_owned)

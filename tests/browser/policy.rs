@@ -8,18 +8,19 @@ const BLOCKED: [&str; 5] = ["base-uri", "connect-src", "object-src", "script-src
 
 /// Puts into the open page whatever could run or load something, and tries to lead its links elsewhere: what has run, whether
 /// something was fetched, whether links lead elsewhere, and what was blocked. The page is of no use afterwards.
-const HOSTILE: &str = "(async () => { const place = document.createElement('div'); document.querySelector('main').append(place); const blocked = \
+const HOSTILE: &str = "(async () => { const turns = count => { let left = count; return () => left-- <= 0 }; const place = document.createElement('div'); document.querySelector('main').append(place); const blocked = \
              []; document.addEventListener('securitypolicyviolation', event => blocked.push(event.effectiveDirective)); \
              place.innerHTML = '<img src=\"data:,x\" onerror=\"window.ran=1\"><svg onload=\"window.ran=2\"></svg><iframe \
              srcdoc=\"<script>parent.ran=3</script>\"></iframe><object data=\"data:text/html,x\"></object><a \
              href=\"javascript:window.ran=4\">a</a><form action=\"https://example.org/\"><button>b</button></form>'; \
              const script = document.createElement('script'); script.textContent = 'window.ran=5'; place.append(script); \
              const far = document.createElement('script'); far.src = 'data:text/javascript,window.ran=6'; place.append(far); \
-             place.querySelector('button').click(); await new Promise(done => setTimeout(done, 20)); place.querySelector('a').click(); setTimeout('window.ran=7', 0); \
+             place.querySelector('button').click(); await until(turns(2)); place.querySelector('a').click(); setTimeout('window.ran=7'); \
              const base = document.createElement('base'); base.href = 'https://example.org/'; document.head.append(base); \
              const reached = await fetch('data:,x').then(() => true, () => false); \
-             for (let turn = 0; turn < 100 && (turn < 3 || !['base-uri', 'connect-src', 'object-src', 'script-src-attr', \
-             'script-src-elem'].every(of => blocked.includes(of))); turn++) { await new Promise(done => setTimeout(done, 20)); } \
+             await until(turns(3)); if (document.querySelector('meta[content^=\"default-src\"]')) { const late = turns(10000); \
+             await until(() => late() || ['base-uri', 'connect-src', 'object-src', 'script-src-attr', \
+             'script-src-elem'].every(of => blocked.includes(of))); } \
              return [window.ran ?? null, reached, document.baseURI.startsWith('https:'), [...new Set(blocked)].sort()] })()";
 
 /// What of all that is not prevented on the open page. What it has said until now is forgotten.

@@ -37,7 +37,9 @@ fn visit(browser: &mut Browser, name: &str, figure: &str, settings: &[String]) -
         name,
         &format!(
             "(async () => {{ {SETTLED}; const others = of => of.matches('main') ? [] : [...[...of.parentElement.children].filter(one => \
-             one !== of), ...others(of.parentElement)]; others(f).forEach(of => {{ of.hidden = true }}); const all = []; for (const setting of {}) {{ location.hash = '#fig-{figure}?' + setting; await \
+             one !== of), ...others(of.parentElement)]; others(f).forEach(of => {{ of.hidden = true }}); const all = []; for (const setting of {}) {{ const before = location.href, \
+             went = new Promise(done => addEventListener('hashchange', done, {{ once: true }})); \
+             location.hash = '#fig-{figure}?' + setting; if (location.href !== before) {{ await went }} await \
              settled(); all.push({{ setting, shown: {SHOWN}, ignored: f.querySelector('.ignored').textContent, refused: \
              f.classList.contains('refused') }}) }} return all }})()",
             json!(settings)

@@ -201,3 +201,11 @@ fn the_sheet_is_no_wider_than_a_line_and_plain_in_a_pipe() {
         assert_is_plain(&stdout(&command(instant, &[]), 0));
     }
 }
+
+#[test]
+fn a_pin_is_too_near_below_a_thousandth_of_the_crank() {
+    // It is two crank radii times the cosine of half the crank angle from the lever's pivot.
+    let at = |degrees| ["--ground", "0.3", "--crank", "0.3", "--rpm", "60", "--crank-angle", degrees];
+    assert!(refused(&at("179.943")).contains("at least 0.001 crank radii away"));
+    stdout(&[&["quick-return"][..], &at("179.942")].concat(), 0);
+}

@@ -1,13 +1,11 @@
 //! A file is either complete or as it was, even if the program is ended in the middle of its work.
 
 use super::SMALL;
-use crate::{geneva, is_ignored, refusal, run, written};
+use crate::{geneva, is_ignored, refusal, run, until, written};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::thread::sleep;
-use std::time::Duration;
 
 /// More than any machine computes before the test ends it: millions of rows, on one thread.
 const LONG: [&str; 9] =
@@ -33,9 +31,20 @@ fn names(folder: &Path) -> Vec<String> {
 fn begun(folder: &Path) -> Child {
     let mut command = geneva(&to(&LONG, "sweep.csv"));
     let mut child = command.current_dir(folder).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("it runs");
-    sleep(Duration::from_millis(400));
-    assert!(child.try_wait().expect("a child").is_none(), "it is still at work");
+    until("the first row", || {
+        assert!(child.try_wait().expect("a child").is_none(), "it is still at work");
+        has_written(child.id(), folder)
+    });
     child
+}
+
+/// Whether a process has written something into a file in this folder, which has no name. Where the system does not tell what
+/// a process has open, this says so at once.
+fn has_written(process: u32, folder: &Path) -> bool {
+    let Ok(opened) = fs::read_dir(format!("/proc/{process}/fd")) else { return true };
+    let in_folder = |path: &Path| fs::read_link(path).is_ok_and(|file| file.starts_with(folder));
+    let is_written = |path: &Path| fs::metadata(path).is_ok_and(|file| file.len() > 0);
+    opened.flatten().map(|entry| entry.path()).any(|path| in_folder(&path) && is_written(&path))
 }
 
 /// Ends it: by a signal with this name, or if there is none by force.

@@ -134,3 +134,41 @@ fn no_number_of_a_cycle_is_beyond_computing() {
         assert!(!text.contains("NaN"), "{text}");
     }
 }
+
+#[test]
+fn whole_turns_of_the_crank_move_the_wheel_on_and_change_nothing_else() {
+    for kind in ["external", "internal", "spherical"] {
+        let of = |degrees: f64| {
+            let line = ["wheel", "--stations", "6", "--type", kind, "--rpm", "90", "--inertia", "0.01"];
+            let mut found = object(&[&line[..], &["--at", &degrees.to_string()]].concat());
+            let at = found["at"][0].take();
+            at.as_object().expect("an object").clone()
+        };
+        for degrees in [-170.0, -91.25, -29.5, -12.5, 0.0, 7.0, 30.25, 59.0, 100.0, 179.0] {
+            let first = of(degrees);
+            for turns in [-3.0, -1.0, 1.0, 2.0, 40.0] {
+                let later = of(degrees + 360.0 * turns);
+                assert_eq!(first.keys().collect::<Vec<_>>(), later.keys().collect::<Vec<_>>());
+                for (key, value) in &first {
+                    let Some(value) = value.as_f64() else {
+                        assert_eq!(&later[key], value, "{kind} {degrees}° {key}");
+                        continue;
+                    };
+                    // A wheel of six stations goes on by one of them in each turn; a turn takes two thirds of a second.
+                    let step = match key.as_str() {
+                        "crank_angle_deg" => 360.0,
+                        "wheel_angle_deg" => 60.0,
+                        "time_s" => 2.0 / 3.0,
+                        _ => 0.0,
+                    };
+                    let found = later[key].as_f64().unwrap_or_else(|| panic!("{kind} {degrees}° {key}"));
+                    approx::assert_abs_diff_eq!(
+                        found,
+                        value + turns * step,
+                        epsilon = 1e-9 * (1.0 + value.abs() + (turns * step).abs())
+                    );
+                }
+            }
+        }
+    }
+}

@@ -72,11 +72,14 @@ pub struct Hypothesis {
     pub lag: Lag,
 }
 
-/// Relative error of the solution over the angle, and of a rise.
-const TOLERANCE: f64 = 1e-10;
-const RISE_TOLERANCE: f64 = 1e-6;
-
 impl Hypothesis {
+    /// Relative error of the solution over the angle, dimensionless.
+    pub const TOLERANCE: f64 = 1e-10;
+
+    /// How near to its steady state a rise is followed, relative to it, dimensionless: far below any part of a velocity that a
+    /// definition of the rise time lets be missing.
+    pub const RISE_TOLERANCE: f64 = 1e-6;
+
     /// The hypothesis that explains the tables: one reset angle for all, the inertias of Fig. 11, peaks as printed.
     ///
     /// With the sign exact it has a solution over the angle; see [`AS_RUN`](Self::AS_RUN) for what the program adds.
@@ -120,12 +123,12 @@ impl Hypothesis {
 
     /// The engagement of a row, solved over the angle.
     pub fn engagement(&self, row: &Row) -> Option<Engagement> {
-        Engagement::reset_after(&self.parameters(row)?, self.angle(row), TOLERANCE).ok()
+        Engagement::reset_after(&self.parameters(row)?, self.angle(row), Self::TOLERANCE).ok()
     }
 
     /// The start of a row's run from rest.
     pub fn rise(&self, row: &Row) -> Option<Rise> {
-        self.engagement(row)?.rise(RISE_TOLERANCE).ok()
+        self.engagement(row)?.rise(Self::RISE_TOLERANCE).ok()
     }
 
     /// What the run of a row gives: solved over the angle, or by the program if it is to have its faults. None if there

@@ -2,12 +2,14 @@
 
 use crate::tables::{LISTING, given, printed, tables};
 use geneva_case1973::likelihood::Law;
+use geneva_case1973::rise_times::parts;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::densities;
 use geneva_case1973::{
     Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin, Weighing, compared,
     delays, fitting_interval,
 };
+use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 
 fn scores() -> Vec<Score<'static>> {
@@ -152,4 +154,38 @@ fn the_interval_that_fits_is_the_interval_with_which_the_tables_were_made() {
     for by_steps in [false, true] {
         assert_eq!(fitting_interval(&rows, by_steps), LISTING.interval);
     }
+}
+
+#[test]
+fn a_tolerance_ten_times_finer_gives_the_same_digits() {
+    let hypothesis = Hypothesis::WITHOUT_LAG;
+    for row in tables() {
+        let solved = |tolerance| {
+            let parameters = hypothesis.parameters(row).expect("an escapement");
+            Engagement::reset_after(&parameters, hypothesis.angle(row), tolerance).expect("an engagement")
+        };
+        let (usual, finer) = (solved(Hypothesis::TOLERANCE), solved(Hypothesis::TOLERANCE / 10.0));
+        let numbers = |of: &Engagement| {
+            let (steady, first) =
+                (of.steady_state().expect("steady"), of.first_minimum().expect("a run").expect("a minimum"));
+            [steady.peak.speed, steady.minimum.speed, steady.period, first.time].map(|number| format!("{number:.8e}"))
+        };
+        assert_eq!(numbers(&usual), numbers(&finer));
+        let times = |tolerance: f64| {
+            let rise = usual.rise(tolerance).expect("a rise");
+            let until = |part| {
+                [
+                    rise.until_entry_speed(part),
+                    rise.until_peak(part),
+                    rise.until_minimum(part),
+                    rise.until_mean_speed(part),
+                ]
+            };
+            parts(0.01).map(until)
+        };
+        assert_eq!(times(Hypothesis::RISE_TOLERANCE), times(Hypothesis::RISE_TOLERANCE / 10.0));
+    }
+    // A rise is followed a thousand times as far as any definition of its time looks.
+    let least = parts(0.01).into_iter().fold(f64::INFINITY, f64::min);
+    assert!(Hypothesis::RISE_TOLERANCE <= least / 1000.0, "{} for {least}", Hypothesis::RISE_TOLERANCE);
 }

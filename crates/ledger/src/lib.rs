@@ -96,11 +96,20 @@ pub fn verdict(id: &str) -> Option<&'static Judged> {
     Some(judged(number(id)?))
 }
 
+/// The verdicts that somebody has asked for until now, in the order of [`claims`].
+pub fn judged_until_now() -> impl Iterator<Item = &'static Judged> {
+    kept().iter().filter_map(OnceLock::get)
+}
+
 /// The verdict on the claim of this number, derived when it is first asked for.
 fn judged(number: usize) -> &'static Judged {
+    kept()[number].get_or_init(|| judge(&claims()[number]))
+}
+
+/// A place for the verdict on each claim.
+fn kept() -> &'static [OnceLock<Judged>] {
     static JUDGED: OnceLock<Vec<OnceLock<Judged>>> = OnceLock::new();
-    let all = JUDGED.get_or_init(|| claims().iter().map(|_| OnceLock::new()).collect());
-    all[number].get_or_init(|| judge(&claims()[number]))
+    JUDGED.get_or_init(|| claims().iter().map(|_| OnceLock::new()).collect())
 }
 
 /// The verdicts on the claims of these numbers, shared out among the machine's processors.

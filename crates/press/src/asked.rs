@@ -145,16 +145,22 @@ pub fn number(asked: &str) -> anyhow::Result<String> {
     let question = question(name)?;
     let field = field(&question, key)?;
     let value = number_of(&field, &question)?;
+    rounded(value, digits, &field).with_context(|| format!("`{asked}`"))
+}
+
+/// A number of a field, rounded as these digits say.
+fn rounded(value: f64, digits: &str, field: &Field) -> anyhow::Result<String> {
     let unsized_digits = digits.strip_prefix("size");
     let (value, digits) =
         (if unsized_digits.is_some() { value.abs() } else { value }, unsized_digits.unwrap_or(digits));
     if digits == "limit" {
-        return Ok(as_drawn((value * 1000.0).floor() / 1000.0, &field));
+        return Ok(as_drawn((value * 1000.0).floor() / 1000.0, field));
     }
     if digits == "limit4" {
-        return Ok(fixed((value * 1e4).floor() / 1e4, 4) + &unit(&field));
+        return Ok(fixed((value * 1e4).floor() / 1e4, 4) + &unit(field));
     }
-    let wrong = || format!("`{asked}`: give digits such as 3 or .3, `size` before them, `limit` or `limit4`");
+    let wrong =
+        || format!("`{digits}` is no rounding: give digits such as 3 or .3, `size` before them, `limit` or `limit4`");
     let count = |text: &str| text.parse::<usize>().with_context(wrong);
     let rounding = match (digits.strip_prefix('.'), digits) {
         (None, "") => field.rounding,
@@ -163,9 +169,9 @@ pub fn number(asked: &str) -> anyhow::Result<String> {
     };
     Ok(match rounding {
         Rounding::Percent(decimals) => fixed(100.0 * value, decimals) + "&nbsp;%",
-        Rounding::Decimals(_) if digits.is_empty() => as_drawn(value, &field),
-        Rounding::Decimals(decimals) => fixed(value, decimals) + &unit(&field),
-        Rounding::Significant(digits) => significant(value, digits) + &unit(&field),
+        Rounding::Decimals(_) if digits.is_empty() => as_drawn(value, field),
+        Rounding::Decimals(decimals) => fixed(value, decimals) + &unit(field),
+        Rounding::Significant(digits) => significant(value, digits) + &unit(field),
     })
 }
 
@@ -203,6 +209,35 @@ mod tests {
             ("sized.rpm:3", "30.0"),
         ] {
             assert_eq!(number(asked).expect(asked), said, "{asked}");
+        }
+    }
+
+    #[test]
+    fn each_rounding_is_tried_on_both_sides_of_its_step() {
+        let length = Field::in_unit("length_mm", 0.0, "mm");
+        let factor = Field::new("factor", 0.0);
+        let share = Field::new("share", 0.0).rounded(Rounding::Percent(1));
+        for (field, digits, [(below, under), (above, over)]) in [
+            // A limit is rounded to the side on which it is kept.
+            (&length, "limit", [(0.424_999, "0.424&nbsp;mm"), (0.425_001, "0.425&nbsp;mm")]),
+            (&length, "limit", [(0.424_001, "0.424&nbsp;mm"), (0.423_999, "0.423&nbsp;mm")]),
+            (&length, "limit", [(-0.424_001, "−0.425&nbsp;mm"), (-0.423_999, "−0.424&nbsp;mm")]),
+            (&length, "limit4", [(0.424_999, "0.4249&nbsp;mm"), (0.425_001, "0.4250&nbsp;mm")]),
+            (&length, "limit4", [(-0.424_001, "−0.4241&nbsp;mm"), (-0.423_999, "−0.4240&nbsp;mm")]),
+            // All else is rounded to the nearest.
+            (&length, "", [(0.424_499, "0.424&nbsp;mm"), (0.424_501, "0.425&nbsp;mm")]),
+            (&length, "", [(24.999_4, "24.999&nbsp;mm"), (24.999_6, "25&nbsp;mm")]),
+            (&length, ".1", [(0.449, "0.4&nbsp;mm"), (0.451, "0.5&nbsp;mm")]),
+            (&length, "2", [(0.424_9, "0.42&nbsp;mm"), (0.425_1, "0.43&nbsp;mm")]),
+            (&length, "size.1", [(-0.449, "0.4&nbsp;mm"), (-0.451, "0.5&nbsp;mm")]),
+            (&length, "size2", [(-0.424_9, "0.42&nbsp;mm"), (-0.425_1, "0.43&nbsp;mm")]),
+            (&factor, "", [(1.234_49, "1.234"), (1.234_51, "1.235")]),
+            (&share, "", [(0.123_49, "12.3&nbsp;%"), (0.123_51, "12.4&nbsp;%")]),
+            (&share, "", [(0.999_49, "99.9&nbsp;%"), (0.999_51, "100.0&nbsp;%")]),
+        ] {
+            for (value, said) in [(below, under), (above, over)] {
+                assert_eq!(rounded(value, digits, field).expect("digits"), said, "{value}:{digits}");
+            }
         }
     }
 

@@ -3,6 +3,10 @@
 //! A placeholder is `{{key:argument}}` or `{{key}}`. Those of other keys, and the braces of Rust and of mdBook's own
 //! `{{#include}}`, are left alone.
 
+mod reading;
+
+pub use reading::readings;
+
 use crate::citing::TITLE;
 use crate::data::File;
 use crate::edition::Edition;

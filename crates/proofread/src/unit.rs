@@ -320,6 +320,9 @@ pub(crate) fn pair(word: &str) -> Option<(&'static str, &'static str)> {
 }
 
 #[cfg(test)]
+mod second_table;
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -20,6 +20,7 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod since;
+mod thresholds;
 mod units;
 mod unrounded;
 mod unusual;

@@ -25,3 +25,20 @@ fn the_programs_own_sizes_need_no_warning_and_dangerous_ones_get_theirs() {
     assert_eq!(found, [Warning::ThinWall { wall: "the horn", thickness: 0.4 }]);
     assert!(found[0].to_string().contains("0.400 mm"));
 }
+
+#[test]
+fn each_warning_begins_at_its_threshold() {
+    // A fifth of the pin of 7.5 mm.
+    let horn = |thickness| warnings(6, &Choices { horn_thickness: Some(thickness), ..Choices::default() });
+    assert_eq!(horn(1.499), [Warning::ThinWall { wall: "the horn", thickness: 1.499 }]);
+    assert_eq!(horn(1.501), []);
+    let play = |play| warnings(6, &Choices { play: Some(Play::of(play)), ..Choices::default() });
+    assert_eq!((play(0.0), play(1e-6)), (vec![Warning::NoPlay], vec![]));
+    // For a pin of 7.5 mm, the loosest H8/e8 has 25 + 22 + 22 micrometres.
+    let sizes = |play| {
+        let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+        Sizes::new(Wheel::new(6).unwrap(), Scale::CrankRadius(25.0), &choices).unwrap()
+    };
+    assert_eq!(sizes(0.068_999).looser_than_fit(), None);
+    assert!(sizes(0.069_001).looser_than_fit().is_some());
+}

@@ -9,7 +9,7 @@ use std::fs::{self, File, TryLockError};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use anyhow::{Context, bail, ensure};
 
@@ -223,14 +223,16 @@ impl Paths {
     ///
     /// Pages make the folders that they are written to, so it is not enough to remove the folder. A file takes its place.
     fn stop(&self) {
-        const LONGEST: Duration = Duration::from_secs(2);
+        // A millisecond after each: a build that writes all the time can win some of them.
+        const TRIES: u32 = 2000;
         // Long enough for a build that is writing to find out, and to wait from then on.
         const PAUSE: Duration = Duration::from_millis(20);
-        let (new, begun) = (self.new_book(), Instant::now());
-        let mut is_stopped = false;
-        while !is_stopped && begun.elapsed() < LONGEST {
-            is_stopped = remove_all(&new).is_ok() && File::create_new(&new).is_ok();
-            std::thread::sleep(if is_stopped { PAUSE } else { Duration::from_millis(1) });
+        let new = self.new_book();
+        for _ in 0..TRIES {
+            if remove_all(&new).is_ok() && File::create_new(&new).is_ok() {
+                return std::thread::sleep(PAUSE);
+            }
+            std::thread::sleep(Duration::from_millis(1));
         }
     }
 

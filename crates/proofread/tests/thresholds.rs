@@ -1,0 +1,119 @@
+//! Each threshold of the proofreader from both sides: two texts that differ by as little as their digits allow are told apart. What
+//! only bounds the work (lengths, depths, counts) is tried in the fuzz test.
+
+use crate::{report, verdicts};
+use proofread::{Doubt, Format};
+
+/// Why the first difference in a text is set aside.
+fn doubt(text: &str) -> Option<Doubt> {
+    report(text, Format::Markdown).findings.first().unwrap_or_else(|| panic!("nothing is read in {text}")).doubt
+}
+
+#[track_caller]
+fn apart(doubted: &str, counted: &str, why: Doubt) {
+    assert_eq!((doubt(doubted), doubt(counted)), (Some(why), None), "{doubted} and {counted}");
+}
+
+#[track_caller]
+fn judged(cases: &[(&str, &str)]) {
+    for (tex, verdict) in cases {
+        assert_eq!(verdicts(tex), [*verdict], "{tex}");
+    }
+}
+
+#[test]
+fn a_quantity_is_its_size_within_a_twentieth() {
+    apart(r"$-76.00\,\text{N} = 80.00\,\text{N}$", r"$-75.98\,\text{N} = 80.00\,\text{N}$", Doubt::Fragment);
+    let deviation = |printed: &str| format!(r"$(76.10-80.00)/80.00 \times 100\% = {printed}\%$");
+    apart(&deviation("5.13"), &deviation("5.15"), Doubt::Fragment);
+}
+
+#[test]
+fn two_bare_numbers_are_far_apart_beyond_seven_tenths_of_the_larger_one() {
+    apart("$0.299 = 1.000$", "$0.300 = 1.000$", Doubt::Fragment);
+}
+
+#[test]
+fn a_number_of_two_digits_is_a_fragment_and_one_of_three_is_none() {
+    apart("$12 = 4 + 9$", "$123 = 4 + 9$", Doubt::Fragment);
+    apart("$9.81(23) = 9.7$", "$9.81(234) = 9.7$", Doubt::Unknown);
+    apart("$9.81(2) = 9.7$", "$9.8(2) = 9.7$", Doubt::Unknown);
+}
+
+#[test]
+fn three_formulas_with_one_factor_are_a_habit_and_two_are_none() {
+    let two = r"$1.0+1.0=3.00$ and $2.5\cdot 2=7.50$";
+    apart(&format!("{two} and $4.0+2.0=9.00$"), two, Doubt::Habit);
+    // The factors are one within half a per cent.
+    apart(&format!("{two} and $4.0+2.0=9.04$"), &format!("{two} and $4.0+2.0=9.05$"), Doubt::Habit);
+    let times = |factor: f64, digits: usize| {
+        let printed = [2.0, 4.0, 6.0].map(|right| format!("{:.digits$}", right * factor));
+        format!("$1.00+1.00={}$ and $2.00\\cdot 2={}$ and $4.00+2.00={}$", printed[0], printed[1], printed[2])
+    };
+    // Near one, a factor says nothing; ten and a tenth of it are misplaced points.
+    apart(&times(1.0 / 0.949, 3), &times(1.0 / 0.951, 3), Doubt::Habit);
+    apart(&times(1.0 / 1.051, 3), &times(1.0 / 1.049, 3), Doubt::Habit);
+    for (habit, misplaced) in [(0.0994, 0.0996), (0.1006, 0.1004)] {
+        apart(&times(1.0 / habit, 3), &times(1.0 / misplaced, 3), Doubt::Habit);
+        apart(&times(0.01 / habit, 5), &times(0.01 / misplaced, 5), Doubt::Habit);
+    }
+}
+
+#[test]
+fn steps_explain_a_quarter_of_what_they_leave_open() {
+    judged(&[
+        (r"2.3 \cdot 3.1 = 7.062", "inconsistent"),
+        (r"2.3 \cdot 3.1 = 7.063", "rounded"),
+        (r"2.3 \cdot 3.1 = 7.197", "rounded"),
+        (r"2.3 \cdot 3.1 = 7.198", "inconsistent"),
+        ("153/211 = 0.72409", "inconsistent"),
+        ("153/211 = 0.72410", "rounded"),
+        ("153/211 = 0.72614", "rounded"),
+        ("153/211 = 0.72615", "inconsistent"),
+    ]);
+}
+
+#[test]
+fn integers_that_were_rounded_to_tens_explain_less() {
+    judged(&[
+        ("150/210 = 0.7132", "inconsistent"),
+        ("150/210 = 0.7133", "rounded"),
+        ("150/210 = 0.7153", "rounded"),
+        ("150/210 = 0.7154", "inconsistent"),
+    ]);
+}
+
+#[test]
+fn a_result_is_as_coarse_as_its_integers_up_to_a_bound() {
+    judged(&[("132/149 = 0.893", "last-digit"), ("91/133 = 0.692", "inconsistent")]);
+}
+
+#[test]
+fn the_last_digit_is_within_one_unit() {
+    judged(&[
+        (r"23 \cdot 31 = 711", "inconsistent"),
+        (r"23 \cdot 31 = 712", "last-digit"),
+        (r"23 \cdot 31 = 714", "last-digit"),
+        (r"23 \cdot 31 = 715", "inconsistent"),
+        (r"\sqrt{23} = 4.794", "inconsistent"),
+        (r"\sqrt{23} = 4.795", "truncated"),
+        (r"\sqrt{23} = 4.797", "last-digit"),
+        (r"\sqrt{23} = 4.798", "inconsistent"),
+    ]);
+}
+
+#[test]
+fn three_digits_behind_an_approximate_sign_are_meant_to_be_right() {
+    judged(&[(r"29/3 \approx 9.6", "approximate"), (r"29/3 \approx 9.9", "last-digit")]);
+    judged(&[(r"5/3 \approx 1.6", "approximate"), (r"5/3 \approx 1.5", "inconsistent")]);
+}
+
+#[test]
+fn a_sine_is_at_most_one_up_to_the_rounding_of_a_machine() {
+    judged(&[
+        (r"\arcsin 1.0000001 = 1.571", "consistent"),
+        (r"\arcsin 1.0000002 = 1.571", "inconsistent"),
+        (r"\arccos 1.0000001 = 0.000", "consistent"),
+        (r"\arccos 1.0000002 = 0.000", "inconsistent"),
+    ]);
+}
