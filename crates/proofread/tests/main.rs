@@ -10,6 +10,7 @@ mod definitions;
 mod doubts;
 mod formats;
 mod fuzz;
+mod growth;
 #[cfg(feature = "cli")]
 mod inclusions;
 mod judged;
@@ -20,6 +21,7 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod since;
+mod structures;
 mod units;
 mod unrounded;
 mod unusual;
