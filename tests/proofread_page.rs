@@ -154,6 +154,11 @@ fn hostile_texts_are_answered_in_words_and_nothing_of_them_runs_or_is_sent() {
         "javascript:window.ran=4 = 5 = 6".to_owned(),
         format!("${}1{}=2$", "(".repeat(50_000), ")".repeat(50_000)),
         format!("${}1{}=2$", "\\frac{1}{".repeat(50_000), "}".repeat(50_000)),
+        format!("${}2=5$", "2^".repeat(9000)),
+        format!("${}2=5$", "\\sqrt".repeat(3000)),
+        format!("${}2=5$", "\\sqrt[".repeat(3000)),
+        format!("${}2=5$", "√".repeat(9000)),
+        format!("5 = {}2", "√".repeat(1000)),
         format!("<math>{}<mn>1</mn>", "<mrow>".repeat(100_000)),
         format!("{{\"cells\":{}", "[".repeat(200_000)),
         format!("${}$", vec!["7"; 2000].join("=8=")),
@@ -172,6 +177,7 @@ fn hostile_texts_are_answered_in_words_and_nothing_of_them_runs_or_is_sent() {
         let start: String = text.chars().take(60).collect();
         assert!(shown[0][0].as_str().is_some_and(|words| !words.is_empty()), "{start}: {shown}");
         assert_eq!(shown[2], json!(null), "{start}");
+        assert!(!shown[0].to_string().contains("call stack"), "{start}: {shown}");
         let known = ["a", "dd", "div", "dl", "dt", "li", "mark", "ol", "p", "samp", "strong"];
         let elements = shown[3].as_str().unwrap_or_default();
         assert!(elements.split(' ').all(|element| known.contains(&element)), "{start}: {elements}");

@@ -2,7 +2,7 @@
 
 use crate::answer::Fact;
 use crate::question::Question;
-use proofread::summary::{count, doubts, findings, others, units_alone};
+use proofread::summary::{count, doubts, findings, others, units_alone, unread};
 use proofread::{Finding, Format, List, Tally};
 
 /// What a format is called in a sentence and in the list of choices.
@@ -41,6 +41,7 @@ pub(crate) fn summary(question: &Question<'_>, format: Format, tally: &Tally, fo
         }
     });
     said.extend(others(tally));
+    said.extend(unread(tally));
     said.extend(units_alone(tally).filter(|_| !question.units).map(|said| said + "."));
     said.extend(doubts(tally).filter(|_| !question.doubts).map(|said| said + "."));
     said

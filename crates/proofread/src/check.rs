@@ -4,13 +4,14 @@ use crate::binding::{Follow, Known, assignment, single_name};
 use crate::chain::{Chain, Relation, Side, chains};
 use crate::customs;
 use crate::doubt::{Doubt, Factors, Place};
+use crate::effort::{self, Effort};
 use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
 use crate::notation;
 use crate::reader::{self, Definitions, Format, Formula, From, Running, Unreadable, Written};
 use crate::surroundings;
-use crate::token::{Kind, Span, Token, has_number};
+use crate::token::{Kind, Span, Token, any, has_number};
 use crate::unrounded::Results;
 use crate::value::{Evaluated, Literal, Obstacle, Value};
 use crate::verdict::{Judgement, Verdict, evaluated, judge};
@@ -24,6 +25,8 @@ pub struct Options<'d> {
     pub agreeing: bool,
     /// Most findings for which a hint is searched, the first ones: the search takes longer than the rest.
     pub hints: usize,
+    /// Most tokens that are evaluated in the search for hints: what is not searched for is not offered.
+    pub hint_effort: usize,
     /// What other LaTeX texts define for this one: its preamble, packages or classes. A definition of its own counts before them.
     /// Texts in other formats are read without.
     pub definitions: Option<&'d Definitions>,
@@ -31,7 +34,13 @@ pub struct Options<'d> {
 
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { follow: Follow::default(), agreeing: false, hints: MOST_HINTS, definitions: None }
+        Self {
+            follow: Follow::default(),
+            agreeing: false,
+            hints: MOST_HINTS,
+            hint_effort: hint::MOST_FOR_ALL,
+            definitions: None,
+        }
     }
 }
 
@@ -42,6 +51,8 @@ pub struct Tally {
     pub bytes: usize,
     /// Formulas, and lines that may be one.
     pub formulas: usize,
+    /// Formulas and lines that are not read to their end, since they are too long, nest too deeply, or have macros that never end.
+    pub unread: usize,
     /// Chains of equal sides with a number in them.
     pub chains: usize,
     /// Chains with two sides that are numbers and have no letters: what arithmetic can check.
@@ -66,6 +77,7 @@ impl Tally {
     pub fn add(&mut self, other: &Self) {
         self.bytes += other.bytes;
         self.formulas += other.formulas;
+        self.unread += other.unread;
         self.chains += other.chains;
         self.checkable += other.checkable;
         self.checked += other.checked;
@@ -84,6 +96,8 @@ pub struct Report {
     pub findings: Vec<Finding>,
     /// How much was checked.
     pub tally: Tally,
+    /// What it took.
+    pub effort: Effort,
 }
 
 /// Most findings that are kept of one document; the tally counts all.
@@ -98,6 +112,7 @@ const MOST_HINTS: usize = 300;
 ///
 /// If the text is longer than [`reader::LONGEST`], or is no notebook where it should be one.
 pub fn proofread(text: &str, format: Format, options: Options<'_>) -> Result<Report, Unreadable> {
+    let steps = effort::steps();
     let lines = Running::of(text, format);
     let mut check = Check {
         text,
@@ -107,7 +122,7 @@ pub fn proofread(text: &str, format: Format, options: Options<'_>) -> Result<Rep
         before: None,
         results: Results::default(),
         factors: Factors::default(),
-        budget: hint::MOST_FOR_ALL,
+        budget: options.hint_effort,
     };
     if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
         let known = &mut check.known;
@@ -132,6 +147,8 @@ pub fn proofread(text: &str, format: Format, options: Options<'_>) -> Result<Rep
         findings[at..].iter_mut().for_each(|finding| finding.place(&|span| lines.place(span)));
         findings.sort_by_key(|finding| finding.span);
     }
+    let hints = options.hint_effort - check.budget;
+    check.report.effort = Effort { steps: effort::steps().saturating_sub(steps), hints };
     check.report.tally.bytes = text.len();
     check.report.tally.doubts = check.report.findings.iter().filter(|of| of.list == List::Doubts).count();
     Ok(check.report)
@@ -175,7 +192,7 @@ fn names_label(judgement: &Judgement) -> bool {
 
 /// The integer at a side, whose digits are in another base.
 fn in_decimal(side: &Side, base: u32) -> Option<Vec<Token>> {
-    let [Token { kind: Kind::Number(digits), span }] = side.tokens.as_slice() else { return None };
+    let [Token { kind: Kind::Number(digits), span, .. }] = side.tokens.as_slice() else { return None };
     let value = u64::from_str_radix(digits, base).ok()?;
     Some(vec![Token::new(Kind::Number(value.to_string()), *span)])
 }
@@ -207,6 +224,7 @@ struct Check<'t> {
 impl Check<'_> {
     fn formula(&mut self, formula: &Formula) {
         self.report.tally.formulas += 1;
+        self.report.tally.unread += usize::from(any(&formula.tokens, &Kind::is_unread));
         let chains = chains(&formula.tokens);
         let numeric = |chain: &&Chain| {
             let compared = chain.sides.iter().skip(1).any(|side| side.relation != Some(Relation::Other));

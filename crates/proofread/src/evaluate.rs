@@ -1,6 +1,7 @@
 //! The value of a side under one reading: sums, products, powers and groups.
 
 use crate::atom::{factorial, is_equation_number, letters};
+use crate::effort;
 use crate::interval::Interval;
 use crate::printed::{Mode, Printed};
 use crate::reading::Reading;
@@ -68,6 +69,7 @@ impl<'t> Cursor<'t> {
     pub fn group(&mut self) -> Evaluated<&'t [Token]> {
         let mut depth = 0usize;
         for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
+            effort::count(1);
             if token.is_one_of("([{") {
                 depth += 1;
             } else if token.is_one_of(")]}") {
@@ -172,10 +174,7 @@ impl<'b> Evaluator<'b> {
             let Some(first) = rest.first() else { return Ok(value) };
             if first.is_one_of("+-") {
                 // The terms behind the bar may have bars of their own.
-                let others = match self.bar(rest) {
-                    Some(others) => others?,
-                    None => self.whole(rest)?,
-                };
+                let others = self.inside(|inside| inside.bar(rest).unwrap_or_else(|| inside.whole(rest)))?;
                 return value.plus(&others, false);
             }
             let other = self.whole(rest)?;
@@ -220,17 +219,18 @@ impl<'b> Evaluator<'b> {
         }
     }
 
-    fn sum(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    /// One step further inside: whatever is in something else is evaluated by this, be it in brackets, below a root or behind a bar.
+    fn inside(&mut self, value: impl FnOnce(&mut Self) -> Evaluated<Value>) -> Evaluated<Value> {
         if self.depth >= DEEPEST {
             return Err(Obstacle::TooLarge);
         }
         self.depth += 1;
-        let value = self.sum_inside(cursor);
+        let value = value(self);
         self.depth -= 1;
         value
     }
 
-    fn sum_inside(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn sum(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
         let mut negative = false;
         if cursor.peek().is_some_and(|token| token.is_one_of("±∓")) {
             cursor.at += 1;
@@ -500,10 +500,15 @@ impl<'b> Evaluator<'b> {
 
     fn factor(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
         self.work += 1;
+        effort::count(1);
         if self.work > LONGEST {
             return Err(Obstacle::TooLarge);
         }
         let Some(token) = cursor.peek() else { return Err(Obstacle::Unclear("something is missing")) };
+        self.inside(|inside| inside.factor_of(token, cursor))
+    }
+
+    fn factor_of(&mut self, token: &Token, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
         match &token.kind {
             Kind::Number(text) => self.number(text, cursor),
             Kind::Word(word) | Kind::Name(word) => self.name(token, word, cursor),

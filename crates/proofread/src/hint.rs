@@ -4,6 +4,7 @@ use crate::chain::{Relation, Side};
 use crate::token::{Kind, Span, Token, show};
 use crate::unit::unit;
 use crate::verdict::{Judgement, Verdict, judge};
+use std::ops::ControlFlow;
 
 /// An edit of one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,8 +42,14 @@ struct Edit {
     at: Span,
 }
 
-/// Most edits that are tried at one place.
+/// Takes edits one at a time, and says when it has enough of them. Each has a copy of its side.
+type Tries<'t> = dyn FnMut(Edit) -> ControlFlow<()> + 't;
+
+/// Most edits of a side that are tried.
 const MOST: usize = 2500;
+
+/// Longest sides for which an edit is searched, in tokens: of more than these, one is hardly ever the only one.
+const LONGEST: usize = 200;
 
 /// How much a search may cost, in tokens that are evaluated: a few tenths of a second for one finding, and a few seconds for a
 /// document.
@@ -69,40 +76,47 @@ pub(crate) fn hint(
     let printed =
         judgement.values.as_ref().map_or(1, |(left, right)| usize::from(right.is_literal() || !left.is_literal()));
     let only = matches!(judgement.verdict, Verdict::LastDigit | Verdict::Truncated).then_some(printed);
-    let each = size(&left.tokens) + size(&right.tokens);
+    let sizes = [left, right].map(|side| size(&side.tokens));
+    if sizes.into_iter().any(|size| size > LONGEST) {
+        return None;
+    }
+    let each = sizes[0] + sizes[1];
     let mut spent = 0;
     for near in [Near::Comma, Near::Step, Near::Digit] {
-        let mut found: Vec<(usize, Edit)> = Vec::new();
+        let mut found: Vec<(usize, Hint)> = Vec::new();
         for (which, side) in [left, right].into_iter().enumerate() {
-            let mut edits = Vec::new();
-            variants(&side.tokens, near, &mut edits);
-            // On one side is as good as on the other.
-            if near == Near::Step && which == 0 && only.is_none() {
-                whole_side(side, &mut edits);
-            }
-            edits.truncate(MOST);
-            for edit in edits {
+            let mut tried = 0;
+            let mut is_spent = false;
+            let mut tries = |edit: Edit| {
+                tried += 1;
                 spent += each;
                 *budget = budget.saturating_sub(each);
                 // Without having tried all edits, none is known to be the only one.
-                if spent > MOST_FOR_ONE || *budget == 0 {
-                    return None;
+                is_spent = spent > MOST_FOR_ONE || *budget == 0;
+                if is_spent {
+                    return ControlFlow::Break(());
                 }
                 let sides = if which == 0 { [&edit.tokens, &right.tokens] } else { [&left.tokens, &edit.tokens] };
                 let fits = judge(sides[0], sides[1], relation, None).verdict == Verdict::Consistent;
                 if fits && !found.iter().any(|(_, other)| other.words == edit.words) {
-                    found.push((which, edit));
+                    found.push((which, Hint { words: edit.words, at: edit.at }));
                 }
+                if tried < MOST { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            };
+            let all = variants(&side.tokens, near, &mut tries);
+            // On one side is as good as on the other.
+            if all.is_continue() && near == Near::Step && which == 0 && only.is_none() {
+                let _ = whole_side(side, &mut tries);
             }
             // Of two, neither is the one.
-            if found.len() > 3 {
+            if is_spent || found.len() > 3 {
                 return None;
             }
         }
         match found.as_slice() {
             [] => {}
             [(which, _)] if only.is_some_and(|only| only != *which) => return None,
-            [(_, edit)] => return Some(Hint { words: edit.words.clone(), at: edit.at }),
+            [(_, hint)] => return Some(hint.clone()),
             _ => return None,
         }
     }
@@ -114,7 +128,7 @@ fn number(text: String, span: Span) -> Token {
 }
 
 /// Edits of a side as a whole: its sign and a factor 2. Which of the two sides is wrong, they leave open.
-fn whole_side(side: &Side, out: &mut Vec<Edit>) {
+fn whole_side(side: &Side, tries: &mut Tries<'_>) -> ControlFlow<()> {
     let group = |before: &[Kind], after: &[Kind]| {
         let token = |kind: &Kind| Token::new(kind.clone(), side.span);
         let mut tokens: Vec<Token> = before.iter().map(token).collect();
@@ -126,11 +140,11 @@ fn whole_side(side: &Side, out: &mut Vec<Edit>) {
     };
     let two = Kind::Number("2".to_owned());
     let mut push = |tokens: Vec<Token>, words: &str| {
-        out.push(Edit { tokens, words: format!("{words} on one of the two sides"), at: side.span });
+        tries(Edit { tokens, words: format!("{words} on one of the two sides"), at: side.span })
     };
-    push(group(&[two.clone(), Kind::Operator('·')], &[]), "a factor 2");
-    push(group(&[], &[Kind::Operator('/'), two]), "a factor 2");
-    push(group(&[Kind::Operator('-')], &[]), "the opposite sign");
+    push(group(&[two.clone(), Kind::Operator('·')], &[]), "a factor 2")?;
+    push(group(&[], &[Kind::Operator('/'), two]), "a factor 2")?;
+    push(group(&[Kind::Operator('-')], &[]), "the opposite sign")
 }
 
 fn cut(text: &str) -> String {
@@ -140,12 +154,9 @@ fn cut(text: &str) -> String {
     text.chars().take(39).chain(['…']).collect()
 }
 
-/// All lists of tokens that differ in one place.
-fn variants(tokens: &[Token], near: Near, out: &mut Vec<Edit>) {
+/// Tries all lists of tokens that differ in one place.
+fn variants(tokens: &[Token], near: Near, tries: &mut Tries<'_>) -> ControlFlow<()> {
     for (at, token) in tokens.iter().enumerate() {
-        if out.len() > MOST {
-            return;
-        }
         let with = |new: Vec<Token>, taken: usize| {
             let mut all = tokens[..at].to_vec();
             all.extend(new);
@@ -153,27 +164,27 @@ fn variants(tokens: &[Token], near: Near, out: &mut Vec<Edit>) {
             all
         };
         let span = token.span;
-        let mut push = |tokens: Vec<Token>, words: String| out.push(Edit { tokens, words, at: span });
+        let mut push = |tokens: Vec<Token>, words: String| tries(Edit { tokens, words, at: span });
         match &token.kind {
             Kind::Number(text) if near == Near::Digit => {
                 for other in digits(text) {
-                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"));
+                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"))?;
                 }
             }
             Kind::Number(text) if near == Near::Comma => {
                 for other in commas(text) {
-                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"));
+                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"))?;
                 }
             }
             Kind::Number(text) => {
                 if let Some(exponent) = without_caret(tokens, at) {
                     let words = format!("`10^{0}` for `10{0}`", show(exponent));
                     let power = Token::new(Kind::Power(exponent.to_vec()), exponent[0].span.join(exponent[1].span));
-                    push(with(vec![token.clone(), power], 3), words);
+                    push(with(vec![token.clone(), power], 3), words)?;
                 }
                 let power = tokens.get(at + 1).filter(|_| text == "10").and_then(exponent_of);
                 for other in shifted(text).into_iter().filter(|_| power.is_none()) {
-                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"));
+                    push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"))?;
                 }
             }
             Kind::Operator(sign @ ('+' | '-')) if near == Near::Digit => {
@@ -183,15 +194,15 @@ fn variants(tokens: &[Token], near: Near, out: &mut Vec<Edit>) {
                 push(
                     with(vec![Token::new(Kind::Operator(other), span)], 1),
                     format!("`{}` for `{}` in `{place}`", name(other), name(*sign)),
-                );
+                )?;
             }
-            Kind::Power(_) if near == Near::Step => powers(tokens, at, out),
+            Kind::Power(_) if near == Near::Step => powers(tokens, at, tries)?,
             Kind::Word(word) if near == Near::Step && unit(word).is_some() => {
                 let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
                 if !raised && !matches!(word.as_str(), "°" | "%" | "rad") {
                     for power in ["2", "3"] {
                         let exponent = Token::new(Kind::Power(vec![number(power.to_owned(), span)]), span);
-                        push(with(vec![token.clone(), exponent], 1), format!("`{word}^{power}` for `{word}`"));
+                        push(with(vec![token.clone(), exponent], 1), format!("`{word}^{power}` for `{word}`"))?;
                     }
                 }
             }
@@ -200,12 +211,13 @@ fn variants(tokens: &[Token], near: Near, out: &mut Vec<Edit>) {
                     && !tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_))) =>
             {
                 let squared = vec![token.clone(), Token::new(Kind::Power(vec![number("2".to_owned(), span)]), span)];
-                push(with(squared, 1), format!("the square of `{}`", cut(&show(&bracketed(tokens, at)))));
+                push(with(squared, 1), format!("the square of `{}`", cut(&show(&bracketed(tokens, at)))))?;
             }
             _ => {}
         }
-        nested(tokens, at, near, out);
+        nested(tokens, at, near, tries)?;
     }
+    ControlFlow::Continue(())
 }
 
 /// The brackets that end at `at`, with what is in them.
@@ -224,30 +236,25 @@ fn around(tokens: &[Token], at: usize) -> String {
     cut(&show(&tokens[at.saturating_sub(2)..tokens.len().min(at + 3)]))
 }
 
-/// Edits inside a fraction, a root, a group or an exponent.
-fn nested(tokens: &[Token], at: usize, near: Near, out: &mut Vec<Edit>) {
+/// Edits inside a fraction, a root or a group.
+fn nested(tokens: &[Token], at: usize, near: Near, tries: &mut Tries<'_>) -> ControlFlow<()> {
     let token = &tokens[at];
-    let lists: Vec<Vec<Token>> = token.inner().into_iter().map(<[Token]>::to_vec).collect();
-    for (which, list) in lists.iter().enumerate() {
-        let mut inner = Vec::new();
-        if matches!(token.kind, Kind::Power(_)) {
-            continue;
-        }
-        variants(list, near, &mut inner);
-        for edit in inner {
-            let new = edit.tokens;
-            let kind = match (&token.kind, which) {
-                (Kind::Fraction(_, below), 0) => Kind::Fraction(new, below.clone()),
-                (Kind::Fraction(above, _), _) => Kind::Fraction(above.clone(), new),
-                (Kind::Root(_, index), 0) => Kind::Root(new, index.clone()),
-                (Kind::Group(_), _) => Kind::Group(new),
-                _ => continue,
-            };
+    let mut inside = |list: &[Token], kind: &dyn Fn(Vec<Token>) -> Kind| {
+        variants(list, near, &mut |edit| {
             let mut all = tokens[..at].to_vec();
-            all.push(Token::new(kind, token.span));
+            all.push(Token::new(kind(edit.tokens), token.span));
             all.extend_from_slice(&tokens[at + 1..]);
-            out.push(Edit { tokens: all, ..edit });
+            tries(Edit { tokens: all, ..edit })
+        })
+    };
+    match &token.kind {
+        Kind::Fraction(above, below) => {
+            inside(above, &|new| Kind::Fraction(new, below.clone()))?;
+            inside(below, &|new| Kind::Fraction(above.clone(), new))
         }
+        Kind::Root(of, index) => inside(of, &|new| Kind::Root(new, index.clone())),
+        Kind::Group(inner) => inside(inner, &Kind::Group),
+        _ => ControlFlow::Continue(()),
     }
 }
 
@@ -267,9 +274,9 @@ fn exponent_of(token: &Token) -> Option<i32> {
 }
 
 /// Edits of an exponent: its sign, one to three steps, and none at all.
-fn powers(tokens: &[Token], at: usize, out: &mut Vec<Edit>) {
+fn powers(tokens: &[Token], at: usize, tries: &mut Tries<'_>) -> ControlFlow<()> {
     let token = &tokens[at];
-    let Some(power) = exponent_of(token) else { return };
+    let Some(power) = exponent_of(token) else { return ControlFlow::Continue(()) };
     let base = tokens[..at].last();
     let of_ten = base.and_then(Token::number) == Some("10");
     let steps: &[i32] = if of_ten { &[-3, -2, -1, 1, 2, 3] } else { &[-1, 1] };
@@ -292,7 +299,7 @@ fn powers(tokens: &[Token], at: usize, out: &mut Vec<Edit>) {
         }
         all.extend_from_slice(&tokens[at + 1..]);
         let words = format!("{base}^{other}` for `{base}^{power}`").replace('-', "−");
-        out.push(Edit { tokens: all, words: format!("`{words}"), at: token.span });
+        tries(Edit { tokens: all, words: format!("`{words}"), at: token.span })?;
     }
     // The square of a unit that belongs to the whole bracket.
     if tokens.get(at + 1).is_some_and(|next| next.is(')')) && at > 0 && tokens[at - 1].word().is_some() {
@@ -300,8 +307,9 @@ fn powers(tokens: &[Token], at: usize, out: &mut Vec<Edit>) {
         all.push(tokens[at + 1].clone());
         all.push(token.clone());
         all.extend_from_slice(&tokens[at + 2..]);
-        out.push(Edit { tokens: all, words: format!("the exponent {power} outside the bracket"), at: token.span });
+        tries(Edit { tokens: all, words: format!("the exponent {power} outside the bracket"), at: token.span })?;
     }
+    ControlFlow::Continue(())
 }
 
 /// The number with a comma for its point, or a point for its comma.

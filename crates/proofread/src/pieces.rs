@@ -156,7 +156,7 @@ fn letters(tokens: &[Token]) -> Option<Vec<Token>> {
     for token in tokens {
         match &token.kind {
             Kind::Name(letter) if joined => match out.last_mut() {
-                Some(Token { kind: Kind::Word(before), span }) => {
+                Some(Token { kind: Kind::Word(before), span, .. }) => {
                     before.push_str(letter);
                     *span = span.join(token.span);
                 }

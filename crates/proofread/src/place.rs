@@ -11,26 +11,53 @@ pub struct Place {
     pub column: usize,
 }
 
+/// Bytes of a text between two places at which its characters are counted.
+const STEP: usize = 256;
+
 /// The lines of a text.
 #[derive(Clone, Debug)]
 pub struct Lines<'t> {
     text: &'t str,
     starts: Vec<usize>,
+    /// How many characters begin before each [`STEP`]th byte: a line may be as long as the text.
+    counts: Vec<usize>,
+}
+
+/// How many characters begin in these bytes.
+fn characters(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|byte| (**byte as i8) >= -0x40).count()
 }
 
 impl<'t> Lines<'t> {
     /// The lines of this text.
     pub fn new(text: &'t str) -> Self {
         let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
-        Self { text, starts }
+        let mut counted = 0;
+        let count = |bytes: &[u8]| {
+            counted += characters(bytes);
+            counted
+        };
+        let counts = std::iter::once(0).chain(text.as_bytes().chunks(STEP).map(count)).collect();
+        Self { text, starts, counts }
+    }
+
+    /// How many characters begin before a byte.
+    fn count(&self, at: usize) -> usize {
+        let at = at.min(self.text.len());
+        let step = at / STEP;
+        let rest = self.text.as_bytes().get(step * STEP..at).unwrap_or_default();
+        self.counts.get(step).copied().unwrap_or_default() + characters(rest)
     }
 
     /// The place of a byte.
     pub fn place(&self, at: usize) -> Place {
         let line = self.starts.partition_point(|start| *start <= at).max(1);
-        let start = self.starts.get(line - 1).copied().unwrap_or(0);
-        let before = self.text.get(start..at.min(self.text.len())).unwrap_or_default();
-        Place { line, column: before.chars().count() + 1 }
+        Place { line, column: self.count(at) - self.count(self.start(line)) + 1 }
+    }
+
+    /// The byte at which a line begins.
+    pub(crate) fn start(&self, line: usize) -> usize {
+        self.starts.get(line - 1).copied().unwrap_or(0)
     }
 
     /// Where a stretch begins and where it ends.
@@ -40,7 +67,7 @@ impl<'t> Lines<'t> {
 
     /// A line without its end.
     pub fn line(&self, line: usize) -> &'t str {
-        let start = self.starts.get(line - 1).copied().unwrap_or(0);
+        let start = self.start(line);
         let end = self.starts.get(line).copied().unwrap_or(self.text.len());
         self.text.get(start..end).unwrap_or_default().trim_end_matches(['\n', '\r'])
     }
@@ -56,5 +83,14 @@ mod tests {
         assert_eq!(lines.place("a\nβγ".len()), Place { line: 2, column: 3 });
         assert_eq!(lines.line(2), "βγ = 1");
         assert_eq!(lines.place(1000).line, 3);
+        let text = format!("{}\n{}", "aβ=\u{1d7d9}".repeat(300), "γ".repeat(1000));
+        let lines = Lines::new(&text);
+        for (at, _) in text.char_indices() {
+            let (line, column) = match text[..at].rsplit_once('\n') {
+                Some((_, before)) => (2, before.chars().count() + 1),
+                None => (1, text[..at].chars().count() + 1),
+            };
+            assert_eq!(lines.place(at), Place { line, column });
+        }
     }
 }

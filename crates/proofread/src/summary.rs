@@ -45,6 +45,19 @@ pub fn others(tally: &Tally) -> Option<String> {
     }
 }
 
+/// The formulas that are not read to their end, in a sentence; none if there are none.
+pub fn unread(tally: &Tally) -> Option<String> {
+    const WHY: &str = "too long, or nests too deeply, or has macros that never end";
+    match tally.unread {
+        0 => None,
+        1 => Some(format!("1 formula or line was not read to its end: it is {WHY}.")),
+        some => {
+            let some = count(some, "formula or line").replace("formula or lines", "formulas or lines");
+            Some(format!("{some} were not read to their end: each is {WHY}."))
+        }
+    }
+}
+
 /// The places in which only units differ, in words without a full stop; none if there are none.
 pub fn units_alone(tally: &Tally) -> Option<String> {
     match tally.with(Verdict::Units) {
@@ -87,6 +100,8 @@ mod tests {
         assert!(doubts(&tally).is_some_and(|said| said.starts_with("2 differences are set aside")));
         let tally = Tally { chains: 3, checkable: 1, checked: 2, ..Tally::default() };
         assert_eq!(others(&tally).as_deref(), Some("1 other chain only defines something or contains letters."));
-        assert_eq!(units_alone(&tally), None);
+        assert_eq!((units_alone(&tally), unread(&tally)), (None, None));
+        let tally = Tally { unread: 2, ..Tally::default() };
+        assert!(unread(&tally).is_some_and(|said| said.starts_with("2 formulas or lines were not read")));
     }
 }

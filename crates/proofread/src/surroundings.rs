@@ -1,5 +1,6 @@
 //! What the text around a formula says about it.
 
+use crate::effort;
 use crate::join::joined;
 use crate::reader::{is_noun, running, unit_sign};
 use crate::token::{Kind, Span, Token};
@@ -20,6 +21,7 @@ fn around(text: &str, span: Span) -> (String, String) {
     let end = bound(range.end.clamp(start, text.len()));
     let before = &text[bound(start.saturating_sub(NEAR))..start];
     let after = &text[end..bound((end + NEAR).min(text.len()))];
+    effort::count(before.len() + after.len());
     (without_tags(before), without_tags(after))
 }
 

@@ -1,5 +1,7 @@
 //! The token tree that every reader makes, with the place of each token in the text.
 
+use crate::effort;
+
 /// A stretch of the text that was read, in bytes from its start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
@@ -106,13 +108,32 @@ impl Function {
     }
 }
 
+/// Deepest nesting of tokens in tokens. Whatever reads, joins, shows or evaluates them calls itself as often.
+const DEEPEST: u8 = 60;
+
+/// What stands for tokens that would be nested too deeply.
+pub(crate) const TOO_DEEP: &str = "nested too deeply";
+/// What stands for a formula or line that is too long to be read.
+pub(crate) const TOO_LONG: &str = "too long";
+/// What stands for the rest of a formula whose macros never end.
+pub(crate) const ENDLESS: &str = "macros without end";
+
 /// A token and its place.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Token {
     /// What it is.
     pub kind: Kind,
     /// Where it was written.
     pub span: Span,
+    /// How many tokens are in each other here at most, without this one.
+    nesting: u8,
+}
+
+impl Clone for Token {
+    fn clone(&self) -> Self {
+        effort::count(1);
+        Self { kind: self.kind.clone(), ..*self }
+    }
 }
 
 /// What a token is.
@@ -157,9 +178,15 @@ pub enum Kind {
 }
 
 impl Token {
-    /// A token at a place.
+    /// A token at a place. No other way makes one, so that none is nested more deeply than all that goes through tokens can bear:
+    /// what would be is unknown.
     pub fn new(kind: Kind, span: Span) -> Self {
-        Self { kind, span }
+        effort::count(1);
+        let inner = kind.inner().into_iter().flatten().map(|token| token.nesting + 1);
+        match inner.max().unwrap_or(0) {
+            nesting if nesting > DEEPEST => Self { kind: Kind::Unknown(TOO_DEEP.to_owned()), span, nesting: 0 },
+            nesting => Self { kind, span, nesting },
+        }
     }
 
     /// Whether it is this sign.
@@ -195,13 +222,7 @@ impl Token {
 
     /// The lists of tokens inside it.
     pub fn inner(&self) -> Vec<&[Token]> {
-        match &self.kind {
-            Kind::Fraction(a, b) | Kind::Root(a, b) | Kind::Limits(a, b) => vec![a, b],
-            Kind::Scripts(a, b, c) => vec![a, b, c],
-            Kind::Accent(a, _) | Kind::Group(a) | Kind::Power(a) => vec![a],
-            Kind::Table(rows) => rows.iter().map(Vec::as_slice).collect(),
-            _ => Vec::new(),
-        }
+        self.kind.inner()
     }
 
     /// Changes where it and everything in it was written.
@@ -212,6 +233,22 @@ impl Token {
 }
 
 impl Kind {
+    /// The lists of tokens inside it.
+    fn inner(&self) -> Vec<&[Token]> {
+        match self {
+            Self::Fraction(a, b) | Self::Root(a, b) | Self::Limits(a, b) => vec![a, b],
+            Self::Scripts(a, b, c) => vec![a, b, c],
+            Self::Accent(a, _) | Self::Group(a) | Self::Power(a) => vec![a],
+            Self::Table(rows) => rows.iter().map(Vec::as_slice).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Whether it stands for something that was not read because it went beyond a bound.
+    pub(crate) fn is_unread(&self) -> bool {
+        matches!(self, Self::Unknown(what) if [TOO_DEEP, TOO_LONG, ENDLESS].contains(&what.as_str()))
+    }
+
     /// The lists of tokens inside it, to change them.
     pub(crate) fn lists(&mut self) -> Vec<&mut Vec<Token>> {
         match self {
@@ -246,7 +283,11 @@ pub(crate) fn span_of(tokens: &[Token]) -> Span {
 
 /// Whether any token here or inside another one is as asked.
 pub(crate) fn any(tokens: &[Token], is: &dyn Fn(&Kind) -> bool) -> bool {
-    tokens.iter().any(|token| is(&token.kind) || token.inner().into_iter().any(|inner| any(inner, is)))
+    let looked_at = |token: &Token| {
+        effort::count(1);
+        is(&token.kind)
+    };
+    tokens.iter().any(|token| looked_at(token) || token.inner().into_iter().any(|inner| any(inner, is)))
 }
 
 /// Whether a number is printed anywhere in the tokens.
@@ -269,6 +310,7 @@ pub fn show(tokens: &[Token]) -> String {
 }
 
 fn show_into(tokens: &[Token], out: &mut String) {
+    effort::count(tokens.len());
     let bracketed = |inner: &[Token], out: &mut String| {
         let signed =
             matches!(inner, [sign, Token { kind: Kind::Number(_) | Kind::Name(_), .. }] if sign.is_one_of("+-"));

@@ -157,6 +157,83 @@ fn fuzz_mutated_documents_are_read() {
     }
 }
 
+/// Commands, signs and elements that take what is behind them, or may.
+const TAKING: [(Format, &str, &str); 6] = [
+    (
+        Format::Markdown,
+        "$",
+        "\\frac \\dfrac \\sqrt \\sqrt[ \\sqrt[2] \\text \\mathrm \\operatorname \\mathrm\\text \\underbrace \\overbrace \\rm \\hspace \\genfrac \
+         \\overline \\bar \\vec \\dot \\hat \\hat_ \\mathring \\cancelto \\cancel \\num \\SI \\SI{2} \\qty \\qty( \\si \\unit \\unit[ \\ang \\unitfrac \\unitfrac[ \
+         \\SIrange \\numlist \\begin{aligned} \\begin{matrix} \\begin{array} \\end{aligned} \\mathbf \\boxed \\framebox \\textcolor \\class \\href \
+         \\underset \\fcolorbox \\tag \\color \\rule \\left \\left( \\right) \\left. \\Big| \\lvert \\xlongequal \\xrightarrow \\mathop \\smash \\vcenter \
+         \\sin \\sin^ \\sin( \\arcsin \\ln \\lg \\log_ \\log^ \\exp \\intertext \\eqno \\pmod \\sum \\int \\int_ \\surd \\neg \\times \\circ \\kilo \\per \\square \
+         \\tothe{ \\of{ \\over 1\\over ^ _ ^_ ^{ _{ x^ x_ x^x_ 2^ |_ |^ |_0^1 ( [ | { \\{ - -( + \\pm ! ' \\prime 1/ / √ √( = 1= ≈ & \\\\ % ~ \\, . 1. , 1,",
+    ),
+    (
+        Format::Latex,
+        "$\\newcommand{\\x}[1]{#1}",
+        "\\x \\x^ \\x{ \\frac\\x \\sqrt\\x \\begin{align} \\( \\[ \\textbf{ \\footnote{$",
+    ),
+    (
+        Format::Plain,
+        "2 = ",
+        "√ √( ² ^ 2^ ^( ^{ ** 2** 2**( - + ( [ | sqrt sqrt( sin sin( sin² log2( 1/ e 1e 10- ! ± ½ → -> x of % _ · = 5= 1, 1. 0x > 1.)",
+    ),
+    (
+        Format::Html,
+        "<p>2 = ",
+        "<sup> 2<sup> <sub> <sup><sub> <sup>( </sup> <u> <br> <b> <a> <i> &sup2; <p> <div> <table><tr><td> <span> <script> <code>",
+    ),
+    (
+        Format::Xml,
+        "<math><mn>2</mn><mo>=</mo>",
+        "<mrow> <msup> <msub> <msubsup> <mfrac> <msqrt> <mroot> <mover> <munder> <mtable> <mtr> <mtd> <mfenced> <mstyle> <mn> <mi> <mo> \
+         <mtext> <math> <menclose> <mpadded> <mmultiscripts> <mfrac><mn>1</mn> <msup><mn>2</mn> <mover><mi>x</mi> <msqrt/> <mo>√</mo> <mo>(</mo>",
+    ),
+    (Format::Notebook, "{\"cells\":[{\"cell_type\":\"markdown\",\"source\":\"$", "2^ \\\\sqrt √ ( [ {"),
+];
+
+/// On a page, a module has a stack of this many bytes.
+const STACK: usize = 1 << 20;
+
+#[test]
+fn whatever_takes_what_is_behind_it_may_stand_behind_itself() {
+    let nested = || {
+        for (format, before, all) in TAKING {
+            for taking in all.split_whitespace() {
+                for times in [100, 1000, 100_000] {
+                    let text = format!("{before}{}2 = 5 $", taking.repeat(times));
+                    let start: String = text.chars().take(100).collect();
+                    let _tried = Tried(&start, format);
+                    check(&text, format, "");
+                }
+            }
+        }
+    };
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(nested).expect("a thread");
+    thread.join().expect("all are read");
+}
+
+#[test]
+fn what_is_nested_too_deeply_is_counted_and_the_rest_is_read() {
+    let unread = |text: &str| {
+        let report = proofread(text, Format::Markdown, Options::default()).expect("it can be read");
+        (report.tally.unread, report.findings.len())
+    };
+    for taking in ["\\sqrt", "2^", "x_", "\\frac1", "\\sin^", "\\hat", "\\sqrt[", "{", "\\mathbf"] {
+        let deep = format!("${}2 = 5$", taking.repeat(1000));
+        assert_eq!(unread(&format!("{deep}\n\nIt is $2 + 2 = 5$.")), (1, 1), "{taking}");
+        let shallow = format!("${}2 = 5$", taking.repeat(10));
+        assert_eq!(unread(&shallow).0, 0, "{taking}");
+    }
+    let long = format!("${}2 = 5$", "1 + ".repeat(10_000));
+    assert_eq!(unread(&format!("{long}\n\nIt is $2 + 2 = 5$.")), (1, 1));
+    assert_eq!(unread(&format!("{}1 + 1 = 3\n\n2 + 2 = 5\n", "word ".repeat(1000))), (1, 1));
+    let endless = r"\def\a{\b\b}\def\b{\a\a}$\a = 1$ $2 + 2 = 5$ $\b = 1$ $\a = 3$";
+    let report = proofread(endless, Format::Latex, Options::default()).expect("it can be read");
+    assert_eq!((report.tally.unread, report.findings.len()), (3, 1));
+}
+
 #[test]
 fn nesting_and_length_are_bounded() {
     for (open, close) in [

@@ -10,6 +10,7 @@ mod definitions;
 mod doubts;
 mod formats;
 mod fuzz;
+mod growth;
 #[cfg(feature = "cli")]
 mod inclusions;
 mod judged;
@@ -21,6 +22,7 @@ mod running;
 #[cfg(feature = "cli")]
 mod since;
 mod thresholds;
+mod structures;
 mod units;
 mod unrounded;
 mod unusual;

@@ -47,6 +47,7 @@ fn tally(tally: &Tally) -> Value {
     json!({
         "bytes": tally.bytes,
         "formulas": tally.formulas,
+        "unread": tally.unread,
         "chains": tally.chains,
         "checkable": tally.checkable,
         "checked": tally.checked,

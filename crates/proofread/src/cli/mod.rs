@@ -45,6 +45,9 @@ pub fn run(arguments: &Arguments, streams: &mut dyn Streams) -> u8 {
     }
 }
 
+/// Most tokens that are evaluated in the search for hints in all lines of JSON of a run, as many as in ten documents.
+const HINT_EFFORT: usize = 6_000_000;
+
 struct Run<'a> {
     arguments: &'a Arguments,
     streams: &'a mut dyn Streams,
@@ -53,6 +56,8 @@ struct Run<'a> {
     accepted: Option<NewFile>,
     writer: Box<dyn Writer>,
     project: Project,
+    /// What the search for hints in lines of JSON may still cost: there may be any number of them.
+    hint_effort: usize,
     sum: Tally,
     documents: usize,
     found: [usize; 5],
@@ -100,6 +105,7 @@ impl<'a> Run<'a> {
             accepted,
             writer,
             project: Project::default(),
+            hint_effort: HINT_EFFORT,
             sum: Tally::default(),
             documents: 0,
             found: [0; 5],
@@ -208,10 +214,17 @@ impl<'a> Run<'a> {
     }
 
     /// The findings that were asked for.
-    fn report(&self, document: &Document, text: &str, definitions: Option<&Definitions>) -> Result<Report, String> {
+    fn report(&mut self, document: &Document, text: &str, definitions: Option<&Definitions>) -> Result<Report, String> {
         let Arguments { follow, agreeing, .. } = *self.arguments;
-        let options = Options { follow, agreeing, definitions, ..Options::default() };
+        let mut options = Options { follow, agreeing, definitions, ..Options::default() };
+        let is_line = document.path.is_none();
+        if is_line {
+            options.hint_effort = options.hint_effort.min(self.hint_effort);
+        }
         let mut report = proofread(text, document.format, options).map_err(|why| why.to_string())?;
+        if is_line {
+            self.hint_effort -= report.effort.hints;
+        }
         report.findings.retain(|finding| match finding.list {
             List::Units => self.arguments.units,
             List::Doubts => self.arguments.doubts,

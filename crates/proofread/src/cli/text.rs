@@ -8,6 +8,7 @@ use crate::reader::Format;
 use crate::summary::{self, count};
 use clap::builder::styling::AnsiColor;
 use geneva_host::printable::escaped;
+use std::ops::Range;
 
 /// Longest line of the text that is shown around a place, in characters.
 const WIDTH: usize = 100;
@@ -33,6 +34,7 @@ impl Writer for Text {
             count(sum.documents, "document"),
         );
         text.extend(summary::others(tally).map(|said| said + "\n"));
+        text.extend(summary::unread(tally).map(|said| said + "\n"));
         let green = AnsiColor::Green.on_default().bold();
         let red = AnsiColor::Red.on_default().bold();
         match summary::findings(|list| sum.found[list as usize]).as_deref().map(|said| said.split_once(':')) {
@@ -53,15 +55,17 @@ impl Writer for Text {
 fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
     let (bold, blue) = (bold(), AnsiColor::Blue.on_default().bold());
     let colour = if finding.list == List::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
-    let [from, to] = lines.places(finding.at);
+    let [from, _] = lines.places(finding.at);
     let name = escaped(&checked.document.name);
     let gutter = " ".repeat(from.line.to_string().len());
     let mut text = format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.words());
     text += &format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
     let said = printed_and_recomputed(finding);
     let is_markup = matches!(checked.document.format, Format::Xml | Format::Html | Format::Notebook);
-    let end = if to.line == from.line { to.column } else { usize::MAX };
-    let shown = if is_markup { of_chain(finding) } else { window(lines.line(from.line), from.column, end) };
+    let start = lines.start(from.line);
+    let in_line = finding.at.start as usize - start..finding.at.end as usize - start;
+    let shown =
+        if is_markup { window(&finding.chain, finding.marked.clone()) } else { window(lines.line(from.line), in_line) };
     let (line, before, marked) = shown;
     let number = if is_markup { gutter.clone() } else { from.line.to_string() };
     text += &format!("{blue}{gutter} |{blue:#}\n{blue}{number} |{blue:#} {}\n", printable(&line));
@@ -105,34 +109,30 @@ fn printed_and_recomputed(finding: &Finding) -> String {
     }
 }
 
-/// The chain as one line, with the printed side marked.
-fn of_chain(finding: &Finding) -> (String, usize, usize) {
-    let [before, marked] =
-        [0..finding.marked.start, finding.marked.clone()].map(|part| finding.chain[part].chars().count());
-    window(&finding.chain, before + 1, before + 1 + marked)
-}
-
-/// A part of a line around a place, how many columns are before the place, and how many it takes.
-fn window(line: &str, column: usize, end: usize) -> (String, usize, usize) {
-    let length = line.chars().count();
-    let start = (column - 1).min(length);
-    let end = end.saturating_sub(1).clamp(start, length);
-    let indent = line.chars().take_while(|c| c.is_whitespace()).count().min(start);
-    let (from, to) = if length <= WIDTH {
-        (indent, length)
-    } else {
-        let from = start.saturating_sub(WIDTH * 2 / 3);
-        (from, (from + WIDTH).min(length))
+/// A part of a line around a place in it, how many columns are before the place, and how many it takes. A line may be as long as the
+/// text, so only what is near is looked at.
+fn window(line: &str, place: Range<usize>) -> (String, usize, usize) {
+    let boundary = |at: usize| (0..=at.min(line.len())).rfind(|at| line.is_char_boundary(*at)).unwrap_or(0);
+    let start = boundary(place.start);
+    let end = boundary(place.end).max(start);
+    let is_short = line.chars().nth(WIDTH).is_none();
+    let indent = || line.len() - line.trim_start().len();
+    let from = match line[..start].char_indices().rev().nth(WIDTH * 2 / 3 - 1) {
+        _ if is_short => indent().min(start),
+        Some((from, _)) => from,
+        None => 0,
     };
-    // A line may be as long as the document, so only this much of it is copied.
-    let mut text: String = line.chars().skip(from).take(to - from).collect();
-    let mut before = start - from;
-    if from > indent {
+    let to = if is_short { None } else { line[from..].char_indices().nth(WIDTH) };
+    let to = to.map_or(line.len(), |(length, _)| from + length);
+    let mut text = line[from..to].to_owned();
+    let mut before = line[from..start.min(to)].chars().count();
+    // What is left out at the start may be space alone.
+    if !is_short && !line[..from].trim_end().is_empty() {
         text.insert(0, '…');
         before += 1;
     }
-    if to < length {
+    if to < line.len() {
         text.push('…');
     }
-    (text, before, end.min(to) - start.min(to))
+    (text, before, line[start.min(to)..end.min(to)].chars().count())
 }

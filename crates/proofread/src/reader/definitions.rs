@@ -1,6 +1,8 @@
 //! Definitions in LaTeX: commands and units that an author names.
 
-use std::collections::HashMap;
+use crate::effort;
+use std::cell::{Cell, RefCell};
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// Most definitions that are kept of one text.
@@ -16,17 +18,51 @@ pub(crate) struct Macro {
     pub unit: bool,
 }
 
+/// Most characters that the macros of one formula may add.
+const MOST_IN_FORMULA: usize = 20_000;
+/// Most characters that the macros of a document may add: so many, and so many more for each of its own.
+const MOST_IN_ALL: [usize; 2] = [500_000, 10];
+
 /// Macros by name without the backslash.
 pub(crate) type Named = HashMap<Arc<str>, Arc<Macro>>;
 
 /// The macros of a document: its own, and those that are defined elsewhere.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Macros<'d> {
-    pub own: Named,
-    pub elsewhere: Option<&'d Named>,
+    own: Named,
+    elsewhere: Option<&'d Named>,
+    /// How many characters they may still add.
+    left: Cell<usize>,
+    /// Those that added too many to a formula, and are not used any more.
+    endless: RefCell<HashSet<String>>,
 }
 
-impl Macros<'_> {
+impl<'d> Macros<'d> {
+    /// Those that a part of a document of so many bytes defines, and those that are defined for it elsewhere.
+    pub fn of(part: &str, bytes: usize, elsewhere: Option<&'d Named>) -> Self {
+        let [some, each] = MOST_IN_ALL;
+        let left = Cell::new(bytes.saturating_mul(each).saturating_add(some));
+        Self { own: named(part), elsewhere, left, ..Self::default() }
+    }
+
+    /// Whether they may add so many characters, `expanded` of them in the formula at hand; these are counted.
+    pub fn may_add(&self, characters: usize, expanded: usize) -> bool {
+        effort::count(characters);
+        let left = self.left.get().checked_sub(characters);
+        self.left.set(left.unwrap_or_default());
+        left.is_some() && expanded <= MOST_IN_FORMULA
+    }
+
+    /// Notes a macro that is not to be used any more.
+    pub fn give_up(&self, name: &str) {
+        self.endless.borrow_mut().insert(name.to_owned());
+    }
+
+    /// Whether a macro has been given up.
+    pub fn is_endless(&self, name: &str) -> bool {
+        self.endless.borrow().contains(name)
+    }
+
     /// What a name stands for; the document's own definition counts first.
     pub fn get(&self, name: &str) -> Option<&Macro> {
         self.in_quantity(name).filter(|of| !of.unit)

@@ -1,10 +1,11 @@
 //! Documents in LaTeX: their macros, and the formulas of their body.
 
 use super::adjoining::Joiner;
-use super::definitions::{Macros, Named, closing, defines, definition, named};
+use super::definitions::{Macros, Named, closing, defines, definition};
 use super::delimited::{DISPLAYS, FARTHEST};
 use super::{Formula, Found, tex};
 use crate::token::{Span, signs};
+use std::collections::HashMap;
 
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
@@ -17,13 +18,14 @@ const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "questi
 /// Finds the formulas of a document, with the macros that are defined elsewhere.
 pub(crate) fn read(text: &str, elsewhere: Option<&Named>, each: &mut Found<'_>) {
     let mut joiner = Joiner::new(text);
-    let macros = Macros { own: named(text), elsewhere };
+    let macros = Macros::of(text, text.len(), elsewhere);
     body(text, &macros, &mut |formula| joiner.take(formula, each));
     joiner.finish(each);
 }
 
 fn body(text: &str, macros: &Macros<'_>, each: &mut Found<'_>) {
     let bytes = text.as_bytes();
+    let mut ends = Ends::default();
     let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());
     // Whether groups have ended so far; one without an end is looked for once.
     let mut closes = true;
@@ -74,7 +76,7 @@ fn body(text: &str, macros: &Macros<'_>, each: &mut Found<'_>) {
                         closes &= unprinted.is_some();
                         at += unprinted.unwrap_or(0);
                     }
-                    (name, _) => at = abbreviation(text, at, name, scope, macros, each),
+                    (name, _) => at = abbreviation(text, at, name, scope, macros, &mut ends, each),
                 }
             }
             _ => at += 1,
@@ -170,30 +172,60 @@ fn until(
     close + end.len()
 }
 
+/// Most macros that are looked for as the end of a display.
+const MOST_ENDS: usize = 8;
+
+/// The macros that end displays, and how far a document has none of them.
+#[derive(Default)]
+struct Ends(HashMap<String, (Vec<String>, usize)>);
+
+impl Ends {
+    /// Where the first macro begins that stands for this end, within the longest formula behind a place, and where it ends.
+    fn nearest(&mut self, text: &str, from: usize, end: &str, macros: &Macros<'_>) -> Option<(usize, usize)> {
+        let (names, none_until) = self.0.entry(end.to_owned()).or_insert_with(|| {
+            let ends = macros.iter().filter(|(_, of)| of.body.trim() == end).map(|(name, _)| format!("\\{name}"));
+            let mut ends: Vec<String> = ends.collect();
+            ends.sort();
+            ends.truncate(MOST_ENDS);
+            (ends, 0)
+        });
+        let boundary = |at: usize| (from..=at.min(text.len())).rfind(|at| text.is_char_boundary(*at)).unwrap_or(from);
+        let limit = boundary(from + LONGEST);
+        // One that begins in what was looked through may reach beyond it.
+        let longest = names.iter().map(String::len).max().unwrap_or(0);
+        let start = boundary((*none_until).saturating_sub(longest + 1).clamp(from, limit));
+        let window = &text[start..limit];
+        let is_end = |at: usize, mark: &str| !window[at + mark.len()..].starts_with(|c: char| c.is_ascii_alphabetic());
+        let first = |mark: &String| {
+            let at = window.match_indices(mark.as_str()).map(|(at, _)| at).find(|at| is_end(*at, mark))?;
+            Some((start + at, start + at + mark.len()))
+        };
+        let nearest = names.iter().filter_map(first).min();
+        if nearest.is_none() {
+            *none_until = limit;
+        }
+        nearest
+    }
+}
+
 /// A macro in running text that stands for the beginning of a display, with another one for its end.
-fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros<'_>, each: &mut Found<'_>) -> usize {
+fn abbreviation(
+    text: &str,
+    at: usize,
+    name: &str,
+    scope: u32,
+    macros: &Macros<'_>,
+    ends: &mut Ends,
+    each: &mut Found<'_>,
+) -> usize {
     let behind = at + 1 + name.len();
     let opened = |body: &str| {
         let begins = body.trim().strip_prefix("\\begin{")?.split('}').next()?;
         (DISPLAYS.contains(&begins) || MORE.contains(&begins)).then(|| format!("\\end{{{begins}}}"))
     };
     let Some(end) = macros.get(name).and_then(|of| opened(&of.body)) else { return behind };
-    let ends = macros.iter().filter(|(_, of)| of.body.trim() == end).map(|(name, _)| format!("\\{name}"));
-    let mut ends: Vec<String> = ends.collect();
-    ends.sort();
-    let window = &text
-        [behind..(behind..=text.len().min(behind + LONGEST)).rfind(|at| text.is_char_boundary(*at)).unwrap_or(behind)];
-    let is_end =
-        |found: &usize, mark: &str| !window[found + mark.len()..].starts_with(|c: char| c.is_ascii_alphabetic());
-    let nearest = ends
-        .iter()
-        .filter_map(|mark| {
-            Some((window.match_indices(mark.as_str()).map(|(at, _)| at).find(|at| is_end(at, mark))?, mark))
-        })
-        .min();
-    let Some((found, mark)) = nearest else { return behind };
-    let source = &window[..found];
-    let close = behind + found + mark.len();
+    let Some((found, close)) = ends.nearest(text, behind, &end, macros) else { return behind };
+    let source = &text[behind..found];
     let mut formula = Formula::new(tex::formula(&signs(source, behind), macros), Span::new(at, close));
     formula.scope = scope;
     each(formula);

@@ -4,7 +4,7 @@ use super::definitions::Macros;
 use super::mathml;
 use super::pretext;
 use super::{Formula, Found, delimited, symbols, tex};
-use crate::token::{Kind, Sign, Span};
+use crate::token::{Kind, Sign, Span, TOO_LONG, Token};
 
 /// Deepest nesting of elements that is kept; what is nested deeper becomes part of the deepest.
 const DEEPEST: usize = 40;
@@ -298,7 +298,11 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             }
         } else if tag.name == "math" {
             let (whole, end) = element(text, &tag);
-            let mut formula = Formula::new(mathml::tokens(&whole), whole.span);
+            let mut tokens = mathml::tokens(&whole);
+            if end >= tag.start + LONGEST {
+                tokens.push(Token::new(Kind::Unknown(TOO_LONG.to_owned()), whole.span));
+            }
+            let mut formula = Formula::new(tokens, whole.span);
             formula.scope = scopes.last().map_or(0, |(_, id)| *id);
             formula.continues = before.is_open() || before.is_enumerated(&formula);
             formula.goes_on = goes_on(&text[end..]);

@@ -2,7 +2,7 @@
 
 use super::words::words;
 use super::{Formula, Found, Written};
-use crate::token::{Function, Kind, Span, Token, signs};
+use crate::token::{Function, Kind, Span, TOO_LONG, Token, signs};
 use crate::unit::{is_percent, unit};
 use std::ops::Range;
 
@@ -38,7 +38,14 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut Found<'_>) {
         for piece in pieces {
             let part = &text[piece.clone()];
             let ends_line = piece.end == whole.end;
-            if part.contains('=') && part.len() <= LONGEST && part.contains(|c: char| c.is_ascii_digit()) {
+            if !part.contains('=') || !part.contains(|c: char| c.is_ascii_digit()) {
+                continue;
+            }
+            if part.len() > LONGEST {
+                let span = Span::new(piece.start, piece.end);
+                let unread = Token::new(Kind::Unknown(TOO_LONG.to_owned()), span);
+                each(Formula { written: Written::Plain, ..Formula::new(vec![unread], span) });
+            } else {
                 line_of(part, piece.start, piece.start == whole.start, &mut |mut formula| {
                     formula.continues = piece.start > whole.start && touches(formula.tokens.iter());
                     formula.goes_on = !ends_line && touches(formula.tokens.iter().rev());

@@ -1,6 +1,6 @@
 //! TeX in the elements of PreTeXt: `m`, `me`, `men`, and `md` with its rows.
 
-use super::definitions::{Macros, named};
+use super::definitions::Macros;
 use super::markup::{Tag, decoded, next_tag};
 use super::{Formula, tex};
 use crate::token::{Sign, Span};
@@ -14,7 +14,7 @@ const LONGEST: usize = 20_000;
 /// The macros that the document defines for its formulas.
 pub(crate) fn macros(text: &str) -> Macros<'static> {
     let inside = text.split_once("<macros>").and_then(|(_, rest)| rest.split_once("</macros>"));
-    Macros { own: inside.map(|(inside, _)| named(inside)).unwrap_or_default(), elsewhere: None }
+    Macros::of(inside.map_or("", |(inside, _)| inside), text.len(), None)
 }
 
 /// The formula in an element, and the byte behind its end tag.

@@ -33,9 +33,14 @@ pub(crate) fn number(signs: &[Sign], out: &mut Vec<Token>) {
 
 /// Units with those that the document names itself written out, a few times over if they name each other.
 pub(crate) fn named(mut signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
+    /// Most signs of a unit that is written out; the names of one may be as long as those of any macro.
+    const MOST: usize = 1000;
     for _ in 0..4 {
         let (mut out, mut at) = (Vec::new(), 0);
         while let Some(sign) = signs.get(at) {
+            if out.len() > MOST {
+                return vec![Sign { c: '?', span: sign.span }];
+            }
             let (name, end) = name_at(&signs, at);
             let named = macros.in_quantity(&name).filter(|of| of.arguments == 0 && !is_known(&name));
             let body = named.map(|of| of.body.trim()).filter(|body| !body.contains("circ"));

@@ -90,7 +90,7 @@ pub(crate) fn merge_letters(tokens: Vec<Token>, out: &mut Vec<Token>) {
             merge_letters(std::mem::take(base), &mut words);
             // The last letter of a word has the exponent.
             if joined
-                && let ([Token { kind: Kind::Word(letter), .. }], Some(Token { kind: Kind::Word(before), span })) =
+                && let ([Token { kind: Kind::Word(letter), .. }], Some(Token { kind: Kind::Word(before), span, .. })) =
                     (words.as_slice(), out.last_mut())
                 && letter.chars().all(char::is_alphabetic)
             {
@@ -108,7 +108,7 @@ pub(crate) fn merge_letters(tokens: Vec<Token>, out: &mut Vec<Token>) {
         }
         match next.kind {
             Kind::Name(letter) if letter.chars().all(|c| c.is_alphabetic()) => {
-                if joined && let Some(Token { kind: Kind::Word(before), span }) = out.last_mut() {
+                if joined && let Some(Token { kind: Kind::Word(before), span, .. }) = out.last_mut() {
                     before.push_str(&letter);
                     *span = span.join(next.span);
                     continue;

@@ -5,7 +5,8 @@ use super::dress::{self, stacked};
 use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
-use crate::token::{Function, Kind, Sign, Span, Token, has_number, show};
+use crate::effort;
+use crate::token::{ENDLESS, Function, Kind, Sign, Span, TOO_DEEP, TOO_LONG, Token, has_number, show};
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
@@ -21,12 +22,17 @@ const SEPARATORS: [&[char]; 9] = [
     &['{', ' ', '}'],
     &['\''],
 ];
-/// Most characters that the macros of one formula may add.
-const MOST_EXPANDED: usize = 20_000;
+
+/// Longest formula that is read, in characters.
+const LONGEST: usize = 20_000;
 
 /// Reads a formula.
 pub(crate) fn formula(signs: &[Sign], macros: &Macros<'_>) -> Vec<Token> {
-    let mut reader = Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0, upright: false };
+    if signs.len() > LONGEST {
+        return vec![token(Kind::Unknown(TOO_LONG.to_owned()), whole(signs))];
+    }
+    let mut reader =
+        Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0, outermost: None, upright: false };
     reader.tokens(0, &[])
 }
 
@@ -34,7 +40,10 @@ pub(super) struct Tex<'m> {
     /// What is still to be read, the next character last.
     pub(super) stack: Vec<Sign>,
     macros: &'m Macros<'m>,
+    /// How many characters macros have added.
     expanded: usize,
+    /// The macro of the text itself that is being read, and how much of the text is behind it.
+    outermost: Option<(String, usize)>,
     /// Whether the rest of the group is upright, as behind `\rm`.
     upright: bool,
 }
@@ -96,6 +105,7 @@ impl Tex<'_> {
     fn until(&mut self, open: char, close: char) -> Vec<Sign> {
         let (mut out, mut depth, mut braces) = (Vec::new(), 1usize, 0usize);
         while let Some(sign) = self.stack.pop() {
+            effort::count(1);
             if sign.c == '\\' {
                 out.push(sign);
                 out.extend(self.stack.pop());
@@ -133,6 +143,11 @@ impl Tex<'_> {
                 self.stack.pop();
                 self.tokens(depth + 1, &['}'])
             }
+            // Commands without braces nest, too: \sqrt\sqrt\sqrt 2.
+            Some('\\') if depth >= DEEPEST => {
+                let span = whole(&self.raw_group());
+                vec![token(Kind::Unknown(TOO_DEEP.to_owned()), span)]
+            }
             Some('\\') => {
                 let mut out = Vec::new();
                 self.command(depth + 1, &mut out);
@@ -165,7 +180,7 @@ impl Tex<'_> {
             } else {
                 self.stack.clear();
             }
-            return vec![token(Kind::Unknown("nested too deeply".to_owned()), span)];
+            return vec![token(Kind::Unknown(TOO_DEEP.to_owned()), span)];
         }
         while let Some(sign) = self.peek() {
             let (c, span) = (sign.c, sign.span);
@@ -287,7 +302,7 @@ impl Tex<'_> {
     }
 
     /// Puts what a macro stands for in its place.
-    fn expand(&mut self, used: &Macro, span: Span) -> bool {
+    fn expand(&mut self, name: &str, used: &Macro, span: Span) -> bool {
         let mut arguments: Vec<Vec<Sign>> = Vec::new();
         for at in 0..used.arguments {
             let given = match (&used.default, at) {
@@ -295,6 +310,9 @@ impl Tex<'_> {
                 _ => self.raw_group(),
             };
             arguments.push(given);
+        }
+        if self.outermost.as_ref().is_none_or(|(_, behind)| self.stack.len() <= *behind) {
+            self.outermost = Some((name.to_owned(), self.stack.len()));
         }
         let mut body = Vec::new();
         let mut letters = used.body.chars();
@@ -309,7 +327,9 @@ impl Tex<'_> {
             body.push(Sign { c, span });
         }
         self.expanded += body.len() + 1;
-        if self.expanded > MOST_EXPANDED {
+        if !self.macros.may_add(body.len() + 1, self.expanded) {
+            let name = self.outermost.take().map_or_else(|| name.to_owned(), |(name, _)| name);
+            self.macros.give_up(&name);
             return false;
         }
         self.stack.extend(body.into_iter().rev());
@@ -325,9 +345,9 @@ impl Tex<'_> {
         let span = Span { start: slash.span.start, end: last.end.max(slash.span.start + 1 + letters as u32) };
         let span = if last == slash.span { slash.span } else { span };
         if let Some(used) = self.macros.get(&name) {
-            if !self.expand(used, span) {
+            if self.macros.is_endless(&name) || !self.expand(&name, used, span) {
                 self.stack.clear();
-                out.push(token(Kind::Unknown("macros without end".to_owned()), span));
+                out.push(token(Kind::Unknown(ENDLESS.to_owned()), span));
             }
             return;
         }
@@ -339,7 +359,8 @@ impl Tex<'_> {
             }
             "sqrt" => {
                 let index = self.optional();
-                let index = index.map(|signs| formula(&signs, &Macros::default())).unwrap_or_default();
+                let index =
+                    index.map(|signs| self.inside(signs.into_iter().rev().collect(), depth)).unwrap_or_default();
                 let of = self.argument(depth);
                 push(out, Kind::Root(of, index));
             }
