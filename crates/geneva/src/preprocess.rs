@@ -19,7 +19,7 @@ pub struct PreprocessArguments {
 /// Questions that mdBook asks before it passes a book.
 #[derive(Debug, Subcommand)]
 pub enum Question {
-    /// Exit with 0 if the renderer is supported, otherwise with 1
+    /// Exit with 0: every renderer gets an answer, if only in words
     Supports {
         /// mdBook's name for the renderer
         renderer: String,
