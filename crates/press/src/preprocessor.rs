@@ -80,7 +80,7 @@ impl Preprocessor for Geneva {
         ensure!(errors.is_empty(), "{}", errors.join("\n"));
         // Every verdict is derived for the records, so a book has them only if it leads to them.
         if data::has_place(&chapters) && book.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
-            files.extend(data::File::records()?);
+            files.extend(data::File::records(&edition)?);
         }
         let root = context.root.parent().unwrap_or(&context.root);
         let mut contents = Vec::new();
