@@ -87,6 +87,20 @@ fn outside_of_a_workspace_nothing_is_built() {
 }
 
 #[test]
+fn a_book_that_is_built_without_rust_says_so_and_not_that_a_target_is_missing() {
+    let workspace = small_workspace();
+    fs::create_dir_all(workspace.path().join("crates/live")).expect("writable");
+    fs::write(workspace.path().join("crates/live/Cargo.toml"), "").expect("writable");
+    fs::write(workspace.path().join("book/src/only.md"), "# Only\n\n{{live:wheel}}\n").expect("writable");
+    let mut command = inside(workspace.path(), &["book", "--output", "out"]);
+    let output = command.env("PATH", "").env_remove("CARGO").output().expect("the program runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("cargo does not run") && said.contains("https://rustup.rs"), "{said}");
+    assert!(!said.contains("rustup target add"), "{said}");
+}
+
+#[test]
 fn printing_says_what_it_lacks() {
     let workspace = small_workspace();
     let printing = |browser: &str, output: &str| {
