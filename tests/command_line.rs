@@ -5,6 +5,7 @@
 //! library: streams, signals, files, threads. All other lines are asked of the library, and a test compares the two.
 
 mod book_command;
+mod documents_command;
 mod escapement_command;
 mod limits_command;
 mod mimic_command;
@@ -493,12 +494,13 @@ fn mdbook_gets_a_book_for_a_book() {
 
 /// A run as mdBook's preprocessor.
 fn piped(input: &str) -> Output {
-    let mut child = geneva(&["preprocess"])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program runs");
+    piped_into(geneva(&["preprocess"]), input)
+}
+
+/// A run of a command with this on its standard input.
+fn piped_into(mut command: Command, input: &str) -> Output {
+    let mut child =
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
     child.stdin.take().expect("a pipe").write_all(input.as_bytes()).expect("it reads");
     child.wait_with_output().expect("it ends")
 }

@@ -81,9 +81,8 @@ fn finish(book: &Path) -> anyhow::Result<()> {
 /// Compiles and runs every Rust block of the book of the workspace `root`.
 ///
 /// rustdoc needs exactly one library for each crate, and a `target` directory may hold several; so Cargo is
-/// asked for those of one build of the root package, and they are linked into `target/book-libs`. After
-/// this, plain `mdbook test book -L target/book-libs` works too. mdBook itself writes what rustdoc says
-/// about a failing block to standard error.
+/// asked for those of one build of the root package, and they are linked into `target/book-libs`. mdBook
+/// itself writes what rustdoc says about a failing block to standard error.
 pub fn test(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<()> {
     let mut book = warnings::refuse(|| load(root, preprocessor))?;
     let libraries = libraries::link(root)?;
