@@ -1,6 +1,8 @@
 //! Does `geneva book` replace its own book and nothing else, however it ends?
 
-use crate::{geneva, refusal, small_workspace};
+use crate::{geneva, piped_into, refusal, small_workspace};
+use geneva_press::fences::CRATES;
+use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -84,6 +86,64 @@ fn outside_of_a_workspace_nothing_is_built() {
     let [said, page] = [output.stderr, output.stdout].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
     assert!(said.contains("no book found") && page.lines().count() > 5 && !page.contains("The book is in"), "{said}");
     assert!(names(elsewhere.path()).is_empty());
+}
+
+/// A workspace like ours in which the crates of the chapters have nothing but the number one.
+fn workspace_with_crates() -> tempfile::TempDir {
+    let workspace = small_workspace();
+    let write = |file: &str, text: &str| {
+        let path = workspace.path().join(file);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("writable");
+        fs::write(path, text).expect("writable");
+    };
+    let package = |name: &str| format!("[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n");
+    let mut manifest = format!("{}[lib]\npath = \"lib.rs\"\n[dependencies]\n", package("geneva-suite"));
+    for name in CRATES {
+        write(&format!("crates/{name}/Cargo.toml"), &package(name));
+        write(&format!("crates/{name}/src/lib.rs"), "pub const ONE: u8 = 1;\n");
+        manifest += &format!("{name} = {{ path = \"crates/{name}\" }}\n");
+    }
+    write("Cargo.toml", &format!("{manifest}[workspace]\nexclude = [\"crates/ledger\"]\n"));
+    write("lib.rs", "");
+    workspace
+}
+
+#[test]
+fn the_program_mdbook_tests_the_chapters_without_being_told_where_the_crates_are() {
+    let workspace = workspace_with_crates();
+    let book = workspace.path().join("book").canonicalize().expect("it exists");
+    let tested = |number: u8| {
+        let text = format!("# Only\n\n```rust\nuse {}::ONE;\nassert_eq!(ONE, {number});\n```\n", CRATES[0]);
+        fs::write(book.join("src/only.md"), &text).expect("writable");
+        let chapter = json!({"name": "Only", "content": text, "number": [1], "sub_items": [], "path": "only.md",
+                             "source_path": "only.md", "parent_names": []});
+        let context = json!({"root": book, "config": {"book": {}}, "renderer": "test", "mdbook_version": "0.5.4"});
+        piped_into(inside(&book, &["preprocess"]), &json!([context, {"items": [{"Chapter": chapter}]}]).to_string())
+    };
+    let output = tested(1);
+    assert!(output.status.success(), "{output:?}");
+    let answer: Value = serde_json::from_slice(&output.stdout).expect("a book and nothing else");
+    assert_eq!(answer["items"][0]["Chapter"]["content"], "", "nothing is left for a rustdoc that knows no crates");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "Every Rust block of the book compiles and runs.\n");
+
+    let output = tested(2);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && output.stdout.is_empty(), "{said}");
+    assert!(said.contains("only.md") && said.contains("assertion") && !said.contains("E0463"), "{said}");
+}
+
+#[test]
+fn a_book_that_is_built_without_rust_says_so_and_not_that_a_target_is_missing() {
+    let workspace = small_workspace();
+    fs::create_dir_all(workspace.path().join("crates/live")).expect("writable");
+    fs::write(workspace.path().join("crates/live/Cargo.toml"), "").expect("writable");
+    fs::write(workspace.path().join("book/src/only.md"), "# Only\n\n{{live:wheel}}\n").expect("writable");
+    let mut command = inside(workspace.path(), &["book", "--output", "out"]);
+    let output = command.env("PATH", "").env_remove("CARGO").output().expect("the program runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("cargo does not run") && said.contains("https://rustup.rs"), "{said}");
+    assert!(!said.contains("rustup target add"), "{said}");
 }
 
 #[test]

@@ -92,11 +92,14 @@ pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Resu
     Ok(())
 }
 
+/// What is said once the chapters have been tested.
+pub const TESTED: &str = "Every Rust block of the book compiles and runs.\n";
+
 fn test(streams: &mut dyn Streams) -> anyhow::Result<()> {
     {
         let _step = progress::step("testing the chapters");
         building::test(&workspace::root()?, Geneva)?;
     }
-    streams.print("Every Rust block of the book compiles and runs.\n")?;
+    streams.print(TESTED)?;
     Ok(())
 }

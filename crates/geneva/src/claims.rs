@@ -47,6 +47,9 @@ pub fn derived(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
 }
 
+/// Before a claim that no longer matches the record.
+const DIFFERS: char = '!';
+
 /// A line for each claim, under the place in the source. Ids and verdicts are never cut.
 fn table(rows: &[&Judged]) -> String {
     let longest = |length: fn(&Judged) -> usize| rows.iter().map(|judged| length(judged)).max().unwrap_or(0);
@@ -70,9 +73,18 @@ fn table(rows: &[&Judged]) -> String {
             // A form has nothing to set beside it.
             None => cut(&with_unit(&in_full(claim), claim.unit), middle),
         };
-        page += &format!("  {:<id$}  {what}  {colour}{}{colour:#}\n", claim.id, judged.verdict);
+        let mark = if judged.holds() { ' ' } else { DIFFERS };
+        page += &format!("{mark} {:<id$}  {what}  {colour}{}{colour:#}\n", claim.id, judged.verdict);
     }
-    page + &count(rows.len(), "claim") + "\n"
+    page += &format!("{}\n", count(rows.len(), "claim"));
+    let differing = rows.iter().filter(|judged| !judged.holds()).count();
+    if differing > 0 {
+        page += &format!(
+            "{DIFFERS} {} of them no longer as recorded: the verdict differs, or a witness disagrees\n",
+            differing
+        );
+    }
+    page
 }
 
 /// The printed characters, or what should stand in their place, with the claim's unit.
@@ -95,6 +107,7 @@ mod tests {
     use super::*;
     use crate::{Arguments, Command};
     use clap::Parser;
+    use geneva_ledger::{Evidence, Place, judge};
 
     /// The ids of the claims that are listed for these options.
     fn listed(options: &[&str]) -> Vec<String> {
@@ -102,6 +115,28 @@ mod tests {
         let Some(Command::Claims(wanted)) = Arguments::parse_from(line).command else { panic!("{options:?}") };
         let rows: Vec<serde_json::Value> = serde_json::from_str(&page(&wanted).expect("a page")).expect("an array");
         rows.iter().map(|row| row["id"].as_str().expect("an id").to_owned()).collect()
+    }
+
+    #[test]
+    fn a_claim_whose_witness_disagrees_is_marked_though_its_verdict_is_the_recorded_one() {
+        let claim = |witness: fn() -> f64| {
+            let claim = Place::new(Work::Pin, "Nowhere, line 1")
+                .value("pin.made-up", "2.33", "mm", "seven thirds")
+                .by(Evidence::ClosedForm, || 7.0 / 3.0)
+                .by(Evidence::LimitCase, witness);
+            judge(Box::leak(Box::new(claim)))
+        };
+        let (sound, doubtful) = (claim(|| 7.0 / 3.0), claim(|| 2.5));
+        assert!(doubtful.verdict == Verdict::Reproduced && !doubtful.holds(), "{doubtful:?}");
+        let page = table(&[&sound, &doubtful]);
+        let rows: Vec<_> = page.lines().filter(|line| line.contains("pin.made-up")).collect();
+        assert!(rows[0].starts_with("  pin.made-up") && rows[1].starts_with("! pin.made-up"), "{page}");
+        assert!(
+            page.ends_with(
+                "2 claims\n! 1 of them no longer as recorded: the verdict differs, or a witness disagrees\n"
+            )
+        );
+        assert!(!table(&[&sound]).contains('!'), "{page}");
     }
 
     #[test]

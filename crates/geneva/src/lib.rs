@@ -33,6 +33,7 @@ mod summary;
 mod sweep;
 mod threads;
 mod typed;
+mod version;
 mod wheel;
 mod workspace;
 
@@ -66,6 +67,18 @@ pub fn answer(line: impl IntoIterator<Item = OsString>) -> Answer {
     let mut answer = Answer::default();
     answer.code = respond(line, &mut answer).code();
     answer
+}
+
+/// Whether the program understands a command line, the program's name first. Nothing that it asks for is done.
+///
+/// # Errors
+///
+/// What the program would say of it.
+pub fn check(line: impl IntoIterator<Item = OsString>) -> Result<(), String> {
+    match parse(line) {
+        Err(error) if error.use_stderr() => Err(error.to_string()),
+        _ => Ok(()),
+    }
 }
 
 /// Checks every claim of the sources, derives its verdict, and builds the book.

@@ -3,11 +3,13 @@
 use crate::Answer;
 use crate::destination::Destination;
 use crate::printable::{chain, escaped_lines};
+use crate::version;
 use anstream::adapter::strip_str;
 use anyhow::Context;
 use clap::builder::styling::{AnsiColor, Style};
+use clap::error::ErrorKind;
 use geneva_ledger::Verdict;
-use std::io::{ErrorKind, Write};
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 pub use geneva_ask::written::count;
@@ -75,7 +77,7 @@ impl Streams for Own {
     fn print(&mut self, text: &str) -> anyhow::Result<()> {
         let mut stream = anstream::stdout().lock();
         match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
             result => result.context(UNWRITABLE),
         }
     }
@@ -121,6 +123,10 @@ pub fn complain(error: &anyhow::Error, streams: &mut dyn Streams) {
 
 /// Answers what asks for help or for the version, and says what is wrong with a command line.
 pub fn explain(error: &clap::Error, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+    if error.kind() == ErrorKind::DisplayVersion {
+        streams.print(&version::page())?;
+        return Ok(Outcome::AsRecorded);
+    }
     let text = error.render().ansi().to_string();
     if error.use_stderr() {
         streams.tell(&text);

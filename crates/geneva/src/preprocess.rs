@@ -1,12 +1,16 @@
 //! mdBook's protocol for preprocessors: a question, or a book in and a book out. Nothing else is printed.
 
+use crate::book::TESTED;
 use crate::output::{Outcome, Streams};
 use crate::printable::chain;
 use anyhow::{anyhow, ensure};
 use clap::{Args, Subcommand};
-use geneva_press::Geneva;
+use geneva_press::{Geneva, building};
 use mdbook_preprocessor::{Preprocessor, parse_input};
 use std::io::{IsTerminal, stdin};
+
+/// The renderer of `mdbook test`.
+const TESTS: &str = "test";
 
 /// Options of `geneva preprocess`, as mdBook gives them.
 #[derive(Args, Debug)]
@@ -19,7 +23,7 @@ pub struct PreprocessArguments {
 /// Questions that mdBook asks before it passes a book.
 #[derive(Debug, Subcommand)]
 pub enum Question {
-    /// Exit with 0 if the renderer is supported, otherwise with 1
+    /// Exit with 0: every renderer gets an answer, if only in words
     Supports {
         /// mdBook's name for the renderer
         renderer: String,
@@ -41,6 +45,14 @@ pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Resu
             chain(&error)
         )
     })?;
-    streams.print(&serde_json::to_string(&Geneva.run(&context, book)?)?)?;
+    let mut book = Geneva.run(&context, book)?;
+    if context.renderer == TESTS {
+        // mdBook gives rustdoc no crates unless it is told where they are. So the programs are tested here, with those of
+        // the project, by mdBook's library, and mdBook gets chapters in which nothing is left to be tested.
+        building::test(context.root.parent().unwrap_or(&context.root), Geneva)?;
+        book.for_each_chapter_mut(|chapter| chapter.content.clear());
+        streams.tell(TESTED);
+    }
+    streams.print(&serde_json::to_string(&book)?)?;
     Ok(Outcome::AsRecorded)
 }

@@ -7,6 +7,7 @@ mod exchange;
 mod list;
 mod place;
 mod site;
+mod warnings;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,7 +36,7 @@ pub struct Built {
 /// earlier build and nothing else; anything else is refused before the build begins. When something fails, `out` is as
 /// it was.
 pub fn build(root: &Path, out: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<Built> {
-    let mut book = load(root, preprocessor)?;
+    let mut book = warnings::refuse(|| load(root, preprocessor))?;
     let out = place::find(out, &book.source_dir())?;
     let site = Site::open(&out)?;
     render(&mut book, &site.new_book()).with_context(|| {
@@ -48,7 +49,7 @@ pub fn build(root: &Path, out: &Path, preprocessor: impl Preprocessor + 'static)
 /// Makes all files of the book in the folder `new`.
 fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
     book.config.build.build_dir = new.to_owned();
-    book.build()?;
+    warnings::refuse(|| book.build())?;
     search::index(new)?;
     print::write(new, &Edition::of(&book.root), address::known())?;
     finish(new)?;
@@ -80,16 +81,16 @@ fn finish(book: &Path) -> anyhow::Result<()> {
 /// Compiles and runs every Rust block of the book of the workspace `root`.
 ///
 /// rustdoc needs exactly one library for each crate, and a `target` directory may hold several; so Cargo is
-/// asked for those of one build of the root package, and they are linked into `target/book-libs`. After
-/// this, plain `mdbook test book -L target/book-libs` works too. mdBook itself writes what rustdoc says
-/// about a failing block to standard error.
+/// asked for those of one build of the root package, and they are linked into `target/book-libs`. mdBook
+/// itself writes what rustdoc says about a failing block to standard error.
 pub fn test(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<()> {
-    let mut book = load(root, preprocessor)?;
+    let mut book = warnings::refuse(|| load(root, preprocessor))?;
     let libraries = libraries::link(root)?;
     let path = libraries
         .to_str()
         .with_context(|| format!("{} is not UTF-8: move the workspace to a path that is", libraries.display()))?;
-    book.test(vec![path]).with_context(|| format!("the blocks of the book in {}", book.root.display()))
+    warnings::refuse(|| book.test(vec![path]))
+        .with_context(|| format!("the blocks of the book in {}", book.root.display()))
 }
 
 fn load(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<MDBook> {
@@ -230,6 +231,26 @@ mod tests {
         assert!(error.contains("line 3: no such claim") && error.contains("is as it was"), "{error}");
         assert_eq!(fs::read_to_string(&first).unwrap(), page);
         assert_eq!(names(root.path()), ["book", "out"]);
+    }
+
+    #[test]
+    fn what_mdbook_warns_of_stops_the_build_in_its_words() {
+        let root = workspace();
+        let source = root.path().join("book/src");
+        let chapter = |text: &str| fs::write(source.join("chapter.md"), text).unwrap();
+        // The preprocessor of this book looks at nothing, so that mdBook meets the fault.
+        for (text, words) in [
+            ("# Chapter\n\n{{#include nofile.txt}}\n", ["Error updating", "{{#include nofile.txt}}", "nofile.txt)"]),
+            ("# Chapter\n\n<div>\n\nText.\n", ["unclosed", "<div>", "chapter"]),
+        ] {
+            chapter(text);
+            let error = attempt(&root, "out", false).unwrap_err();
+            assert!(error.contains("mdBook warns") && words.iter().all(|word| error.contains(word)), "{error}");
+            assert_eq!(names(root.path()), ["book"]);
+        }
+        fs::write(source.join("SUMMARY.md"), "- [Chapter](chapter.md) and more\n").unwrap();
+        chapter("# Chapter\n\nText.\n");
+        attempt(&root, "out", false).unwrap();
     }
 
     #[test]

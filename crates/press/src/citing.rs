@@ -58,8 +58,8 @@ pub fn bibtex(edition: &Edition, address: Option<&Address>) -> String {
     if let Some(year) = edition.date.as_deref().and_then(|date| date.get(..4)) {
         fields.push(("year", year.to_owned()));
     }
-    let commit = edition.commit.as_deref().map_or_else(String::new, |commit| format!(", commit {commit}"));
-    fields.push(("note", format!("Version {VERSION}{commit}")));
+    fields.push(("note", edition.reference()));
+    fields.extend(edition.swhid().map(|id| ("swhid", id)));
     if let Some(address) = address {
         fields.push(("url", address.book.clone()));
     }
@@ -70,8 +70,9 @@ pub fn bibtex(edition: &Edition, address: Option<&Address>) -> String {
 /// The book in words, as HTML.
 pub fn in_words(edition: &Edition, address: Option<&Address>) -> String {
     let read = address.map_or_else(String::new, |address| format!(" <a href=\"{0}\">{0}</a>.", escape(&address.book)));
+    let archived = edition.swhid().map_or_else(String::new, |id| format!(" <code>{id}</code>."));
     format!(
-        "{}: <em>{}. {}.</em> {}.{read}",
+        "{}: <em>{}. {}.</em> {}.{archived}{read}",
         escape(AUTHORS),
         escape(TITLE),
         escape(SUBTITLE),
@@ -98,7 +99,11 @@ mod tests {
     use super::*;
 
     fn edition() -> Edition {
-        Edition { commit: Some("abcdef0".to_owned()), date: Some("2026-11-26".to_owned()) }
+        Edition {
+            commit: Some("abcdef0".repeat(6)[..40].to_owned()),
+            date: Some("2026-11-26".to_owned()),
+            is_changed: false,
+        }
     }
 
     #[test]
@@ -134,5 +139,18 @@ mod tests {
         assert!(!bibtex(&bare, None).contains("year") && !bibtex(&bare, None).contains("commit"));
         assert!(bibtex(&edition(), None).contains("year = \"2026\""));
         assert_eq!(bare.words(), format!("version {VERSION}"));
+        assert_eq!(bare.reference(), format!("Version {VERSION}"));
+    }
+
+    #[test]
+    fn only_sources_as_committed_are_cited_by_their_name_in_an_archive() {
+        let id = format!("swh:1:rev:{}", edition().commit.expect("a commit"));
+        let forms = |edition: &Edition| [bibtex(edition, None), in_words(edition, None)];
+        for form in forms(&edition()) {
+            assert!(form.contains(&id) && !form.contains("changed"), "{form}");
+        }
+        for form in forms(&Edition { is_changed: true, ..edition() }) {
+            assert!(form.contains("commit abcdef0") && form.contains(", changed") && !form.contains("swh:"), "{form}");
+        }
     }
 }

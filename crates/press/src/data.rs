@@ -3,6 +3,7 @@
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
 use crate::citing::LICENCE_ADDRESS;
+use crate::edition::Edition;
 use crate::{fields, ledger_pages, records};
 use anyhow::{Context, bail};
 use std::fs;
@@ -36,9 +37,9 @@ impl File {
         Ok(Self { name: format!("{}-metadata.json", self.name), text })
     }
 
-    /// All claims, slips and lines of sources, and what the page of all claims loads.
-    pub fn records() -> anyhow::Result<impl Iterator<Item = Self>> {
-        let files = records::files()?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text });
+    /// Of this edition all claims, slips and lines of sources, and what the page of all claims loads.
+    pub fn records(edition: &Edition) -> anyhow::Result<impl Iterator<Item = Self>> {
+        let files = records::files(edition)?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text });
         Ok(files.chain(ledger_pages::ledger::files()?))
     }
 

@@ -98,7 +98,7 @@ pub fn untagged(chapter: &str) -> Vec<Untagged> {
 }
 
 /// Whether a fence with this info string is compiled by rustdoc as Rust.
-fn is_rust(info: &str) -> bool {
+pub(crate) fn is_rust(info: &str) -> bool {
     let mut rust = tags(info).next().is_none();
     for tag in tags(info) {
         match tag {

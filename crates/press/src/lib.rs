@@ -19,6 +19,7 @@ pub mod readme;
 mod search;
 
 // A chapter.
+mod braces;
 mod chapter_tests;
 pub mod fences;
 mod formula;

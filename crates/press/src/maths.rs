@@ -21,6 +21,8 @@ use crate::ledger_pages::inline::GLUED;
 pub fn render(chapter: &str) -> anyhow::Result<String> {
     let mut edits: Vec<(Range<usize>, String)> = Vec::new();
     let mut errors: Vec<String> = Vec::new();
+    // Of what a line has too much or wrong, it says each once.
+    let mut complaints: BTreeSet<(usize, &str)> = BTreeSet::new();
     let mut ids = BTreeSet::new();
     let mut heading: Option<Heading> = None;
     let mut in_code = false;
@@ -59,27 +61,37 @@ pub fn render(chapter: &str) -> anyhow::Result<String> {
             Event::Code(text) => note(&mut heading, &text),
             Event::Text(text) => {
                 note(&mut heading, &text);
-                if let Some(at) = (!in_code).then(|| stray_dollar(chapter, &range)).flatten() {
-                    let line = line(chapter, at);
-                    errors.push(format!(
-                        "line {line}: a `$` of no formula (the sign itself is `\\$`, a bar in a table `\\vert`)"
-                    ));
+                if !in_code {
+                    let stray = stray_dollar(chapter, &range).map(|at| (at, DOLLAR));
+                    let faults = stray.into_iter().chain(foreign_delimiter(chapter, &range).map(|at| (at, BRACKET)));
+                    complaints.extend(faults.map(|(at, what)| (line(chapter, at), what)));
                 }
+            }
+            Event::Html(html) | Event::InlineHtml(html) => {
+                let stray = html.find('$').map(|at| (line(chapter, range.start + at), IN_HTML));
+                complaints.extend(stray);
             }
             _ => {}
         }
     }
+    errors.extend(complaints.into_iter().map(|(line, what)| format!("line {line}: {what}")));
     if !errors.is_empty() {
         bail!("{}", errors.join("\n"));
     }
     Ok(apply(chapter, &edits))
 }
 
+const DOLLAR: &str = "a `$` of no formula (the sign itself is `\\$`, a bar in a table `\\vert`)";
+const BRACKET: &str = "a backslash before a bracket, with which mdBook begins or ends a formula: write `$…$` for a formula in a \
+                       line and `$$…$$` for one on lines of its own (the backslash itself is `&#92;`)";
+const IN_HTML: &str = "a `$` in HTML, where no formula is set: leave a blank line between the tag and the formula (the sign itself \
+                       is `&#36;`)";
+
 /// Signs that stand close behind a formula or a mark: a line does not break before them.
 pub const JOINED: [char; 7] = [',', '.', ';', ':', ')', '?', '’'];
 
 /// Markdown as mdBook reads it, and formulas besides.
-fn dialect() -> Options {
+pub(crate) fn dialect() -> Options {
     Options::ENABLE_MATH
         | Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
@@ -107,6 +119,12 @@ fn note(heading: &mut Option<Heading>, text: &str) {
 fn stray_dollar(chapter: &str, text: &Range<usize>) -> Option<usize> {
     let at = text.start + chapter[text.clone()].find('$')?;
     (!chapter[..at].ends_with('\\')).then_some(at)
+}
+
+/// A bracket in running text behind a backslash of its own, as in `\\(a\\)`: where MathJax is used, mdBook takes it for the end of a formula.
+fn foreign_delimiter(chapter: &str, text: &Range<usize>) -> Option<usize> {
+    let brackets = chapter[text.clone()].match_indices(['(', ')', '[', ']']).map(|(at, _)| text.start + at);
+    brackets.into_iter().find(|at| chapter[..*at].ends_with("\\\\"))
 }
 
 impl Heading {
@@ -213,6 +231,32 @@ mod tests {
         assert_eq!(lines.len(), 2, "{error}");
         assert!(lines[0].starts_with("line 3: the formula `\\frac 1`"), "{error}");
         assert!(lines[1].starts_with("line 5: the formula `\\nosuch`"), "{error}");
+    }
+
+    #[test]
+    fn a_line_with_many_stray_dollars_is_named_once() {
+        let error =
+            render("a\n\nDo you mean $14 or $40? It costs $5 and then $6.\n\nAnd $7.\n").unwrap_err().to_string();
+        let lines: Vec<_> = error.lines().map(|line| line.split_once(':').map(|(line, _)| line)).collect();
+        assert_eq!(lines, [Some("line 3"), Some("line 5")], "{error}");
+    }
+
+    #[test]
+    fn the_delimiters_of_mdbook_are_refused_with_the_ones_to_write() {
+        for chapter in ["a\n\n\\\\(a_1\\\\) is\n", "a\n\nthe\n\\\\[ a_1 \\\\] is\n", "| a |\n|---|\n| \\\\(x |\n"] {
+            let error = render(chapter).unwrap_err().to_string();
+            assert!(error.starts_with("line ") && error.contains("`$…$`") && error.contains("`&#92;`"), "{error}");
+            assert_eq!(error.lines().count(), 1, "{error}");
+        }
+        let code = "`\\\\(a\\\\)` and \\(b\\) and \\\\ [c](d.md)\n\n```text\n\\\\[ a \\\\]\n```\n";
+        assert!(render(code).is_ok(), "code, brackets and a backslash alone");
+    }
+
+    #[test]
+    fn a_formula_in_html_is_an_error() {
+        let error = render("a\n\n<div>\n$x$ is\n</div>\n").unwrap_err().to_string();
+        assert!(error.starts_with("line 4: a `$` in HTML"), "{error}");
+        assert!(render("<div>\n\n$x$ is\n\n</div>\n").is_ok());
     }
 
     #[test]

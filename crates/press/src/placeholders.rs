@@ -1,7 +1,7 @@
 //! Placeholders in a chapter, and what the ledger and the figures put in their place.
 //!
-//! A placeholder is `{{key:argument}}` or `{{key}}`. Those of other keys, and the braces of Rust and of mdBook's own
-//! `{{#include}}`, are left alone.
+//! A placeholder is `{{key:argument}}` or `{{key}}`. The braces of Rust and of mdBook's own `{{#include}}` are left alone; those
+//! of other keys stop the build before (`braces.rs`).
 
 mod reading;
 
@@ -123,6 +123,8 @@ pub struct Page<'a> {
     pub number: &'a str,
     /// The edition of the book.
     pub edition: &'a Edition,
+    /// The chapter as its author wrote it, which gives the lines of errors.
+    pub written: &'a str,
 }
 
 /// A figure or a table in its frame.
@@ -212,13 +214,15 @@ impl Shown {
 /// which the page leads.
 pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(String, Vec<File>)> {
     let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
-    for placeholder in &placeholders(chapter) {
+    let found = placeholders(chapter);
+    let lines = lines(chapter, &found, page.written);
+    for (placeholder, line) in found.iter().zip(lines) {
         if let (Marked(_), Some(id)) = (placeholder.put, placeholder.argument) {
             marked.insert(id);
         }
         match text(placeholder, page, all, &mut files) {
             Ok(text) => edits.push((placeholder.range.clone(), text)),
-            Err(error) => errors.push(format!("line {}: {error:#}", maths::line(chapter, placeholder.range.start))),
+            Err(error) => errors.push(format!("line {line}: {error:#}")),
         }
     }
     ensure!(errors.is_empty(), "{}", errors.join("\n"));
@@ -228,6 +232,19 @@ pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(S
         page.push_str(&format!("\n{}\n", inline::note(id)?));
     }
     Ok((options::in_one_piece(&tie(&page)), files))
+}
+
+/// The lines of these placeholders in the chapter as its author wrote it, which formulas and folded programs have changed
+/// since. They still follow one another.
+fn lines(chapter: &str, found: &[Placeholder], written: &str) -> Vec<usize> {
+    let before = placeholders(written);
+    let (text, found) = if before.len() == found.len() { (written, &*before) } else { (chapter, found) };
+    found.iter().map(|placeholder| maths::line(text, placeholder.range.start)).collect()
+}
+
+/// Every key of a placeholder.
+pub fn keys() -> impl Iterator<Item = &'static str> {
+    KEYS.iter().map(|(key, ..)| *key)
 }
 
 /// The placeholders of our keys.
@@ -309,7 +326,7 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
 mod tests {
     use super::*;
 
-    const PAGE: Page<'_> = Page { name: "pin", number: "1.", edition: &Edition::NONE };
+    const PAGE: Page<'_> = Page { name: "pin", number: "1.", edition: &Edition::NONE, written: "" };
 
     fn put(chapter: &str) -> anyhow::Result<String> {
         Ok(put_in(chapter, PAGE, &shown(chapter, PAGE))?.0)
@@ -339,6 +356,14 @@ mod tests {
     }
 
     #[test]
+    fn an_error_has_the_line_that_its_author_wrote() {
+        let written = "one\n\n$$\na\n= b\n$$\n\n```rust\n// A program.\nf();\n```\n\n{{value:pin.radiuss}}\n";
+        let chapter = crate::fences::fold(&maths::render(written).expect("a formula"));
+        let error = put_in(&chapter, Page { written, ..PAGE }, &[]).err().expect("no such claim").to_string();
+        assert!(error.starts_with("line 13: "), "{error}");
+    }
+
+    #[test]
     fn figures_and_tables_are_numbered_where_they_stand() {
         let chapter =
             "see {{ref:pin-velocity}}\n\n{{figure:pin-position}}\n\n{{wheels:3 4}}\n\n{{figure:pin-velocity}}\n";
@@ -348,7 +373,7 @@ mod tests {
         assert!(put("{{ref:pin-position}}").is_err());
         let other = put_in(
             "{{ref:wheels}}",
-            Page { name: "other", number: "2.", edition: &Edition::NONE },
+            Page { name: "other", number: "2.", edition: &Edition::NONE, written: "" },
             &shown(chapter, PAGE),
         );
         assert_eq!(other.expect("known").0, "<a href=\"pin.html#table-wheels\">Table\u{a0}1.1</a>");

@@ -3,11 +3,16 @@
 use crate::edition::Edition;
 use crate::html::escape;
 use crate::placeholders::Page;
-use crate::{address, chapter_tests, data, fences, live, maths, placeholders};
-use anyhow::{Context, bail};
+use crate::{address, braces, chapter_tests, data, fences, live, maths, placeholders};
+use anyhow::{bail, ensure};
 use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::Result;
-use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use mdbook_preprocessor::{MDBOOK_VERSION, Preprocessor, PreprocessorContext};
+use std::path::Path;
+
+/// The renderers for which a book can be made: pages, and tests of its programs.
+const PAGES: &str = "html";
+const TESTS: &str = "test";
 
 /// Turns a chapter with formulas and placeholders into one that is all there.
 ///
@@ -21,7 +26,12 @@ impl Preprocessor for Geneva {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        if context.renderer == "test" {
+        check_caller(context)?;
+        let chapters = context.root.join(&context.config.book.src);
+        if context.renderer == TESTS {
+            let mut errors = Vec::new();
+            book.for_each_chapter_mut(|chapter| errors.extend(misbraced(chapter, &chapters)));
+            ensure!(errors.is_empty(), "{}", errors.join("\n"));
             book.for_each_chapter_mut(|chapter| {
                 chapter.content = fences::add_extern_crates(&chapter.content, &fences::CRATES);
             });
@@ -37,36 +47,40 @@ impl Preprocessor for Geneva {
             chapter_tests::put(&name, &programs, &mut chapter.content);
         });
         let mut errors = Vec::new();
-        book.for_each_chapter_mut(|chapter| match maths::render(&chapter.content).with_context(|| file(chapter)) {
-            Ok(content) => chapter.content = fences::fold(&content),
-            Err(error) => errors.push(format!("{error:#}")),
+        let mut written = Vec::new();
+        book.for_each_chapter_mut(|chapter| {
+            written.push(chapter.content.clone());
+            errors.extend(misbraced(chapter, &chapters));
+            match maths::render(&chapter.content) {
+                Ok(content) => chapter.content = fences::fold(&content),
+                Err(error) => errors.push(located(chapter, &error)),
+            }
         });
         let edition = Edition::of(&context.root);
         let shown: Vec<_> = book
             .chapters()
-            .flat_map(|chapter| placeholders::shown(&chapter.content, Place::of(chapter).page(&edition)))
+            .flat_map(|chapter| placeholders::shown(&chapter.content, Place::of(chapter).page(&edition, "")))
             .collect();
         let titles: Vec<_> = book.chapters().map(|chapter| (Place::of(chapter).name, chapter.name.clone())).collect();
         let footer = edition.footer(address::known());
         let mut files = Vec::new();
+        let mut written = written.into_iter();
         book.for_each_chapter_mut(|chapter| {
             let place = Place::of(chapter);
             let beside = neighbours(&titles, &place.name);
-            match placeholders::put_in(&chapter.content, place.page(&edition), &shown).with_context(|| file(chapter)) {
+            let written = written.next().unwrap_or_default();
+            match placeholders::put_in(&chapter.content, place.page(&edition, &written), &shown) {
                 Ok((content, led_to)) => {
                     chapter.content = content + &beside + &footer;
                     files.extend(led_to);
                 }
-                Err(error) => errors.push(format!("{error:#}")),
+                Err(error) => errors.push(located(chapter, &error)),
             }
         });
-        if !errors.is_empty() {
-            bail!("{}", errors.join("\n"));
-        }
-        let chapters = context.root.join(&context.config.book.src);
+        ensure!(errors.is_empty(), "{}", errors.join("\n"));
         // Every verdict is derived for the records, so a book has them only if it leads to them.
         if data::has_place(&chapters) && book.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
-            files.extend(data::File::records()?);
+            files.extend(data::File::records(&edition)?);
         }
         let root = context.root.parent().unwrap_or(&context.root);
         let mut contents = Vec::new();
@@ -78,9 +92,45 @@ impl Preprocessor for Geneva {
         Ok(book)
     }
 
-    fn supports_renderer(&self, renderer: &str) -> Result<bool> {
-        Ok(matches!(renderer, "html" | "test"))
+    /// Every renderer is answered: mdBook would leave out in silence whoever says no, and render the chapters without it.
+    fn supports_renderer(&self, _: &str) -> Result<bool> {
+        Ok(true)
     }
+}
+
+/// Refuses a renderer for which the book isn't made, and an mdBook that may mean something else by what it says.
+fn check_caller(context: &PreprocessorContext) -> Result<()> {
+    let PreprocessorContext { renderer, mdbook_version, .. } = context;
+    if ![PAGES, TESTS].contains(&&**renderer) {
+        bail!(
+            "this book is made for the renderer `{PAGES}`, not for `{renderer}`: formulas, figures and marks are HTML. Take \
+             `[output.{renderer}]` out of book.toml; for a PDF, run `geneva book print`"
+        );
+    }
+    // Before 1.0, the second number changes when the format does.
+    let format = |version: &str| version.splitn(3, '.').take(2).map(str::to_owned).collect::<Vec<_>>();
+    ensure!(
+        format(mdbook_version) == format(MDBOOK_VERSION),
+        "mdBook {mdbook_version} calls a preprocessor for mdBook {MDBOOK_VERSION}, whose books may have another format: install \
+         it with `cargo install mdbook --version {MDBOOK_VERSION}`, or build the book with `geneva book`"
+    );
+    Ok(())
+}
+
+/// What is wrong with the double braces of a chapter below this folder, each with its file and line.
+fn misbraced(chapter: &Chapter, chapters: &Path) -> Vec<String> {
+    let path = chapters.join(chapter.source_path.as_deref().unwrap_or(Path::new("")));
+    let mut text = chapter.content.clone();
+    // On their page, the programs of all chapters have their place.
+    chapter_tests::put(&Place::of(chapter).name, "", &mut text);
+    let faults = braces::faults(&text, path.parent().unwrap_or(chapters));
+    faults.into_iter().map(|fault| format!("{}: {fault}", file(chapter))).collect()
+}
+
+/// The errors of a chapter, each on a line that names its own line and here receives the file.
+fn located(chapter: &Chapter, error: &anyhow::Error) -> String {
+    let file = file(chapter);
+    format!("{file}: {error:#}").replace("\nline ", &format!("\n{file}: line "))
 }
 
 /// Links to the pages before and behind the one of this name, by their titles.
@@ -113,7 +163,84 @@ impl Place {
         Self { name, number: chapter.number.as_ref().map_or_else(String::new, ToString::to_string) }
     }
 
-    fn page<'a>(&'a self, edition: &'a Edition) -> Page<'a> {
-        Page { name: &self.name, number: &self.number, edition }
+    fn page<'a>(&'a self, edition: &'a Edition, written: &'a str) -> Page<'a> {
+        Page { name: &self.name, number: &self.number, edition, written }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mdbook_preprocessor::book::BookItem;
+    use mdbook_preprocessor::config::Config;
+
+    fn chapter(text: &str, file: &str) -> Chapter {
+        Chapter::new("Only", text.to_owned(), file, Vec::new())
+    }
+
+    /// What becomes of a chapter for this renderer, or what is wrong, asked by an mdBook of this version.
+    fn processed(chapter: Chapter, renderer: &str, version: &str) -> std::result::Result<String, String> {
+        let mut context = PreprocessorContext::new("nowhere/book".into(), Config::default(), renderer.to_owned());
+        context.mdbook_version = version.to_owned();
+        let book = Book::new_with_items(vec![BookItem::Chapter(chapter)]);
+        let book = Geneva.run(&context, book).map_err(|error| format!("{error:#}"))?;
+        Ok(book.chapters().map(|chapter| chapter.content.clone()).collect())
+    }
+
+    fn asked(text: &str, renderer: &str, version: &str) -> std::result::Result<String, String> {
+        processed(chapter(text, "only.md"), renderer, version)
+    }
+
+    #[test]
+    fn a_renderer_for_which_the_book_is_not_made_is_refused_with_a_way_out() {
+        for renderer in ["markdown", "epub", "pandoc", "linkcheck"] {
+            assert!(
+                Geneva.supports_renderer(renderer).expect("an answer"),
+                "{renderer} would be left alone in silence"
+            );
+            let error = asked("# Only\n", renderer, MDBOOK_VERSION).expect_err("no such renderer");
+            assert!(
+                error.contains(&format!("`[output.{renderer}]`")) && error.contains("geneva book print"),
+                "{error}"
+            );
+        }
+        assert!(asked("# Only\n", PAGES, MDBOOK_VERSION).is_ok() && asked("# Only\n", TESTS, MDBOOK_VERSION).is_ok());
+    }
+
+    #[test]
+    fn an_mdbook_with_another_format_is_refused_with_the_command_that_installs_the_right_one() {
+        for version in ["0.6.0", "0.4.52", "1.0.0", "0.50.4", ""] {
+            let error = asked("# Only\n", PAGES, version).expect_err("another format");
+            assert!(error.contains(&format!("mdBook {version} calls")), "{error}");
+            assert!(error.contains(&format!("cargo install mdbook --version {MDBOOK_VERSION}")), "{error}");
+        }
+        assert!(asked("# Only\n", PAGES, "0.5.99").is_ok());
+    }
+
+    #[test]
+    fn the_place_of_the_programs_is_known_on_their_page_alone() {
+        for renderer in [PAGES, TESTS] {
+            let tests = chapter("# Tests\n\n{{tests}}\n", "tests.md");
+            assert!(processed(tests, renderer, MDBOOK_VERSION).is_ok(), "{renderer}");
+            let error = asked("# Only\n\n{{tests}}\n", renderer, MDBOOK_VERSION).expect_err("another page");
+            assert!(error.starts_with("only.md: line 3: no placeholder `tests`"), "{error}");
+        }
+    }
+
+    #[test]
+    fn every_fault_of_a_chapter_has_its_file_and_line() {
+        let text =
+            "# Only\n\n$x and\n\n{{clain:pin.radius}}\n\n{{#include no.md}}\n\n{{value:pin.radiuss}}\n\n\\\\(a\\\\)\n";
+        let error = asked(text, PAGES, MDBOOK_VERSION).expect_err("five faults");
+        let mut lines: Vec<_> =
+            error.lines().map(|line| line.split(": ").take(2).collect::<Vec<_>>().join(" ")).collect();
+        lines.sort_by_key(|line| line.rsplit(' ').next().and_then(|number| number.parse::<u8>().ok()));
+        assert_eq!(
+            lines,
+            ["only.md line 3", "only.md line 5", "only.md line 7", "only.md line 9", "only.md line 11"],
+            "{error}"
+        );
+        let error = asked("# Only\n\n{{#include no.md}}\n", TESTS, MDBOOK_VERSION).expect_err("an include");
+        assert!(error.starts_with("only.md: line 3: "), "{error}");
     }
 }

@@ -46,8 +46,11 @@ pub fn section(heading: &str) -> anyhow::Result<String> {
         .split_once(&format!("## {heading}\n"))
         .with_context(|| format!("the first page has no section `{heading}`"))?;
     let (section, _) = rest.split_once("\n## ").with_context(|| format!("the first page ends with `{heading}`"))?;
-    let (drawn, _) =
-        put_in(&with_images(section)?, Page { name: "preface", number: "", edition: &Edition::NONE }, &[])?;
+    let (drawn, _) = put_in(
+        &with_images(section)?,
+        Page { name: "preface", number: "", edition: &Edition::NONE, written: section },
+        &[],
+    )?;
     let parts: Vec<_> = drawn.split("\n\n").map(in_markdown).filter(|part| !part.is_empty()).collect();
     Ok(in_the_project(&parts.join("\n\n")))
 }

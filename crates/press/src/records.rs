@@ -1,6 +1,7 @@
 //! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
 
 use crate::citing::{LICENCE, TITLE, VERSION};
+use crate::edition::Edition;
 use crate::fields::{self, Row, Value};
 use crate::{address, bibliography};
 use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
@@ -129,29 +130,31 @@ pub const OF_AN_ENTRY: &[Field] = &[
     ("reason", "Why there is nothing to check. Null unless the entry is an exception."),
 ];
 
-/// The files of the records: their names and texts.
-pub fn files() -> anyhow::Result<Vec<(&'static str, String)>> {
+/// The files of the records of this edition: their names and texts.
+pub fn files(edition: &Edition) -> anyhow::Result<Vec<(&'static str, String)>> {
     let of_sources = slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
     let copies: Vec<_> = slips_of_copies().map(slip).collect();
     let entries = entries()?;
     let works: Vec<_> = bibliography::rows().collect();
     Ok(vec![
-        ("claims.json", versioned("claims", verdicts().iter().map(claim))?),
-        ("errata.json", versioned("errata", of_sources.map(slip))?),
-        ("copies.json", versioned("copies", copies.iter().cloned())?),
+        ("claims.json", versioned("claims", edition, verdicts().iter().map(claim))?),
+        ("errata.json", versioned("errata", edition, of_sources.map(slip))?),
+        ("copies.json", versioned("copies", edition, copies.iter().cloned())?),
         ("copies.csv", fields::csv(copies.first(), copies.iter().cloned())?),
-        ("coverage.json", versioned("entries", entries.iter().cloned())?),
+        ("coverage.json", versioned("entries", edition, entries.iter().cloned())?),
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
         ("CITATION.cff", include_str!("../../../CITATION.cff").to_owned()),
     ])
 }
 
-/// Rows in a file that says what it belongs to, in which version of the project.
-fn versioned(what: &'static str, rows: impl Iterator<Item = Row>) -> anyhow::Result<String> {
+/// Rows in a file that says what it belongs to, in which edition of the project.
+fn versioned(what: &'static str, edition: &Edition, rows: impl Iterator<Item = Row>) -> anyhow::Result<String> {
     fields::json(&Row(vec![
         ("title", TITLE.into()),
         ("version", VERSION.into()),
+        ("commit", edition.commit.as_deref().into()),
+        ("changed", edition.commit.as_ref().map(|_| edition.is_changed).into()),
         ("license", LICENCE.into()),
         ("address", address::known().map(|address| address.book.as_str()).into()),
         (what, Value::List(rows.map(Value::Object).collect())),
@@ -347,7 +350,8 @@ mod tests {
     #[test]
     fn every_field_of_the_files_is_described_and_the_version_is_in_each() {
         let mut seen = 0;
-        for (name, text) in files().expect("files") {
+        let edition = Edition { commit: Some("abcdef0".to_owned()), date: None, is_changed: true };
+        for (name, text) in files(&edition).expect("files") {
             let Some(of) = name.strip_suffix(".json") else { continue };
             let whole: Json = serde_json::from_str(&text).expect("JSON");
             assert_eq!(whole["version"], VERSION, "{name}");
@@ -361,7 +365,8 @@ mod tests {
                 _ => ("entries", OF_AN_ENTRY),
             };
             assert_eq!(whole["license"], LICENCE, "{name}");
-            assert_eq!(whole.as_object().expect("an object").len(), 5, "{name}");
+            assert_eq!((&whole["commit"], &whole["changed"]), (&Json::from("abcdef0"), &Json::from(true)), "{name}");
+            assert_eq!(whole.as_object().expect("an object").len(), 7, "{name}");
             assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
             let mut found = BTreeSet::new();
             keys(&whole[list], "", &mut found);
@@ -370,6 +375,9 @@ mod tests {
             seen += 1;
         }
         assert_eq!(seen, 4);
+        let (_, claims) = files(&Edition::NONE).expect("files").swap_remove(0);
+        let claims: Json = serde_json::from_str(&claims).expect("JSON");
+        assert!(claims["commit"].is_null() && claims["changed"].is_null(), "no repository");
     }
 
     #[test]
@@ -409,7 +417,7 @@ mod tests {
 
     #[test]
     fn every_mistake_is_in_one_of_two_files() {
-        let files = files().expect("files");
+        let files = files(&Edition::NONE).expect("files");
         let of = |name: &str| {
             let (_, text) = files.iter().find(|(file, _)| *file == name).expect("a file");
             serde_json::from_str::<Json>(text).expect("JSON")

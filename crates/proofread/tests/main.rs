@@ -21,8 +21,8 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod since;
-mod thresholds;
 mod structures;
+mod thresholds;
 mod units;
 mod unrounded;
 mod unusual;

@@ -3,7 +3,6 @@
 use crate::base64::base64;
 use crate::data::{FOLDER, File};
 use miniz_oxide::deflate::compress_to_vec;
-use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -104,10 +103,9 @@ impl Module {
         if !root.join("crates").join(self.folder).join("Cargo.toml").is_file() {
             return Err(format!("{} does not hold their program", root.display()));
         }
-        let compiled = compile(root, self.package).or_else(|first| {
-            add_target(root)?;
-            compile(root, self.package).map_err(|_| first)
-        });
+        // Where the target cannot be added, Cargo's own reason is the one that counts: there may be no Cargo at all.
+        let compiled = compile(root, self.package)
+            .or_else(|first| if is_target_added(root) { compile(root, self.package) } else { Err(first) });
         let file = format!("{}.wasm", self.package.replace('-', "_"));
         let path = compiled?.join(TARGET).join(PROFILE).join(file);
         fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
@@ -136,13 +134,11 @@ fn compile(root: &Path, package: &str) -> Result<std::path::PathBuf, String> {
     Err(format!("{line}; `rustup target add {TARGET}` may mend it"))
 }
 
-fn add_target(root: &Path) -> Result<(), String> {
-    let rustup: OsString = "rustup".into();
-    let output = Command::new(rustup).current_dir(root).args(["target", "add", TARGET]).stdin(Stdio::null()).output();
-    match output {
-        Ok(output) if output.status.success() => Ok(()),
-        _ => Err(format!("the target {TARGET} is not installed; `rustup target add {TARGET}` adds it")),
-    }
+/// Lets rustup add the target; whether it could.
+fn is_target_added(root: &Path) -> bool {
+    let mut rustup = Command::new("rustup");
+    rustup.current_dir(root).args(["target", "add", TARGET]).stdin(Stdio::null());
+    rustup.output().is_ok_and(|output| output.status.success())
 }
 
 #[cfg(test)]
