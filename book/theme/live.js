@@ -28,6 +28,7 @@
         const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
         const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => figure.querySelector(`.${name}`));
+        const results = figure.querySelector('.results'), announced = results.querySelector('output');
         const outputs = figure.querySelectorAll('output'), files = form.querySelectorAll('[data-file]');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
         const follows = input => input.dataset.follows !== undefined || input.dataset.side === 'second';
@@ -79,7 +80,8 @@
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
             figure.querySelector('.drawing').replaceChildren(drawing);
             figure.querySelector('.says').textContent = caption;
-            again ||= Boolean(progress);
+            // What runs goes on instead of waiting for the rest.
+            again ||= Boolean(progress) && !playing;
         };
 
         const draw = async () => {
@@ -87,11 +89,20 @@
                 again = true;
                 return;
             }
-            busy = true;
+            // Nothing is read out before the last answer is there.
+            const isBusy = is => {
+                busy = is;
+                if (is) {
+                    results.setAttribute('aria-busy', 'true');
+                } else {
+                    results.removeAttribute('aria-busy');
+                }
+            };
+            isBusy(true);
             try {
                 await load();
             } catch (error) {
-                busy = false;
+                isBusy(false);
                 return say(`The figure cannot be moved here: ${error.message}.`, true);
             }
             await new Promise(requestAnimationFrame);
@@ -101,9 +112,11 @@
             } catch (error) {
                 refuse(`The figure has no answer for this setting: ${error.message}.`);
             }
-            busy = false;
             if (again) {
+                busy = false;
                 draw();
+            } else {
+                isBusy(false);
             }
         };
 
@@ -220,15 +233,20 @@
             last = 0;
             form.querySelector('[data-do=play]').textContent = on ? 'Pause' : 'Play';
             // What runs is not read out.
-            figure.querySelector('.results').setAttribute('aria-live', on ? 'off' : 'polite');
+            announced.setAttribute('aria-live', on ? 'off' : 'polite');
             if (on) {
                 requestAnimationFrame(frame);
             }
         };
-        const stop = () => playing && play(false);
+        const stop = () => {
+            if (playing) {
+                play(false);
+                draw();
+            }
+        };
 
         const actions = {
-            play: () => play(!playing),
+            play: () => playing ? stop() : play(true),
             back: () => advance(-player.dataset.play / 10),
             forth: () => advance(player.dataset.play / 10),
             reset: () => set(first),
