@@ -10,6 +10,7 @@ mod browser;
 mod citing;
 mod coverage;
 mod displays;
+mod first_page;
 mod formula_font;
 mod live;
 mod mimic_decks;

@@ -5,10 +5,11 @@
     const form = document.querySelector('form.filter');
     const lists = [...document.querySelectorAll('.claims')];
     const rows = lists.flatMap(list => [...list.children].map(row => {
-        const [kind, verdict] = row.classList;
-        return { row, kind, verdict, source: list.dataset.source, words: null };
+        const [kind, verdict, copy] = row.classList;
+        const truth = copy ?? form.elements.verdict.querySelector(`[value="${verdict}"]`).dataset.truth;
+        return { row, kind, verdict, truth, source: list.dataset.source, words: null };
     }));
-    const truthOf = Object.fromEntries([...form.elements.verdict.options].map(of => [of.value, of.dataset.truth]));
+    const isOfDocuments = ({ source }) => source !== 'wild';
     const chosen = ['source', 'truth', 'verdict', 'kind'];
 
     // What stands in the address: of a filter the fields that are set, of a claim its id.
@@ -19,20 +20,23 @@
     const filter = () => {
         const words = form.elements.words.value.toLowerCase().split(/\s+/).filter(word => word);
         const wanted = chosen.map(name => [name, form.elements[name].value]).filter(([, value]) => value);
-        let shown = 0;
+        const has = (of, name, value) => of[name] === value || value === 'documents' && isOfDocuments(of);
+        const isWanted = of => wanted.every(([name, value]) => has(of, name, value)) && words.every(word => of.words.includes(word));
         for (const of of rows) {
             of.words ??= of.row.textContent.toLowerCase();
-            const has = { ...of, truth: truthOf[of.verdict] };
-            const isWanted = wanted.every(([name, value]) => has[name] === value) && words.every(word => of.words.includes(word));
-            of.row.hidden = !isWanted;
-            shown += Number(isWanted);
+            of.row.hidden = !isWanted(of);
         }
         for (const list of lists) {
             const isEmpty = [...list.children].every(row => row.hidden);
             list.hidden = isEmpty;
             list.previousElementSibling.hidden = isEmpty;
         }
-        form.querySelector('output').value = shown === rows.length ? `All ${shown} claims` : `${shown} of ${rows.length} claims`;
+        // The totals of the book are of the four documents.
+        const shown = rows.filter(of => !of.row.hidden), inDocuments = shown.filter(isOfDocuments).length;
+        const count = shown.length === rows.length ? `All ${shown.length} claims` : `${shown.length} of ${rows.length} claims`;
+        const isMixed = inDocuments > 0 && inDocuments < shown.length;
+        form.querySelector('output').value = isMixed
+            ? `${count}: ${inDocuments} in the four documents, ${shown.length - inDocuments} elsewhere` : count;
     };
 
     /** Writes the filter into the address, so that it can be kept and sent. */

@@ -28,6 +28,7 @@
         const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
         const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => figure.querySelector(`.${name}`));
+        const announced = figure.querySelector('.results output');
         const outputs = figure.querySelectorAll('output'), files = form.querySelectorAll('[data-file]');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
         const follows = input => input.dataset.follows !== undefined || input.dataset.side === 'second';
@@ -79,7 +80,8 @@
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
             figure.querySelector('.drawing').replaceChildren(drawing);
             figure.querySelector('.says').textContent = caption;
-            again ||= Boolean(progress);
+            // What runs goes on instead of waiting for the rest.
+            again ||= Boolean(progress) && !playing;
         };
 
         const answered = async () => {
@@ -102,6 +104,7 @@
             again = true;
             if (!busy) {
                 busy = true;
+                // Nothing is read out before the last answer is there.
                 figure.setAttribute('aria-busy', 'true');
                 await answered();
                 busy = false;
@@ -222,15 +225,20 @@
             last = 0;
             form.querySelector('[data-do=play]').textContent = on ? 'Pause' : 'Play';
             // What runs is not read out.
-            figure.querySelector('.results').setAttribute('aria-live', on ? 'off' : 'polite');
+            announced.setAttribute('aria-live', on ? 'off' : 'polite');
             if (on) {
                 requestAnimationFrame(frame);
             }
         };
-        const stop = () => playing && play(false);
+        const stop = () => {
+            if (playing) {
+                play(false);
+                draw();
+            }
+        };
 
         const actions = {
-            play: () => play(!playing),
+            play: () => playing ? stop() : play(true),
             back: () => advance(-player.dataset.play / 10),
             forth: () => advance(player.dataset.play / 10),
             reset: () => set(first),

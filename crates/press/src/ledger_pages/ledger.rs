@@ -23,6 +23,11 @@ const SCRIPT_NAME: &str = "ledger.js";
 const STYLE_NAME: &str = "ledger.css";
 const DETAILS_NAME: &str = "ledger-details.js";
 
+/// The choice of the sources that the totals of the book's first page are about.
+const DOCUMENTS: &str = "documents";
+/// The choice of what is wrong only in the copy, and the class of such a row: the first page counts these apart.
+const MISCOPIED: &str = "miscopied";
+
 /// All claims, by section and in the order of the sources, with the filter and what it must load.
 pub fn page() -> anyhow::Result<String> {
     let sections = SECTIONS.iter().map(section).collect::<anyhow::Result<String>>()?;
@@ -52,11 +57,14 @@ fn filter() -> String {
     let select = |name: &str, label: &str, options: String| {
         format!("<label>{label} <select name=\"{name}\"><option value=\"\">all</option>{options}</select></label>")
     };
-    let sources = Work::ALL.iter().map(|work| option(work.slug(), "", source(*work))).collect();
+    let sources = Work::ALL.iter().map(|work| option(work.slug(), "", source(*work)));
+    let sources = [option(DOCUMENTS, "", "the four documents")].into_iter().chain(sources).collect();
     let verdicts = Verdict::ALL.iter().map(|verdict| {
         option(verdict.slug(), &format!(" data-truth=\"{}\"", verdict.truth().slug()), &verdict.to_string())
     });
-    let truths = [Truth::Right, Truth::Wrong, Truth::Open].map(|truth| option(truth.slug(), "", truth.slug())).concat();
+    let [right, wrong, open] =
+        [Truth::Right, Truth::Wrong, Truth::Open].map(|truth| option(truth.slug(), "", truth.slug()));
+    let truths = [right, wrong, option(MISCOPIED, "", "wrong only in the copy"), open].concat();
     let kinds = Kind::ALL.iter().map(|kind| option(kind.slug(), "", kind_name(*kind))).collect();
     format!(
         "<form class=\"filter\" role=\"search\" aria-label=\"Filter the claims\" hidden><label>Words <input type=\"search\" \
@@ -107,8 +115,9 @@ fn row(judged: &Judged) -> anyhow::Result<String> {
     };
     let found = found(judged);
     let found = if found.is_empty() { found } else { format!("<small>{found}</small>") };
+    let miscopied = if judged.is_miscopied() { format!(" {MISCOPIED}") } else { String::new() };
     Ok(format!(
-        "<li id=\"{0}\" class=\"{1} {2}\"><code>{0}</code> <b>{verdict}</b> <small>{3}</small><p>{4}</p>{printed}{found}</li>\n",
+        "<li id=\"{0}\" class=\"{1} {2}{miscopied}\"><code>{0}</code> <b>{verdict}</b> <small>{3}</small><p>{4}</p>{printed}{found}</li>\n",
         claim.id,
         claim.kind.slug(),
         verdict.slug(),
@@ -191,7 +200,7 @@ mod tests {
         let [_, _, details] = files().expect("files");
         for judged in verdicts() {
             let id = judged.claim.id;
-            let row = format!("<li id=\"{id}\" class=\"{} {}\">", judged.claim.kind.slug(), judged.verdict.slug());
+            let row = format!("<li id=\"{id}\" class=\"{} {}", judged.claim.kind.slug(), judged.verdict.slug());
             assert_eq!(page.matches(&row).count(), 1, "{id}");
             assert_eq!(details.text().matches(&format!("\"{id}\":\"<dl><dt>")).count(), 1, "{id}");
         }

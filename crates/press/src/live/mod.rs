@@ -109,8 +109,8 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
         ""
     };
     Ok(format!(
-        "<div class=\"moving\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\" \
-         aria-live=\"polite\">{}</dl>\n<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
+        "<div class=\"moving\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\">\
+         {}</dl>\n<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
          hidden>There are no numbers{no_file} for this setting. The drawing still shows the last setting that was \
          possible.</p></div>\n</div></div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
          class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
@@ -139,7 +139,10 @@ fn numbers<'a>(live: &Live, quantities: impl Iterator<Item = &'a Quantity>, answ
         };
         let text = answer.numbers.iter().find(|number| number.name == quantity.name);
         let text = text.map_or("–", |number| number.text.as_str());
-        let output = format!("<output name=\"{}\">{}</output>", quantity.name, escape(text));
+        // Of all that changes, a reader who listens hears the first number.
+        let is_first = live.quantities.first().is_some_and(|first| first.name == quantity.name);
+        let spoken = if is_first { "polite" } else { "off" };
+        let output = format!("<output name=\"{}\" aria-live=\"{spoken}\">{}</output>", quantity.name, escape(text));
         Ok(format!("<div><dt>{label}</dt> <dd>{output}</dd></div>"))
     };
     Ok(quantities.map(entry).collect::<anyhow::Result<Vec<String>>>()?.concat())
@@ -209,7 +212,13 @@ fn given(name: &str) -> anyhow::Result<Arguments> {
 
 /// The answer where all controls stand as at first.
 fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
-    live.answer(&given(live.name)?).map_err(|message| anyhow!("{}: {message}", live.name))
+    let given = given(live.name)?;
+    loop {
+        let answer = live.answer(&given).map_err(|message| anyhow!("{}: {message}", live.name))?;
+        if answer.progress.is_none() {
+            return Ok(answer);
+        }
+    }
 }
 
 /// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
