@@ -35,13 +35,13 @@ pub fn readings(chapters: &Path) -> anyhow::Result<Vec<(&'static str, String)>> 
         };
         let file = chapters.join(page.name).with_extension("md");
         let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
-        all.extend(shown(&text, Page { name: page.name, number: &number, edition: &Edition::NONE }));
+        all.extend(shown(&text, Page { name: page.name, number: &number, edition: &Edition::NONE, written: &text }));
         pages.push((page.name, number, text));
     }
     let mut found = Vec::new();
     for (name, number, text) in &pages {
-        let read =
-            read(text, Page { name, number, edition: &Edition::NONE }, &all).with_context(|| (*name).to_owned())?;
+        let read = read(text, Page { name, number, edition: &Edition::NONE, written: text }, &all)
+            .with_context(|| (*name).to_owned())?;
         if !read.is_empty() {
             found.push((*name, read));
         }
