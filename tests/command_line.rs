@@ -281,6 +281,27 @@ fn the_program_writes_what_its_library_answers() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn without_a_text_on_standard_input_nothing_counts_as_checked() {
+    let program = geneva(&[]).get_program().to_owned();
+    let shell = |line: &str| {
+        let output = Command::new("sh").args(["-c", line]).env("GENEVA", &program).output().expect("a shell");
+        let words = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        (output.status.code(), words)
+    };
+    for (line, code, words) in [
+        ("\"$GENEVA\" proofread - <&-", 2, "standard input is closed or empty, so there is no text to check"),
+        ("\"$GENEVA\" proofread - </dev/null", 2, "pipe a text into it, or give files"),
+        ("\"$GENEVA\" proofread --input jsonl - </dev/null", 2, "standard input is closed or empty"),
+        ("echo | \"$GENEVA\" proofread -", 0, "Nothing found."),
+        ("echo '$2+2=5$' | \"$GENEVA\" proofread -", 1, "1 finding: 1 on a number."),
+    ] {
+        let (answered, said) = shell(line);
+        assert!(answered == Some(code) && said.contains(words), "{line}: {answered:?} {said}");
+    }
+}
+
 #[test]
 fn the_version_is_that_of_the_workspace() {
     let page = stdout(&["--version"], 0);

@@ -225,17 +225,22 @@ fn a_file_is_read_by_its_ending_and_what_is_no_text_is_refused() {
          await one(['$2+2=5$'], 'a.TEX'); await one([new Uint8Array([0x32, 0x2b, 0x32, 0x3d, 0x35, 0x0a, 0xff, 0xc3])], 'b.txt'); \
          await one([new Uint8Array([0xff, 0xfe, 0x32, 0, 0x2b, 0, 0x32, 0, 0x3d, 0, 0x35, 0])], 'c'); \
          await one([new Uint8Array([0x25, 0x50, 0x44, 0x46, 0, 1])], '<b>.pdf'); await one(['x'.repeat(2000001)], 'd.md'); \
+         await one(['$2+2=5$'], 'e.' + 'x'.repeat(3000)); await one(['$2+2=5$'], '\u{202e}f.md'); \
          return all })()",
     );
     let kept = json!([false, false]);
     let refused = "The file “<b>.pdf” is not text. Save it as text first, for example with pdftotext if it is a PDF.";
     let strange = "From the file “b.txt”. It is not all UTF-8, and 2 of its characters could not be read.";
+    // Of a long name the end is shown, and a long ending says nothing of the format.
+    let long = format!("From the file “…{}”.", "x".repeat(59));
     let expected = json!([
         [kept, "From the file “a.TEX”.", "1 finding: 1 on a number.", 7],
         [kept, strange, "1 finding: 1 on a number.", 8],
         [kept, "From the file “c”.", "1 finding: 1 on a number.", 5],
         [kept, "From the file “c”.", refused, 5],
         [kept, "", too_long(), 5],
+        [kept, long, "1 finding: 1 on a number.", 7],
+        [kept, "From the file “\\u{202e}f.md”.", "1 finding: 1 on a number.", 7],
     ]);
     assert_eq!(shown, expected);
     let read = of(

@@ -109,8 +109,16 @@
     // A file is text in UTF-8, or in UTF-16 if its first bytes say so.
     const encoding = ([first, second]) =>
         first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
+    // A file's name as it can be shown: of a long one the end, and characters that change the direction of writing by their number.
+    const shown = name => {
+        const signs = [...name];
+        const end = signs.length > 60 ? ['…', ...signs.slice(-59)] : signs;
+        const words = sign => `\\u{${sign.codePointAt(0).toString(16)}}`;
+        return end.join('').replace(/[\p{Cc}\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/gu, words);
+    };
     const read = async files => {
         const [one] = files;
+        const name = shown(one.name);
         if (one.size > 2 * most) {
             from.textContent = '';
             return refuse(place.dataset.proofreadRefusal);
@@ -120,20 +128,20 @@
             const bytes = new Uint8Array(await one.arrayBuffer());
             text = new TextDecoder(encoding(bytes)).decode(bytes);
         } catch (error) {
-            return refuse(`The file “${one.name}” could not be opened: ${error.message}. It may be a folder.`);
+            return refuse(`The file “${name}” could not be opened: ${error.message}. It may be a folder.`);
         }
         if (text.includes('\0')) {
-            return refuse(`The file “${one.name}” is not text. Save it as text first, for example with pdftotext if it is a PDF.`);
+            return refuse(`The file “${name}” is not text. Save it as text first, for example with pdftotext if it is a PDF.`);
         }
         const strange = text.split('\ufffd').length - 1;
-        const words = [`From the file “${one.name}”.`];
+        const words = [`From the file “${name}”.`];
         if (strange > 0) {
             words.push(`It is not all UTF-8, and ${strange} of its characters could not be read.`);
         }
         if (files.length > 1) {
             words.push('The other files were left out, because the page takes one at a time.');
         }
-        return put(text, /\.([a-z0-9]+)$/i.exec(one.name)?.[1] ?? '', words.join(' '));
+        return put(text, /\.([a-z0-9]{1,20})$/i.exec(one.name)?.[1] ?? '', words.join(' '));
     };
 
     const copied = async text => {

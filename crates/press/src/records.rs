@@ -30,7 +30,10 @@ pub const OF_A_CLAIM: &[Field] = &[
         "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",
     ),
     ("meaning", "What the source says here, in our words."),
-    ("printed", "The characters that the source prints, formulas in TeX."),
+    (
+        "printed",
+        "The characters that the source prints, formulas in TeX. In CSV some begin with `=`, `+` or `-`: have a spreadsheet import the column as text.",
+    ),
     ("unit", "The unit of the printed number, as printed. Empty if there is none."),
     (
         "computed",

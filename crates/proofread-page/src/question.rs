@@ -5,6 +5,9 @@ use proofread::{Follow, Format};
 /// Bytes of a text that are read at most: a megabyte.
 pub const MOST_BYTES: usize = 1_000_000;
 
+/// Bytes of a line of options that are read at most.
+const MOST_OPTIONS: usize = 1000;
+
 /// Why a longer text is refused, and what to do with it.
 pub fn too_long() -> String {
     format!(
@@ -76,8 +79,13 @@ impl<'t> Question<'t> {
     /// If the text is longer than [`MOST_BYTES`], or an option or its value is not known.
     pub fn parse(question: &'t str) -> Result<Self, String> {
         let (options, text) = question.split_once('\n').unwrap_or((question, ""));
-        if text.len() > MOST_BYTES || options.len() > 1000 {
+        if text.len() > MOST_BYTES {
             return Err(too_long());
+        }
+        if options.len() > MOST_OPTIONS {
+            return Err(format!(
+                "The line of options before the text has more than {MOST_OPTIONS} bytes. Give fewer options."
+            ));
         }
         let mut read = Self::about(text);
         for option in options.split_whitespace() {
@@ -148,5 +156,7 @@ mod tests {
             assert_eq!(Question::parse(options), Err(words.to_owned()));
         }
         assert_eq!(Question::parse(&format!("\n{}", "x".repeat(MOST_BYTES + 1))), Err(too_long()));
+        let told = Question::parse(&format!("extension={}\n", "x".repeat(3000))).expect_err("too many");
+        assert!(told.starts_with("The line of options before the text has more than 1000 bytes."), "{told}");
     }
 }

@@ -233,3 +233,45 @@ impl<'a> Run<'a> {
         Ok(report)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::{Args, FromArgMatches};
+
+    #[derive(Default)]
+    struct Kept(String);
+
+    impl Streams for Kept {
+        fn print(&mut self, text: &str) -> Result<(), String> {
+            self.0 += text;
+            Ok(())
+        }
+
+        fn tell(&mut self, text: &str) {
+            self.0 += text;
+        }
+    }
+
+    #[test]
+    fn lines_of_json_share_what_the_search_for_hints_may_cost() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("all.jsonl");
+        let line = "{\"text\": \"$\\\\tan 31.0^\\\\circ = 0.609$\"}\n";
+        std::fs::write(&file, line.repeat(6)).expect("written");
+        let command = Arguments::augment_args(clap::Command::new("proofread"));
+        let matches = command.try_get_matches_from(["proofread".as_ref(), file.as_os_str()]).expect("a command line");
+        let arguments = Arguments::from_arg_matches(&matches).expect("a command line");
+        let hints = |effort: Option<usize>| {
+            let mut kept = Kept::default();
+            let mut run = Run::new(&arguments, &mut kept).expect("a run");
+            run.hint_effort = effort.unwrap_or(run.hint_effort);
+            run.all().expect("an outcome");
+            kept.0.matches("would agree").count()
+        };
+        assert_eq!(hints(None), 6);
+        assert_eq!(hints(Some(0)), 0);
+        // One search costs some hundred tokens.
+        assert!((1..6).contains(&hints(Some(700))), "{}", hints(Some(700)));
+    }
+}
