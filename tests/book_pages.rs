@@ -466,3 +466,20 @@ fn formulas_are_there_without_scripts() {
         assert!(!text.contains("mathjax") && !text.contains("katex"), "{script} is loaded for formulas");
     }
 }
+
+/// A browser keeps a file of such a name for as long as it likes, and takes it for the same file in another edition.
+#[test]
+fn a_file_whose_name_has_a_fingerprint_is_named_by_its_content() {
+    use sha2::{Digest, Sha256};
+    let fingerprint = |name: &str| {
+        let (stem, _) = name.rsplit('/').next()?.split_once('.')?;
+        let digits = stem.rsplit_once('-')?.1;
+        (digits.len() == 8 && digits.bytes().all(|digit| digit.is_ascii_hexdigit())).then(|| digits.to_owned())
+    };
+    let named: Vec<_> = files().iter().filter_map(|(name, bytes)| Some((name, fingerprint(name)?, bytes))).collect();
+    assert!(named.len() > 10, "only {} files have a fingerprint", named.len());
+    for (name, digits, bytes) in named {
+        let hash: String = Sha256::digest(bytes).iter().take(4).map(|byte| format!("{byte:02x}")).collect();
+        assert_eq!(digits, hash, "{name} is named by another content");
+    }
+}

@@ -17,7 +17,7 @@ use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
 
 use crate::edition::Edition;
-use crate::{address, cards, libraries, minify, policy, print, search};
+use crate::{address, cards, fingerprints, libraries, minify, policy, print, search};
 use site::Site;
 pub use site::abandon;
 
@@ -56,24 +56,28 @@ fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
     list::write(new)
 }
 
-/// Puts the last hand to the style sheets, scripts and pages of a built book. A page must not change after it has its policy.
+/// Puts the last hand to the style sheets, scripts and pages of a built book. A file has its name when it changes no more, and
+/// a page its policy when it names all files as they are.
 fn finish(book: &Path) -> anyhow::Result<()> {
-    let entries = fs::read_dir(book).with_context(|| format!("cannot read {}", book.display()))?;
+    rewrite(book, "css", &|text| Ok(minify::style(text)))?;
+    rewrite(book, "js", &|text| Ok(minify::script(text)))?;
+    rewrite(book, "html", &|text| Ok(minify::page(&cards::labelled(text))))?;
+    fingerprints::renew(book)?;
+    rewrite(book, "html", &policy::guarded)
+}
+
+/// Writes all files of a kind in a folder and below it anew.
+fn rewrite(folder: &Path, kind: &str, change: &dyn Fn(&str) -> anyhow::Result<String>) -> anyhow::Result<()> {
+    let entries = fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
     for entry in entries {
-        let path = entry.with_context(|| format!("cannot read {}", book.display()))?.path();
+        let path = entry.with_context(|| format!("cannot read {}", folder.display()))?.path();
         if path.is_dir() {
-            finish(&path)?;
-            continue;
+            rewrite(&path, kind, change)?;
+        } else if path.extension().is_some_and(|of| of == kind) {
+            let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+            let text = change(&text).with_context(|| format!("cannot finish {}", path.display()))?;
+            fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
         }
-        let finished: fn(&str) -> anyhow::Result<String> = match path.extension().and_then(|kind| kind.to_str()) {
-            Some("css") => |text| Ok(minify::style(text)),
-            Some("js") => |text| Ok(minify::script(text)),
-            Some("html") => |text| policy::guarded(&minify::page(&cards::labelled(text))),
-            _ => continue,
-        };
-        let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        let text = finished(&text).with_context(|| format!("cannot finish {}", path.display()))?;
-        fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
     Ok(())
 }

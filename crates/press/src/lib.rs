@@ -10,6 +10,7 @@ pub mod building;
 mod cards;
 pub mod citing;
 pub mod edition;
+mod fingerprints;
 mod libraries;
 mod minify;
 pub mod pages;
