@@ -117,3 +117,63 @@ fn a_sine_is_at_most_one_up_to_the_rounding_of_a_machine() {
         (r"\arccos 1.0000002 = 0.000", "inconsistent"),
     ]);
 }
+
+#[test]
+fn the_size_of_a_unit_is_rounded_by_as_much_as_texts_do() {
+    // A unit, another one, its size in it, and how far the two may be apart over the larger one.
+    for (unit, other, size, by) in [
+        ("\\text{hp}", "W", 746.0, 0.015),
+        ("\\text{cal}", "J", 4.186, 0.0012),
+        ("\\text{Btu}", "J", 1055.06, 0.0015),
+        ("\\text{yr}", "s", 3.155_76e7, 0.003),
+        ("\\text{ly}", "m", 9.460_730_472_580_8e15, 0.003),
+        ("\\text{mi}", "m", 1609.344, 0.006),
+        ("\\text{lb}", "N", 4.448_221_6, 0.003),
+        ("\\text{knot}", "m/s", 0.514_444, 0.002),
+        ("M_\\odot", "kg", 1.988e30, 0.01),
+    ] {
+        for (apart, verdict) in [(0.99 * by, "rounded"), (1.01 * by, "inconsistent")] {
+            for printed in [size * (1.0 - apart), size / (1.0 - apart)] {
+                let text = format!("{printed:.6e}");
+                let (digits, power) = text.split_once('e').expect("a power of ten");
+                let tex = format!("1.000000\\,{unit} = {digits}\\times10^{{{power}}}\\,\\text{{{other}}}");
+                assert_eq!(verdicts(&tex), [verdict], "{tex}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_quantity_in_two_units_has_as_many_parts_as_its_unit() {
+    for (large, small, parts) in [
+        ("h", "min", 60),
+        ("min", "s", 60),
+        ("hr", "min", 60),
+        ("ft", "in", 12),
+        ("kg", "g", 1000),
+        ("m", "cm", 100),
+        ("km", "m", 1000),
+    ] {
+        for (more, verdict) in [(-2, "inconsistent"), (0, "consistent"), (2, "inconsistent")] {
+            let text = format!("2 {large} 3 {small} = {} {small}", 2 * parts + 3 + more);
+            let found: Vec<_> = report(&text, Format::Markdown).findings.iter().map(|of| of.verdict.name()).collect();
+            assert_eq!(found, [verdict], "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_mass_counts_as_its_weight_by_three_values_of_gravity() {
+    let tex = |newtons: &str| format!(r"10.000\,\text{{kg/cm}}^2 = {newtons}\,\text{{N/cm}}^2");
+    for weight in ["98.067", "98.10", "98.00"] {
+        assert_eq!(verdicts(&tex(weight)), [""; 0], "{weight}");
+    }
+    judged(&[(&tex("98.20"), "dimensions"), (&tex("97.90"), "dimensions")]);
+}
+
+#[test]
+fn a_result_in_brackets_is_the_same_in_another_unit_within_a_fiftieth() {
+    let tex = |centimetres: &str| format!(r"2.000\,\text{{in}} ({centimetres}\,\text{{cm}}) = 5.08\,\text{{cm}}");
+    judged(&[(&tex("5.17"), "consistent")]);
+    assert_eq!(verdicts(&tex("5.19")), [""; 0]);
+}

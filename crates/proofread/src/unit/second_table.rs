@@ -32,7 +32,8 @@ const ENTRIES: &[Entry] = &[
     ("T", "1", "kg s-2 A-1"),
     ("H", "1", "m2 kg s-2 A-2"),
     ("Gy Sv", "1", "m2 s-2"),
-    ("eV", "1.602176e-19", "m2 kg s-2"),
+    // Exact in the SI of 2019.
+    ("eV", "1.602176634e-19", "m2 kg s-2"),
     ("L l liter liters litre litres ℓ", "1e-3", "m3"),
     ("mℓ cc", "1e-6", "m3"),
     ("rem", "1e-2", "m2 s-2"),
@@ -109,13 +110,13 @@ const ENTRIES: &[Entry] = &[
     ("M⊙", "1.988e30", "kg"),
     ("R⊙", "6.957e8", "m"),
     ("L⊙", "3.828e26", "m2 kg s-3"),
-    ("Mev", "1.602176e-13", "m2 kg s-2"),
-    ("e", "1.602176e-19", "s A"),
+    ("Mev", "1.602176634e-13", "m2 kg s-2"),
+    ("e", "1.602176634e-19", "s A"),
     ("D diopter diopters", "1", "m-1"),
     ("°F", "5.555556e-1", "K"),
     ("Nm", "1", "m2 kg s-2"),
     ("Js", "1", "m2 kg s-1"),
-    ("eVs", "1.602176e-19", "m2 kg s-1"),
+    ("eVs", "1.602176634e-19", "m2 kg s-1"),
     ("kgm", "1", "m kg"),
     ("Ns", "1", "m kg s-1"),
     ("Vm", "1", "m3 kg s-3 A-1"),
@@ -209,7 +210,10 @@ fn every_unit_is_as_the_guide_has_it() {
 #[test]
 fn every_prefix_is_its_power_of_ten() {
     assert_eq!(POWERS.len(), PREFIXES.len());
-    let by_itself = |word: &str| WHOLE.iter().any(|(names, ..)| names.split_whitespace().any(|name| name == word));
+    let by_itself = |word: &str| {
+        WHOLE.iter().any(|(names, ..)| names.split_whitespace().any(|name| name == word))
+            || PAIRS.iter().any(|(name, ..)| *name == word)
+    };
     let mut tried = 0;
     for (prefix, power) in POWERS {
         for name in PREFIXED.iter().flat_map(|(names, ..)| names.split_whitespace()) {
