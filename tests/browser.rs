@@ -24,6 +24,9 @@ const WIDE: u32 = 1280;
 /// A sheet of A4 without the margins that `geneva.css` gives it, in pixels of 1/96 inch.
 const SHEET: u32 = 673;
 
+/// Half of its height: what may not break leaves at most as much of a sheet white.
+const HALF_A_SHEET: u32 = 480;
+
 /// What finds faults of accessibility: <https://github.com/dequelabs/axe-core>, version 4.11.0.
 const AXE: &str = "tests/browser/axe.min.js";
 
@@ -61,6 +64,8 @@ const FAULTS: &[&str] = &[
     "axe color-contrast #faint: Light 1280",
     "axe color-contrast #faint-in-the-dark: Dark 1280",
     "axe empty-table-header #no-heading: Light 1280",
+    "axe scrollable-region-focusable #unreached-scroller: Light 1280",
+    "axe target-size #small-summary: Light 1280",
     "console page: Light 1280",
     "cut #cut: Light 390 768 1280 1920, Paper 673",
     "cut #outside: Light 390 768 1280 1920",
@@ -81,10 +86,14 @@ const FAULTS: &[&str] = &[
     "scheme #for-the-dark: Dark 1280",
     "scheme page: Dark 1280",
     "scripts page: Light 1280",
+    "scroller #unreached-scroller: Light 390 768 1280 1920",
     "small #index: Light 390 768 1280 1920",
     "small #phone: Light 390",
     "small #tiny: Light 390 768 1280 1920",
     "target #small-mark: Light 390",
+    "target #small-summary: Light 390",
+    "unbroken #unbroken: Paper 673",
+    "wide #beside: Light 390",
     "wide #code: Light 390 768 1280 1920",
     "wide #display: Light 1280 1920, Paper 673",
     "wide #folded: Light 390 768 1280 1920, Paper 673",
@@ -92,6 +101,7 @@ const FAULTS: &[&str] = &[
     "wide #phone-box: Light 390",
     "wide #sheet-box: Paper 673",
     "wide #table: Light 390 768 1280 1920, Paper 673",
+    "wide #unreached-scroller: Light 390 768 1280 1920, Paper 673",
     "wide #word: Light 390 768 1280 1920, Paper 673",
     "wide page: Light 390 768 1280 1920, Paper 673",
 ];
@@ -211,7 +221,9 @@ impl Look<'_> {
         let mut checks = vec![format!("tooWide({})", json!(scrolling))];
         if self.view.1 != Medium::Paper {
             checks.extend(["drawings()".to_owned(), format!("labels({SMALLEST}, {TOUCHING})"), "notes()".to_owned()]);
-            checks.push(format!("parted({})", json!(UNITS)));
+            checks.extend([format!("parted({})", json!(UNITS)), "scrollers()".to_owned()]);
+        } else {
+            checks.push(format!("unbroken({HALF_A_SHEET})"));
         }
         checks
     }
@@ -419,6 +431,23 @@ fn an_arrow_key_turns_the_page_except_where_something_scrolls_by_it() {
         let turned = browser.events().iter().any(|event| event["method"] == "Page.frameRequestedNavigation");
         assert_eq!(turned, turns, "within {within}");
     }
+}
+
+#[test]
+fn the_first_press_of_the_tab_key_offers_a_way_past_the_list_of_chapters() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(WIDE, Medium::Light);
+    browser.open(&format!("{}/pin.html", address(crate::book_pages::book())));
+    browser.press("Tab", 9);
+    let at = "(() => { const at = document.activeElement, { top, height } = at.getBoundingClientRect(); \
+              return [at.textContent, top >= 0 && height >= 24] })()";
+    assert_eq!(browser.evaluate(at), json!(["Skip to the text", true]));
+    browser.command(
+        "Input.dispatchKeyEvent",
+        json!({ "type": "keyDown", "key": "Enter", "text": "\r", "windowsVirtualKeyCode": 13 }),
+    );
+    browser.press("Tab", 9);
+    assert_eq!(browser.evaluate("document.activeElement.closest('main') !== null"), json!(true));
 }
 
 #[test]

@@ -123,7 +123,10 @@ const geneva = (() => {
         return found;
     };
 
-    /** Marks that a finger does not hit: less than so many pixels wide or high, but for what other marks take of them. */
+    /**
+     * Marks that a finger does not hit: less than so many pixels wide or high, but for what other marks take of them. And
+     * controls that are smaller, with their label where they are in one, or leave the window.
+     */
     const targets = size => {
         const found = [];
         for (const mark of main().querySelectorAll('.mark')) {
@@ -139,8 +142,33 @@ const geneva = (() => {
                 found.push(fault('target', mark, `is smaller than ${size} px`));
             }
         }
+        for (const control of main().querySelectorAll(':is(button, input, select, summary, textarea):not(.mark)')) {
+            if (!isShown(control)) {
+                continue;
+            }
+            const box = (control.closest('label') ?? control).getBoundingClientRect();
+            // Half a pixel is rounding.
+            if (box.width < size - 0.5 || box.height < size - 0.5) {
+                found.push(fault('target', control, `is smaller than ${size} px`));
+            }
+            const out = Math.max(-box.left, box.right - window.innerWidth);
+            if (out > 1) {
+                found.push(fault('wide', control, `leaves the window, by ${Math.round(out)} px`));
+            }
+        }
         return found;
     };
+
+    /** What scrolls sideways and is not reached by the keyboard, nor anything in it. */
+    const scrollers = () => [...main().querySelectorAll('*')].filter(of => of instanceof HTMLElement && isShown(of)).filter(of =>
+        ['auto', 'scroll'].includes(getComputedStyle(of).overflowX) && of.scrollWidth > of.clientWidth + 1
+        && ![of, ...of.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')].some(at => at.tabIndex >= 0)
+    ).map(of => fault('scroller', of, `“${words(of.textContent)}” scrolls, but takes no focus`));
+
+    /** What may not break on paper and is higher than so many pixels. A drawing cannot break. */
+    const unbroken = most => [...main().querySelectorAll('*')].filter(of => of instanceof HTMLElement && isShown(of)).filter(of =>
+        getComputedStyle(of).breakInside === 'avoid' && of.offsetHeight > most
+    ).map(of => fault('unbroken', of, `may not break, and leaves a sheet white, by ${of.offsetHeight} px`));
 
     /** What opens over the page when its button is pressed: whether it does, within the window, and fits its box. */
     const notes = () => {
@@ -530,5 +558,5 @@ const geneva = (() => {
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 
-    return { unfold, show, shown, schemes, closeList, openList, tooWide, drawings, targets, notes, labels, halos, parted, keyboard, load, accessibility, contrast, content };
+    return { unfold, show, shown, schemes, closeList, openList, tooWide, drawings, targets, scrollers, unbroken, notes, labels, halos, parted, keyboard, load, accessibility, contrast, content };
 })();

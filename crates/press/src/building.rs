@@ -61,9 +61,18 @@ fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
 fn finish(book: &Path) -> anyhow::Result<()> {
     rewrite(book, "css", &|text| Ok(minify::style(text)))?;
     rewrite(book, "js", &|text| Ok(minify::script(text)))?;
-    rewrite(book, "html", &|text| Ok(minify::page(&cards::labelled(text))))?;
+    rewrite(book, "html", &|text| Ok(minify::page(&with_way_past_the_list(&cards::labelled(text)))))?;
     fingerprints::renew(book)?;
     rewrite(book, "html", &policy::guarded)
+}
+
+/// A page that begins with a link past the list of chapters, for readers with a keyboard.
+fn with_way_past_the_list(page: &str) -> String {
+    // What a page without a list shows is its text.
+    if !page.contains("id=\"mdbook-sidebar\"") || !page.contains("id=\"mdbook-content\"") {
+        return page.to_owned();
+    }
+    page.replacen("<body>", "<body>\n<a class=\"skip\" href=\"#mdbook-content\">Skip to the text</a>", 1)
 }
 
 /// Writes all files of a kind in a folder and below it anew.

@@ -110,8 +110,11 @@ fn row(judged: &Judged) -> anyhow::Result<String> {
     let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
     let printed = match computed(judged) {
         Some(computed) => format!("<div>{printed}, computed {computed}{}</div>", right(judged)),
-        // A form may be wider than the page.
-        None => format!("<div class=\"form\">{}</div>", broken(&printed)),
+        // A form may be wider than the page; one whose lines are aligned scrolls, and so takes the focus.
+        None => {
+            let focus = if printed.contains("<mtable") { " tabindex=\"0\"" } else { "" };
+            format!("<div class=\"form\"{focus}>{}</div>", broken(&printed))
+        }
     };
     let found = found(judged);
     let found = if found.is_empty() { found } else { format!("<small>{found}</small>") };
