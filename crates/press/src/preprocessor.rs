@@ -119,11 +119,11 @@ fn check_caller(context: &PreprocessorContext) -> Result<()> {
 
 /// What is wrong with the double braces of a chapter below this folder, each with its file and line.
 fn misbraced(chapter: &Chapter, chapters: &Path) -> Vec<String> {
-    let path = chapters.join(chapter.source_path.as_deref().unwrap_or(Path::new("")));
+    let folder = chapters.join(chapter.source_path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")));
     let mut text = chapter.content.clone();
     // On their page, the programs of all chapters have their place.
     chapter_tests::put(&Place::of(chapter).name, "", &mut text);
-    let faults = braces::faults(&text, path.parent().unwrap_or(chapters));
+    let faults = braces::faults(&text, &folder);
     faults.into_iter().map(|fault| format!("{}: {fault}", file(chapter))).collect()
 }
 
