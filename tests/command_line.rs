@@ -10,6 +10,7 @@ mod limits_command;
 mod mimic_command;
 mod quick_return_command;
 mod sweep_command;
+mod terminal_command;
 mod wheel_command;
 
 use geneva_cli::Answer;
@@ -462,7 +463,7 @@ fn without_arguments_the_verdicts_are_summed_up_and_the_book_is_built() {
 
 #[test]
 fn mdbook_is_told_which_renderers_are_supported() {
-    for (renderer, code) in [("html", 0), ("test", 0), ("latex", 1)] {
+    for (renderer, code) in [("html", 0), ("test", 0), ("latex", 1), ("-90", 1)] {
         assert_eq!(stdout(&["preprocess", "supports", renderer], code), "", "{renderer}");
     }
 }

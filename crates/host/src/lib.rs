@@ -4,4 +4,5 @@
 //! So each question has one answer, in one place, for all commands.
 
 pub mod git;
+pub mod layout;
 pub mod terminal;

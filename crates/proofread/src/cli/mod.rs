@@ -11,7 +11,7 @@ mod since;
 mod text;
 
 pub use arguments::{Arguments, EXAMPLES};
-pub use output::Streams;
+pub use output::{Streams, TextLayout};
 
 use crate::check::{Options, Report, Tally, proofread};
 use crate::finding::{Finding, List};
@@ -80,7 +80,7 @@ impl<'a> Run<'a> {
             _ => Baseline::default(),
         };
         let writer: Box<dyn Writer> = match arguments.format {
-            Written::Text => Box::new(text::Text),
+            Written::Text => Box::new(text::Text(streams.layout())),
             Written::Json => Box::new(json::Json::default()),
             Written::Jsonl => Box::new(json::Lines),
             Written::Sarif => Box::new(sarif::Sarif::default()),

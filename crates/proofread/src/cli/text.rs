@@ -1,17 +1,19 @@
 //! Findings for people.
 
-use super::output::{bold, printable};
+use super::output::{TextLayout, bold, printable};
 use super::{Checked, Sum, Writer};
 use crate::finding::{Finding, List};
 use crate::place::Lines;
 use crate::reader::Format;
 use crate::summary::{self, count};
 use clap::builder::styling::AnsiColor;
+use geneva_host::layout::{columns, first_columns};
 
-/// Longest line of the text that is shown around a place, in characters.
-const WIDTH: usize = 100;
+/// Least of a text's line that is shown around a place, in characters.
+const LEAST_SHOWN: usize = 20;
 
-pub(crate) struct Text;
+/// Findings laid out for a terminal, or for a pipe.
+pub(crate) struct Text(pub TextLayout);
 
 impl Writer for Text {
     fn document(&mut self, checked: &Checked<'_>) -> String {
@@ -19,7 +21,7 @@ impl Writer for Text {
             return String::new();
         }
         let lines = Lines::new(&checked.document.text);
-        checked.findings.iter().map(|finding| one(finding, &lines, checked)).collect()
+        checked.findings.iter().map(|finding| one(finding, &lines, checked, self.0)).collect()
     }
 
     fn end(&mut self, sum: &Sum) -> String {
@@ -45,32 +47,50 @@ impl Writer for Text {
         if sum.accepted > 0 {
             text += &format!("{} left out as accepted.\n", count(sum.accepted, "case"));
         }
-        text
+        self.0.folded(&text)
     }
 }
 
-fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
+fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>, layout: TextLayout) -> String {
     let (bold, blue) = (bold(), AnsiColor::Blue.on_default().bold());
     let colour = if finding.list == List::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
     let [from, to] = lines.places(finding.at);
     let name = printable(&checked.document.name);
     let gutter = " ".repeat(from.line.to_string().len());
     let mut text = format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.words());
-    text += &format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
+    text += &layout.folded(&format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column));
+    // Beside the number of the line, and with a sign at either end that says that the line goes on.
+    let width = layout.width().saturating_sub(gutter.len() + 5).max(LEAST_SHOWN);
     let said = printed_and_recomputed(finding);
     let is_markup = matches!(checked.document.format, Format::Xml | Format::Html | Format::Notebook);
     let end = if to.line == from.line { to.column } else { usize::MAX };
-    let shown = if is_markup { of_chain(finding) } else { window(lines.line(from.line), from.column, end) };
+    let shown =
+        if is_markup { of_chain(finding, width) } else { window(lines.line(from.line), [from.column, end], width) };
     let (line, before, marked) = shown;
+    // From characters to columns.
+    let up_to = |characters: usize| columns(&printable(&line.chars().take(characters).collect::<String>()));
+    let (before, marked) = (up_to(before), up_to(before + marked) - up_to(before));
+    let line = first_columns(&line, width + 2);
+    let (before, marked) = (before.min(width), marked.min((width + 2).saturating_sub(before)));
     let number = if is_markup { gutter.clone() } else { from.line.to_string() };
-    text += &format!("{blue}{gutter} |{blue:#}\n{blue}{number} |{blue:#} {}\n", printable(&line));
-    text += &format!(
-        "{blue}{gutter} |{blue:#} {}{colour}{} {said}{colour:#}\n",
-        " ".repeat(before),
-        "^".repeat(marked.max(1))
-    );
+    text += &format!("{blue}{gutter} |{blue:#}\n{blue}{number} |{blue:#} {}\n", printable(line));
+    let marks = "^".repeat(marked.max(1));
+    let under = |indent: usize| format!("{blue}{gutter} |{blue:#} {}", " ".repeat(indent));
+    let beside = format!("{}{colour}{marks} {said}{colour:#}", under(before));
+    if columns(&beside) <= layout.width() {
+        text += &format!("{beside}\n");
+    } else {
+        // Words that don't fit beside the marks stand under them, as far to the left as they need.
+        let room = layout.width().saturating_sub(columns(&under(0)));
+        text += &format!("{}{colour}{marks}{colour:#}\n", under(before));
+        text += &match room.checked_sub(columns(&said)) {
+            Some(free) => format!("{}{colour}{said}{colour:#}\n", under(before.min(free))),
+            None => layout.wrapped(&under(0), &format!("{colour}{said}{colour:#}")),
+        };
+    }
     let mut note = |what: &str, words: &str| {
-        text += &format!("{gutter} {blue}={blue:#} {bold}{what}{bold:#}: {}\n", printable(words))
+        let lead = format!("{gutter} {blue}={blue:#} ");
+        text += &layout.wrapped(&lead, &format!("{bold}{what}{bold:#}: {}", printable(words)));
     };
     if !is_markup {
         note("read as", &finding.chain);
@@ -105,23 +125,23 @@ fn printed_and_recomputed(finding: &Finding) -> String {
 }
 
 /// The chain as one line, with the printed side marked.
-fn of_chain(finding: &Finding) -> (String, usize, usize) {
+fn of_chain(finding: &Finding, width: usize) -> (String, usize, usize) {
     let [before, marked] =
         [0..finding.marked.start, finding.marked.clone()].map(|part| finding.chain[part].chars().count());
-    window(&finding.chain, before + 1, before + 1 + marked)
+    window(&finding.chain, [before + 1, before + 1 + marked], width)
 }
 
 /// A part of a line around a place, how many columns are before the place, and how many it takes.
-fn window(line: &str, column: usize, end: usize) -> (String, usize, usize) {
+fn window(line: &str, [column, end]: [usize; 2], width: usize) -> (String, usize, usize) {
     let length = line.chars().count();
     let start = (column - 1).min(length);
     let end = end.saturating_sub(1).clamp(start, length);
     let indent = line.chars().take_while(|c| c.is_whitespace()).count().min(start);
-    let (from, to) = if length <= WIDTH {
+    let (from, to) = if length <= width {
         (indent, length)
     } else {
-        let from = start.saturating_sub(WIDTH * 2 / 3);
-        (from, (from + WIDTH).min(length))
+        let from = start.saturating_sub(width * 2 / 3);
+        (from, (from + width).min(length))
     };
     // A line may be as long as the document, so only this much of it is copied.
     let mut text: String = line.chars().skip(from).take(to - from).collect();
