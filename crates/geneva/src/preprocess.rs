@@ -22,6 +22,7 @@ pub enum Question {
     /// Exit with 0 if the renderer is supported, otherwise with 1
     Supports {
         /// mdBook's name for the renderer
+        #[arg(allow_hyphen_values = true)]
         renderer: String,
     },
 }
