@@ -11,6 +11,7 @@ mod limits_command;
 mod mimic_command;
 mod quick_return_command;
 mod sweep_command;
+mod terminal_command;
 mod wheel_command;
 
 use geneva_cli::Answer;
@@ -507,7 +508,7 @@ fn without_arguments_the_verdicts_are_summed_up_and_the_book_is_built() {
 #[test]
 fn mdbook_is_told_that_every_renderer_gets_an_answer() {
     // mdBook leaves out in silence whoever says no.
-    for renderer in ["html", "test", "latex", "epub"] {
+    for renderer in ["html", "test", "latex", "epub", "-90"] {
         assert_eq!(stdout(&["preprocess", "supports", renderer], 0), "", "{renderer}");
     }
 }

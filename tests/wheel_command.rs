@@ -261,7 +261,7 @@ fn what_cannot_be_is_refused_with_what_can() {
         (&["--stations", "six"], "'six'", &range),
         (&["--stations", "6", "--pins", "4"], "4 pins", "1 to 3"),
         (&["--stations", "6", "--pins", "0"], "0 pins", "1 to 3"),
-        (&["--stations", "6", "--pins", "-1"], "'-1'", "1 or more"),
+        (&["--stations", "6", "--pins", "-1"], "'-1'", "from 1 to 6"),
         (&["--stations", "6", "--rpm", "0"], "'0' for '--rpm", "above zero"),
         (&["--stations", "6", "--rpm", "-360"], "'-360' for '--rpm", "above zero"),
         (&["--stations", "6", "--rpm", "nan"], "'nan' for '--rpm", "above zero"),

@@ -125,6 +125,18 @@ fn with_several_pins_each_index_is_told() {
 }
 
 #[test]
+fn a_zero_has_no_sign() {
+    let spherical = ["wheel", "--stations", "8", "--type", "spherical", "--rpm", "477.7", "--format", "csv"];
+    let still = ["wheel", "--stations", "6", "--at", "-0", "--rpm", "60", "--inertia", "0", "--format", "json"];
+    let at_zero = ["wheel", "--stations", "6", "--at", "−0.0", "--format", "text"];
+    for told in [&spherical[..], &still, &at_zero].map(|line| stdout(line, 0)) {
+        let mut words = told.split([',', ' ', '\n', ':']);
+        let is_signed = |word: &&str| word.starts_with(['-', '−']) && !word.contains(|sign| matches!(sign, '1'..='9'));
+        assert_eq!(words.find(|word| word.contains('0') && is_signed(word)), None, "{told}");
+    }
+}
+
+#[test]
 fn no_number_of_a_cycle_is_beyond_computing() {
     let huge = ["wheel", "--stations", "3", "--rpm", "1e30", "--inertia", "1e30", "--crank-radius", "1e-30"];
     for format in ["text", "json", "csv"] {

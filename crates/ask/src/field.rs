@@ -297,8 +297,9 @@ impl From<usize> for Value {
 }
 
 impl From<f64> for Value {
+    /// A zero has no sign.
     fn from(number: f64) -> Self {
-        Self::Number(number)
+        Self::Number(number + 0.0)
     }
 }
 

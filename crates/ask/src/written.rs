@@ -1,8 +1,8 @@
 //! Numbers as a sheet, a title or a message writes them.
 
-/// A number that was typed, with all its digits, in a form that can be typed again.
+/// A number that was typed, with all its digits, in a form that can be typed again. A zero has no sign.
 pub fn as_typed(value: f64) -> String {
-    let written = format!("{value:?}");
+    let written = format!("{:?}", value + 0.0);
     written.strip_suffix(".0").map_or(written.clone(), str::to_owned)
 }
 
@@ -79,6 +79,7 @@ mod tests {
 
     #[test]
     fn a_limit_is_rounded_to_the_side_on_which_it_holds() {
+        assert_eq!([as_typed(-0.0), as_typed(-0.5)], ["0", "-0.5"]);
         assert_eq!([0.1 + 0.2, 3e-4 * 3.0, 0.0].map(rounded), [0.3, 9e-4, 0.0]);
         let limits = [0.424_956_373_400_169_8, 0.424_956_9, 2.0, 1.6e-16, 0.999_999_9].map(rounded_up);
         assert_eq!(limits, ["0.424957", "0.424957", "2", "1.6e-16", "1"]);

@@ -83,7 +83,7 @@ pub fn short(value: f64, digits: usize) -> String {
 /// A number with all its digits, with a power of ten if it is very small or large.
 pub fn whole(value: f64) -> String {
     let text = match value.abs() {
-        size if size == 0.0 || (1e-3..1e6).contains(&size) => value.to_string(),
+        size if size == 0.0 || (1e-3..1e6).contains(&size) => (value + 0.0).to_string(),
         size => {
             let scientific = format!("{value:e}");
             let mantissa = scientific.split_once('e').map_or("", |(mantissa, _)| mantissa);

@@ -76,18 +76,19 @@ pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Resu
         building::build(&root, &out, Geneva)?
     };
     let folder = first_page.parent().unwrap_or(&out);
-    streams.print(&format!("The book is in {}\n", folder.display()))?;
+    let layout = streams.layout();
+    streams.print(&layout.folded(&format!("The book is in {}\n", folder.display())))?;
     for kept in kept {
-        streams.print(&format!(
+        streams.print(&layout.folded(&format!(
             "Files that were added while the old book was being replaced are in {}\n",
             kept.display()
-        ))?;
+        )))?;
     }
     if wanted.open {
         open::that_detached(&first_page)
             .with_context(|| format!("no program was found to open {}; open it in a browser", first_page.display()))?;
     } else {
-        streams.print(&format!("Open {} in a browser.\n", first_page.display()))?;
+        streams.print(&layout.folded(&format!("Open {} in a browser.\n", first_page.display())))?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! The list of claims.
 
 use crate::fields;
-use crate::output::{WIDTH, count, cut, heading, style};
+use crate::output::{TextLayout, count, cut, heading, style};
 use crate::typed::{self, Format, Output, formats};
 use clap::Args;
 use geneva_ledger::{Decimal, Judged, Verdict, Work, claims, in_full, verdict, verdicts, verdicts_of};
@@ -29,7 +29,7 @@ pub struct ClaimsArguments {
 }
 
 /// The claims that are wanted, in the format that is wanted.
-pub fn page(wanted: &ClaimsArguments) -> anyhow::Result<String> {
+pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
     let rows: Vec<_> = derived(wanted).into_iter().filter(of_verdict).collect();
     match wanted.format {
@@ -38,7 +38,7 @@ pub fn page(wanted: &ClaimsArguments) -> anyhow::Result<String> {
             claims().first().and_then(|claim| verdict(claim.id)).map(records::claim).as_ref(),
             rows.into_iter().map(records::claim),
         ),
-        _ => Ok(table(&rows)),
+        _ => Ok(table(&rows, layout)),
     }
 }
 
@@ -49,24 +49,40 @@ pub fn derived(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
 
 /// Before a claim that no longer matches the record.
 const DIFFERS: char = '!';
+/// How far the second line of a claim is set in.
+const SET_IN: usize = 6;
+/// Columns of the printed characters, with fewer of which a claim gets two lines.
+const LEAST_PRINTED: usize = 12;
 
-/// A line for each claim, under the place in the source. Ids and verdicts are never cut.
-fn table(rows: &[&Judged]) -> String {
+/// A line for each claim, under the place in the source, or two where the terminal is too narrow for one. Ids and verdicts are
+/// never cut.
+fn table(rows: &[&Judged], layout: TextLayout) -> String {
     let longest = |length: fn(&Judged) -> usize| rows.iter().map(|judged| length(judged)).max().unwrap_or(0);
     let id = longest(|judged| judged.claim.id.len());
     let verdict = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().unwrap_or(0);
-    let middle = WIDTH.saturating_sub(2 + id + 2 + 2 + verdict);
+    let beside = layout.width().saturating_sub(2 + id + 2 + 2 + verdict);
     let computed = longest(|judged| computed(judged).map_or(0, |number| number.len())).max("computed".len());
+    let is_beside = beside >= LEAST_PRINTED + 2 + computed;
+    // Under an id there is room up to the end of the line.
+    let middle = if is_beside { beside } else { layout.width().saturating_sub(SET_IN) };
     let printed = middle.saturating_sub(2 + computed);
+    let before_verdict = if is_beside { id } else { layout.width().saturating_sub(2 + 2 + verdict) };
 
     let bold = heading();
-    let mut page =
-        format!("{bold}  {:<id$}  {:<printed$}  {:>computed$}  verdict{bold:#}\n", "id", "printed", "computed");
+    let head = [format!("{:<before_verdict$}", "id"), format!("{:<printed$}  {:>computed$}", "printed", "computed")];
+    let line = |mark: char, [id, what]: [&str; 2], verdict: &str| {
+        if is_beside {
+            format!("{mark} {id}  {what}  {verdict}")
+        } else {
+            layout.folded(&format!("{mark} {id}  {verdict}\n{:SET_IN$}{what}", ""))
+        }
+    };
+    let mut page = format!("{bold}{}{bold:#}\n", line(' ', [&head[0], &head[1]], "verdict"));
     let mut place = None;
     for judged in rows {
         let (claim, colour) = (judged.claim, style(judged.verdict));
         if place.replace((claim.work, claim.locator)) != Some((claim.work, claim.locator)) {
-            page += &format!("{}, {}\n", claim.work, claim.locator);
+            page += &layout.folded(&format!("{}, {}\n", claim.work, claim.locator));
         }
         let what = match self::computed(judged) {
             Some(number) => format!("{}  {number:>computed$}", cut(&with_unit(&in_full(claim), claim.unit), printed)),
@@ -74,7 +90,9 @@ fn table(rows: &[&Judged]) -> String {
             None => cut(&with_unit(&in_full(claim), claim.unit), middle),
         };
         let mark = if judged.holds() { ' ' } else { DIFFERS };
-        page += &format!("{mark} {:<id$}  {what}  {colour}{}{colour:#}\n", claim.id, judged.verdict);
+        let id = format!("{:<before_verdict$}", claim.id);
+        let verdict = format!("{colour}{}{colour:#}", judged.verdict);
+        page += &format!("{}\n", line(mark, [&id, &what], &verdict).trim_end());
     }
     page += &format!("{}\n", count(rows.len(), "claim"));
     let differing = rows.iter().filter(|judged| !judged.holds()).count();
@@ -113,7 +131,8 @@ mod tests {
     fn listed(options: &[&str]) -> Vec<String> {
         let line = [&["geneva", "claims", "--format", "json"], options].concat();
         let Some(Command::Claims(wanted)) = Arguments::parse_from(line).command else { panic!("{options:?}") };
-        let rows: Vec<serde_json::Value> = serde_json::from_str(&page(&wanted).expect("a page")).expect("an array");
+        let rows: Vec<serde_json::Value> =
+            serde_json::from_str(&page(&wanted, TextLayout::default()).expect("a page")).expect("an array");
         rows.iter().map(|row| row["id"].as_str().expect("an id").to_owned()).collect()
     }
 
@@ -128,7 +147,7 @@ mod tests {
         };
         let (sound, doubtful) = (claim(|| 7.0 / 3.0), claim(|| 2.5));
         assert!(doubtful.verdict == Verdict::Reproduced && !doubtful.holds(), "{doubtful:?}");
-        let page = table(&[&sound, &doubtful]);
+        let page = table(&[&sound, &doubtful], TextLayout::default());
         let rows: Vec<_> = page.lines().filter(|line| line.contains("pin.made-up")).collect();
         assert!(rows[0].starts_with("  pin.made-up") && rows[1].starts_with("! pin.made-up"), "{page}");
         assert!(
@@ -136,7 +155,7 @@ mod tests {
                 "2 claims\n! 1 of them no longer as recorded: the verdict differs, or a witness disagrees\n"
             )
         );
-        assert!(!table(&[&sound]).contains('!'), "{page}");
+        assert!(!table(&[&sound], TextLayout::default()).contains('!'), "{page}");
     }
 
     #[test]

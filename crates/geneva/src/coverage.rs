@@ -1,7 +1,7 @@
 //! The claims and exceptions on each line of a source, the comparison with a copy, and the inventory file for a copy.
 
 use crate::input::MOST_BYTES;
-use crate::output::{Outcome, count, heading, wrapped};
+use crate::output::{Outcome, TextLayout, count, heading};
 use crate::printable::shown_path;
 use crate::typed;
 use anyhow::{Error, bail};
@@ -28,9 +28,9 @@ pub struct CoverageArguments {
 const LONGEST_LINE: usize = 100_000;
 
 /// The coverage that is wanted, and whether a line differs.
-pub fn page(wanted: &CoverageArguments) -> anyhow::Result<(String, Outcome)> {
+pub fn page(wanted: &CoverageArguments, layout: TextLayout) -> anyhow::Result<(String, Outcome)> {
     if let (Some(source), Some(file)) = (wanted.source, &wanted.against) {
-        return Ok(compare(source.inventory()?, &copy(source, "--against", file)?));
+        return Ok(compare(source.inventory()?, &copy(source, "--against", file)?, layout));
     }
     if let (Some(source), Some(file)) = (wanted.source, &wanted.record) {
         source.inventory()?;
@@ -39,32 +39,33 @@ pub fn page(wanted: &CoverageArguments) -> anyhow::Result<(String, Outcome)> {
     let (mut pages, mut complete) = (Vec::new(), true);
     for work in Work::DOCUMENTS.iter().filter(|work| wanted.source.is_none_or(|source| source == **work)) {
         let lines = work.inventory()?;
-        pages.push(inventory(*work, lines));
+        pages.push(inventory(*work, lines, layout));
         complete &= lines.iter().all(Line::is_accounted_for);
     }
     Ok((pages.join("\n"), Outcome::as_recorded_if(complete)))
 }
 
-fn inventory(work: Work, lines: &[Line]) -> String {
+fn inventory(work: Work, lines: &[Line], layout: TextLayout) -> String {
     let bold = heading();
-    let mut page = wrapped(&format!("{work}: "), work.citation());
+    let mut page = layout.wrapped(&format!("{work}: "), work.citation());
     page += &format!("\n{bold}  line  claims  again  exceptions  its numbers{bold:#}\n");
     for line in lines {
         let number_of = |wanted: fn(&Entry) -> bool| line.entries.iter().filter(|entry| wanted(entry)).count();
-        page += &format!(
-            "  {:>4}  {:>6}  {:>5}  {:>10}  {}\n",
+        let numbers = format!(
+            "  {:>4}  {:>6}  {:>5}  {:>10}  ",
             line.number,
             number_of(|entry| matches!(entry, Entry::Claim(_))),
             number_of(|entry| matches!(entry, Entry::Again(_))),
             number_of(|entry| matches!(entry, Entry::Exception { .. })),
-            line.gap().map_or("all accounted for".to_owned(), |gap| format!("NOT accounted for: {gap}")),
         );
+        let gap = line.gap().map_or("all accounted for".to_owned(), |gap| format!("NOT accounted for: {gap}"));
+        page += &layout.wrapped(&numbers, &gap);
     }
     page += &format!("\n{bold}Exceptions{bold:#}\n");
     for line in lines {
         for entry in &line.entries {
             if let Entry::Exception { id, reason, .. } = entry {
-                page += &wrapped(&format!("  line {:>4}  ", line.number), &format!("{id}: {reason}"));
+                page += &layout.wrapped(&format!("  line {:>4}  ", line.number), &format!("{id}: {reason}"));
             }
         }
     }
@@ -88,7 +89,7 @@ fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
 }
 
 /// Compares the numbers of a text, line by line, with an inventory.
-fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
+fn compare(inventory: &[Line], text: &str, layout: TextLayout) -> (String, Outcome) {
     let mut copy = text.lines().map(numeric_tokens).fuse();
     let lines = inventory.iter().map(|line| line.number as usize).max().unwrap_or(0).max(text.lines().count());
     let (mut page, mut compared, mut differing, mut agreeing) = (String::new(), 0, 0, 0);
@@ -108,19 +109,18 @@ fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
         }
         differing += 1;
         page += &format!("line {number:>4}  DIFFERENT NUMBERS\n");
-        page += &wrapped("    in your copy:   ", &listed(&found));
-        page += &wrapped("    in the ledger:  ", &listed(ours));
+        page += &layout.wrapped("    in your copy:   ", &listed(&found));
+        page += &layout.wrapped("    in the ledger:  ", &listed(ours));
     }
-    page += &match differing {
-        0 => format!("{} compared: all numbers match the ledger\n", count(compared, "line")),
+    let compared = count(compared, "line");
+    let sum = match differing {
+        0 => format!("{compared} compared: all numbers match the ledger"),
         _ if agreeing == 0 => {
-            format!(
-                "{} compared: no number matches the ledger; is this a copy of the right source?\n",
-                count(compared, "line")
-            )
+            format!("{compared} compared: no number matches the ledger; is this a copy of the right source?")
         }
-        _ => format!("{} compared: {differing} with numbers that differ from the ledger\n", count(compared, "line")),
+        _ => format!("{compared} compared: {differing} with numbers that differ from the ledger"),
     };
+    page += &layout.wrapped("", &sum);
     (page, Outcome::as_recorded_if(differing == 0))
 }
 
@@ -128,13 +128,17 @@ fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
 mod tests {
     use super::*;
 
+    fn compared(inventory: &[Line], text: &str) -> (String, Outcome) {
+        compare(inventory, text, TextLayout::default())
+    }
+
     fn line(number: u32, printed: &str) -> Line {
         Line { number, numbers: numeric_tokens(printed), entries: Vec::new() }
     }
 
     #[test]
     fn a_copy_with_the_same_numbers_agrees_whatever_its_words() {
-        let (page, outcome) = compare(&[line(1, "a 1 b 2"), line(3, "")], "1 and 2\r\n\r\nnothing\n\n");
+        let (page, outcome) = compared(&[line(1, "a 1 b 2"), line(3, "")], "1 and 2\r\n\r\nnothing\n\n");
         assert_eq!(outcome, Outcome::AsRecorded, "{page}");
     }
 
@@ -142,7 +146,7 @@ mod tests {
     fn a_changed_number_a_lost_line_and_one_too_many_are_each_seen() {
         let inventory = [line(1, "1.5"), line(2, "2.5")];
         for (copy, differing) in [("1.5\n2.6\n", 1), ("1.5\n", 1), ("1.5\n2.5\n3.5\n", 1), ("", 2)] {
-            let (page, outcome) = compare(&inventory, copy);
+            let (page, outcome) = compared(&inventory, copy);
             assert_eq!(outcome, Outcome::Differs, "{copy}");
             assert_eq!(page.matches("DIFFERENT NUMBERS").count(), differing, "{page}");
         }
@@ -153,10 +157,10 @@ mod tests {
         // A line of the source without numbers agrees with an empty file.
         let inventory = [line(1, "1.5"), line(2, "none"), line(3, "2.5")];
         for copy in ["", "\n\n\n", "7\n\n8\n"] {
-            let (page, _) = compare(&inventory, copy);
+            let (page, _) = compared(&inventory, copy);
             assert!(page.contains("no number matches the ledger; is this a copy of the right source?"), "{page}");
         }
-        let (page, _) = compare(&inventory, "1.5\n\n8\n");
+        let (page, _) = compared(&inventory, "1.5\n\n8\n");
         assert!(page.contains("1 with numbers that differ"), "{page}");
     }
 }

@@ -1,6 +1,6 @@
 //! The error beside an answer when a claim no longer matches the record.
 
-use crate::output::{Streams, count, wrapped};
+use crate::output::{Streams, TextLayout, count};
 use clap::builder::styling::AnsiColor;
 use geneva_ledger::Judged;
 
@@ -15,8 +15,10 @@ pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dy
     }
 }
 
-/// A line or two for each claim: the recorded verdict, the derived one, and where the claim is stated.
+/// A line or two for each claim: the recorded verdict, the derived one, and where the claim is stated. A narrower terminal has its
+/// lines folded, as all that it is told.
 fn page(differing: &[&Judged]) -> String {
+    let layout = TextLayout::default();
     let red = AnsiColor::Red.on_default().bold();
     let matches = if differing.len() == 1 { "matches" } else { "match" };
     let mut page = format!("{red}error:{red:#} {} no longer {matches} the record\n", count(differing.len(), "claim"));
@@ -24,7 +26,7 @@ fn page(differing: &[&Judged]) -> String {
         let (claim, at) = (judged.claim, judged.claim.stated_at);
         if judged.verdict == claim.expected {
             page += &format!("  {}: still {}, but\n", claim.id, claim.expected);
-            judged.faults.iter().for_each(|fault| page += &wrapped("    ", fault));
+            judged.faults.iter().for_each(|fault| page += &layout.wrapped("    ", fault));
         } else {
             page += &format!("  {}: recorded as {}, now {}\n", claim.id, claim.expected, judged.verdict);
         }
@@ -33,7 +35,7 @@ fn page(differing: &[&Judged]) -> String {
     if let Some(more) = differing.len().checked_sub(MOST).filter(|more| *more > 0) {
         page += &format!("  and {more} more\n");
     }
-    page + &wrapped("", REMEDY)
+    page + &layout.wrapped("", REMEDY)
 }
 
 const REMEDY: &str = "Compare the printed characters with the source. If they are right, either the calculation or the \

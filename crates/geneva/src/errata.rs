@@ -2,7 +2,7 @@
 
 use crate::claims::with_unit;
 use crate::fields;
-use crate::output::{count, field, heading, wrapped};
+use crate::output::{TextLayout, count, field, heading};
 use crate::typed::{self, Format, Output, formats};
 use clap::Args;
 use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips, slips_in, verdicts, verdicts_of};
@@ -35,7 +35,7 @@ pub struct ErrataArguments {
 }
 
 /// The mistakes that are wanted, in the format that is wanted.
-pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
+pub fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_source =
         |places: &Places| wanted.source.map_or(places.is_of_a_document(), |source| places.main().claim.work == source);
     // What the copy has lost is no mistake of a source: it is listed only on request.
@@ -54,7 +54,7 @@ pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
             fields::csv(header.as_ref().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
         Format::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(Work::DOCUMENTS, slice::from_ref))),
-        _ => Ok(text(&slips)),
+        _ => Ok(text(&slips, layout)),
     }
 }
 
@@ -69,15 +69,18 @@ fn by_consequence(slips: &[Places]) -> impl Iterator<Item = (Consequence, Vec<&P
     Consequence::ALL.iter().map(move |consequence| (*consequence, of(*consequence))).filter(|(_, of)| !of.is_empty())
 }
 
-fn text(slips: &[Places]) -> String {
+fn text(slips: &[Places], layout: TextLayout) -> String {
+    let field = |name, text: &str| field(name, text, layout);
     let bold = heading();
-    let mut page = overview(slips);
+    let mut page = overview(slips, layout);
     for (consequence, of) in by_consequence(slips) {
-        page += &wrapped("", &format!("{}, {}: {}.", consequence, count(of.len(), "mistake"), consequence.meaning()));
+        page += &layout
+            .wrapped("", &format!("{}, {}: {}.", consequence, count(of.len(), "mistake"), consequence.meaning()));
         page.push('\n');
         for places in of {
             let (slip, main) = (&places.slip, places.main());
-            page += &format!("{bold}{}{bold:#}  {}, {}\n", slip.id, main.claim.work, main.claim.locator);
+            page +=
+                &layout.folded(&format!("{bold}{}{bold:#}  {}, {}\n", slip.id, main.claim.work, main.claim.locator));
             page += &field("printed", &with_unit(&in_full(main.claim), main.claim.unit));
             page += &field("right", &right(main));
             if !slip.changes.is_empty() {
@@ -96,14 +99,14 @@ fn text(slips: &[Places]) -> String {
 }
 
 /// The mistakes that change a result or a conclusion, a few lines each: the first screen.
-fn overview(slips: &[Places]) -> String {
+fn overview(slips: &[Places], layout: TextLayout) -> String {
     let bold = heading();
     let mut page = String::new();
     for (consequence, of) in by_consequence(slips) {
         if consequence > Consequence::Conclusion {
             break;
         }
-        page += &format!("{bold}{}{bold:#}\n", consequence.heading());
+        page += &layout.folded(&format!("{bold}{}{bold:#}\n", consequence.heading()));
         for places in of {
             let main = places.main();
             let numbers = places.greatest_change().map_or_else(String::new, |change| {
@@ -112,7 +115,7 @@ fn overview(slips: &[Places]) -> String {
                 format!("; {} wrong by {up_to}{}", count(wrong, "number"), percent(change))
             });
             let says = format!("{} -> {}{numbers}", with_unit(&in_full(main.claim), main.claim.unit), right(main));
-            page += &wrapped(&format!("  {}  ", places.slip.id), &says);
+            page += &layout.wrapped(&format!("  {}  ", places.slip.id), &says);
         }
         page.push('\n');
     }
@@ -203,7 +206,8 @@ mod tests {
     fn listed(options: &[&str]) -> Vec<String> {
         let line = [&["geneva", "errata", "--format", "json"], options].concat();
         let Some(Command::Errata(wanted)) = Arguments::parse_from(line).command else { panic!("{options:?}") };
-        let rows: Vec<serde_json::Value> = serde_json::from_str(&page(&wanted).expect("a page")).expect("an array");
+        let rows: Vec<serde_json::Value> =
+            serde_json::from_str(&page(&wanted, TextLayout::default()).expect("a page")).expect("an array");
         rows.iter().map(|row| row["id"].as_str().expect("an id").to_owned()).collect()
     }
 

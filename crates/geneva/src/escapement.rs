@@ -1,6 +1,7 @@
 //! One escapement: whether it runs, its steady state, its rise from rest, the run itself, or a drawing.
 
 use crate::fields;
+use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::escapement::{Design, Drawing, Further, Question, Units};
@@ -98,7 +99,7 @@ impl EscapementArguments {
 }
 
 /// The escapement that is wanted, in the format that is wanted.
-pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
+pub fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::Result<String> {
     Format::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
     Format::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
     Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
@@ -118,6 +119,6 @@ pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
         }
         Format::Json => fields::json(&design.answer()?),
         Format::Fields => fields::table(&design.answer()?),
-        _ => Ok(fields::sheet(&design.answer()?)),
+        _ => Ok(fields::sheet(&design.answer()?, layout)),
     }
 }

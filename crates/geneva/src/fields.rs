@@ -1,7 +1,7 @@
 //! An answer as a sheet for reading, or as a table with a row for each number. In JSON its fields are an object; what has many
 //! rows of its own, such as a cycle or a run, is a series.
 
-use crate::output::{heading, wrapped};
+use crate::output::{TextLayout, heading};
 use geneva_ask::{Answer, Field, Shows, Value};
 
 pub use geneva_press::fields::{Row, csv, json};
@@ -28,7 +28,7 @@ impl<'a> Written<'a> {
 }
 
 /// An answer as a sheet for reading, with the numbers under one another.
-pub fn sheet(answer: &Answer) -> String {
+pub fn sheet(answer: &Answer, layout: TextLayout) -> String {
     let items = answer.list.iter().flat_map(|(_, items)| items).map(|item| (item.heading, &item.fields));
     let sections = answer.sections.iter().map(|(title, fields)| (*title, fields)).chain(items);
     let sections: Vec<(_, Vec<_>)> =
@@ -40,8 +40,8 @@ pub fn sheet(answer: &Answer) -> String {
     let decimals = widest(|line| length(split(&line.number).1));
 
     let bold = heading();
-    let mut page = format!("{bold}{}{bold:#}\n", wrapped("", &answer.title).trim_end());
-    page += &wrapped("", answer.introduction);
+    let mut page = format!("{bold}{}{bold:#}\n", layout.wrapped("", &answer.title).trim_end());
+    page += &layout.wrapped("", answer.introduction);
     for (title, lines) in &sections {
         let direction = lines.iter().map(|line| length(line.direction)).max().unwrap_or(0);
         if !lines.is_empty() {
@@ -56,10 +56,10 @@ pub fn sheet(answer: &Answer) -> String {
             if direction > 0 {
                 lead += &format!("{:>direction$}  ", line.direction);
             }
-            page += &wrapped(&lead, line.meaning);
+            page += &layout.wrapped(&lead, line.meaning);
         }
     }
-    if answer.note.is_empty() { page } else { page + "\n" + &wrapped("", &answer.note) }
+    if answer.note.is_empty() { page } else { page + "\n" + &layout.wrapped("", &answer.note) }
 }
 
 /// An answer as CSV, a row for each number: `key`, `name`, `value`, `unit` and `meaning`.

@@ -3,6 +3,7 @@
 //! The options come from the parser itself, so a new one is tried without being named here. `GENEVA_FUZZ` says how many
 //! lines are tried, and `GENEVA_FUZZ_SEED` which.
 
+use crate::output::TextLayout;
 use crate::{Arguments, Command};
 use crate::{claims, completions, coverage, errata, escapement, mimic, quick_return, sweep, wheel};
 use anstream::adapter::strip_str;
@@ -112,23 +113,48 @@ fn line(dice: &mut Rng, root: &clap::Command) -> Vec<String> {
 
 /// What a command answers, without printing it; none if it takes too long for this.
 fn answered(arguments: Arguments, folder: &tempfile::TempDir) -> Option<anyhow::Result<String>> {
+    let layout = TextLayout::default();
     let quick = |source: Option<Work>| source.is_some_and(|source| source.slug() == "pin");
     Some(match arguments.command? {
-        Command::Claims(wanted) if quick(wanted.source) => claims::page(&wanted),
-        Command::Errata(wanted) if quick(wanted.source) => errata::page(&wanted),
-        Command::Coverage(wanted) => coverage::page(&wanted).map(|(page, _)| page),
-        Command::Wheel(wanted) => wheel::page(&wanted),
-        Command::QuickReturn(wanted) => quick_return::page(&wanted),
-        Command::Escapement(wanted) => escapement::page(&wanted),
+        Command::Claims(wanted) if quick(wanted.source) => claims::page(&wanted, layout),
+        Command::Errata(wanted) if quick(wanted.source) => errata::page(&wanted, layout),
+        Command::Coverage(wanted) => coverage::page(&wanted, layout).map(|(page, _)| page),
+        Command::Wheel(wanted) => wheel::page(&wanted, layout),
+        Command::QuickReturn(wanted) => quick_return::page(&wanted, layout),
+        Command::Escapement(wanted) => escapement::page(&wanted, layout),
         Command::Sweep(mut wanted) => {
             wanted.to.output = file(folder);
             wanted.threads = None;
             sweep::written(&wanted).and_then(|_| Ok(std::fs::read_to_string(file(folder))?))
         }
-        Command::Mimic(wanted) => mimic::page(&wanted.action),
+        Command::Mimic(wanted) => mimic::page(&wanted.action, layout),
         Command::Completions { shell } => completions::script(shell),
         _ => return None,
     })
+}
+
+/// The first zero of a text that has a sign: a minus, and digits that are all 0, neither of which is a part of something longer.
+fn signed_zero(text: &str) -> Option<&str> {
+    let is_part = |sign: char| sign.is_alphanumeric() || matches!(sign, '.' | '-' | '−' | '_' | ')' | '°');
+    text.char_indices().filter(|(_, sign)| matches!(sign, '-' | '−')).find_map(|(at, sign)| {
+        let digits = &text[at + sign.len_utf8()..];
+        let length = digits.find(|sign: char| sign != '0' && sign != '.').unwrap_or(digits.len());
+        let is_zero =
+            digits.starts_with('0') && !digits[..length].trim_start_matches('0').trim_start_matches('.').contains('.');
+        let ends = !digits[length..].starts_with(|sign: char| sign.is_ascii_digit());
+        let begins = !text[..at].ends_with(is_part);
+        (is_zero && ends && begins).then(|| &text[at..at + sign.len_utf8() + length])
+    })
+}
+
+#[test]
+fn a_zero_with_a_sign_is_found_and_nothing_else() {
+    for text in ["-0", "x: -0.0,", "[−0.000]", "-0e0", "a −0 rpm", "\"-0\""] {
+        assert!(signed_zero(text).is_some(), "{text}");
+    }
+    for text in ["-0.5", "-0.05", "0", "1e-05", "2026-01-00", "a-0", "1-0", "-1", "−0.001 rad", "10-0"] {
+        assert_eq!(signed_zero(text), None, "{text}");
+    }
 }
 
 /// Tells the line that was tried, if it panics.
@@ -168,6 +194,7 @@ fn fuzz_command_lines_are_answered_or_refused_in_words() {
                     let is_number = |word: &str| !["NaN", "inf", "-inf", "−inf", "nan", "infinity"].contains(&word);
                     let mut words = page.split([' ', ',', ':', '"', '\n', '(', ')', '[', ']']);
                     assert!(words.all(is_number), "{}", tried.0);
+                    assert_eq!(signed_zero(&page), None, "{}", tried.0);
                     page.replace("\r\n", "\n")
                 }
                 Some(Err(error)) => {

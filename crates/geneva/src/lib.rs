@@ -39,7 +39,7 @@ mod workspace;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
-use output::{Outcome, Own, Streams};
+use output::{Outcome, Own, Streams, TextLayout};
 use printable::{escaped, shown};
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -269,28 +269,32 @@ fn run(arguments: Arguments, streams: &mut dyn Streams) -> anyhow::Result<Outcom
     match arguments.command {
         None => verify_and_build(streams),
         Some(Command::Claims(wanted)) => {
-            output::write(&claims::page(&wanted)?, &wanted.to.output, streams)?;
+            let layout = output::layout_for(&wanted.to.output, streams);
+            output::write(&claims::page(&wanted, layout)?, &wanted.to.output, streams)?;
             Ok(as_recorded(claims::derived(&wanted), streams))
         }
         Some(Command::Errata(wanted)) => {
-            output::write(&errata::page(&wanted)?, &wanted.to.output, streams)?;
+            let layout = output::layout_for(&wanted.to.output, streams);
+            output::write(&errata::page(&wanted, layout)?, &wanted.to.output, streams)?;
             Ok(as_recorded(errata::derived(&wanted), streams))
         }
         Some(Command::Coverage(wanted)) => {
-            let (page, outcome) = coverage::page(&wanted)?;
+            let (page, outcome) = coverage::page(&wanted, streams.layout())?;
             streams.print(&page)?;
             Ok(outcome)
         }
-        Some(Command::Wheel(wanted)) => say(&wheel::page(&wanted)?, &wanted.to, streams),
-        Some(Command::QuickReturn(wanted)) => say(&quick_return::page(&wanted)?, &wanted.to, streams),
-        Some(Command::Escapement(wanted)) => say(&escapement::page(&wanted)?, &wanted.to, streams),
+        Some(Command::Wheel(wanted)) => say(|layout| wheel::page(&wanted, layout), &wanted.to, streams),
+        Some(Command::QuickReturn(wanted)) => say(|layout| quick_return::page(&wanted, layout), &wanted.to, streams),
+        Some(Command::Escapement(wanted)) => say(|layout| escapement::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Sweep(wanted)) => {
             if let Some(told) = sweep::written(&wanted)? {
-                streams.print(&told)?;
+                streams.print(&streams.layout().folded(&told))?;
             }
             Ok(Outcome::AsRecorded)
         }
-        Some(Command::Mimic(wanted)) => say(&mimic::page(&wanted.action)?, mimic::destination(&wanted.action), streams),
+        Some(Command::Mimic(wanted)) => {
+            say(|layout| mimic::page(&wanted.action, layout), mimic::destination(&wanted.action), streams)
+        }
         Some(Command::Proofread(wanted)) => Ok(proofread::run(&wanted, streams)),
         Some(Command::Book(wanted)) => book::run(wanted, streams),
         Some(Command::Completions { shell }) => {
@@ -302,8 +306,13 @@ fn run(arguments: Arguments, streams: &mut dyn Streams) -> anyhow::Result<Outcom
 }
 
 /// Writes an answer with which nothing is compared where it was asked for.
-fn say(text: &str, to: &typed::Output, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
-    output::write(text, &to.output, streams)?;
+fn say(
+    page: impl FnOnce(TextLayout) -> anyhow::Result<String>,
+    to: &typed::Output,
+    streams: &mut dyn Streams,
+) -> anyhow::Result<Outcome> {
+    let page = page(output::layout_for(&to.output, streams))?;
+    output::write(&page, &to.output, streams)?;
     Ok(Outcome::AsRecorded)
 }
 
@@ -313,7 +322,7 @@ fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
         let _step = progress::step("deriving the verdicts");
         geneva_ledger::verdicts()
     };
-    streams.print(&summary::page(verdicts))?;
+    streams.print(&summary::page(verdicts, streams.layout()))?;
     book::build(&book::BuildArguments::default(), streams)?;
     Ok(as_recorded(verdicts, streams))
 }

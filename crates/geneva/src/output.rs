@@ -8,14 +8,14 @@ use anstream::adapter::strip_str;
 use anyhow::Context;
 use clap::builder::styling::{AnsiColor, Style};
 use clap::error::ErrorKind;
+use geneva_host::layout::{columns, first_columns};
 use geneva_ledger::Verdict;
+use std::borrow::Cow;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
 pub use geneva_ask::written::count;
-
-/// Characters in a line of text.
-pub const WIDTH: usize = 100;
+pub use geneva_host::layout::TextLayout;
 
 /// What a command found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +58,9 @@ pub trait Streams {
 
     /// Takes text for standard error.
     fn tell(&mut self, text: &str);
+
+    /// How the text for standard output is laid out.
+    fn layout(&self) -> TextLayout;
 }
 
 /// The streams of this process.
@@ -83,8 +86,13 @@ impl Streams for Own {
     }
 
     fn tell(&mut self, text: &str) {
+        let text = TextLayout::of_errors().map_or(Cow::Borrowed(text), |layout| layout.folded(text).into());
         // Nobody is left to be told if this fails.
         let _ = anstream::stderr().lock().write_all(text.as_bytes());
+    }
+
+    fn layout(&self) -> TextLayout {
+        TextLayout::of_output()
     }
 }
 
@@ -97,10 +105,19 @@ impl Streams for Answer {
     fn tell(&mut self, text: &str) {
         self.stderr += &strip_str(text).to_string();
     }
+
+    fn layout(&self) -> TextLayout {
+        TextLayout::default()
+    }
 }
 
 /// What is asked for instead of a file.
 pub const STANDARD_OUTPUT: &str = "-";
+
+/// How the text of an answer is laid out that goes where it was asked for: to standard output, or to a file.
+pub fn layout_for(asked: &str, streams: &dyn Streams) -> TextLayout {
+    if asked == STANDARD_OUTPUT { streams.layout() } else { TextLayout::default() }
+}
 
 /// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
 pub fn write(text: &str, asked: &str, streams: &mut dyn Streams) -> anyhow::Result<()> {
@@ -132,7 +149,7 @@ pub fn explain(error: &clap::Error, streams: &mut dyn Streams) -> anyhow::Result
         streams.tell(&text);
         return Ok(Outcome::Failed);
     }
-    streams.print(&text)?;
+    streams.print(&streams.layout().folded(&text))?;
     Ok(Outcome::AsRecorded)
 }
 
@@ -154,59 +171,22 @@ pub fn heading() -> Style {
 }
 
 /// A name and its text, which is broken into lines under one another.
-pub fn field(name: &str, text: &str) -> String {
-    wrapped(&format!("  {name:<14}"), text)
+pub fn field(name: &str, text: &str, layout: TextLayout) -> String {
+    layout.wrapped(&format!("  {name:<14}"), text)
 }
 
-/// `text` in lines of at most [`WIDTH`] characters: behind `lead`, then under it.
-pub fn wrapped(lead: &str, text: &str) -> String {
-    let indent = lead.chars().count();
-    let mut lines = vec![lead.to_owned()];
-    let mut length = indent;
-    for word in text.split_whitespace() {
-        let (word_length, first) = (word.chars().count(), length == indent);
-        if !first && length + 1 + word_length > WIDTH {
-            lines.push(" ".repeat(indent));
-            length = indent;
-        }
-        let Some(line) = lines.last_mut() else { break };
-        if length > indent {
-            line.push(' ');
-            length += 1;
-        }
-        line.push_str(word);
-        length += word_length;
-    }
-    lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
-}
-
-/// `text` in `width` characters, cut with an ellipsis if it is longer.
+/// `text` in `width` columns, cut with an ellipsis if it is longer.
 pub fn cut(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        return format!("{text:<width$}");
+    if columns(text) <= width {
+        return format!("{text}{}", " ".repeat(width - columns(text)));
     }
-    let kept: String = text.chars().take(width.saturating_sub(1)).collect();
-    format!("{kept}…")
+    let kept = first_columns(text, width.saturating_sub(1));
+    format!("{kept}…{}", " ".repeat(width.saturating_sub(1 + columns(kept))))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn long_text_is_broken_between_words_and_stays_under_its_beginning() {
-        let text = wrapped("  - ", &"word ".repeat(40));
-        assert!(text.lines().all(|line| line.chars().count() <= WIDTH));
-        assert!(text.lines().skip(1).all(|line| line.starts_with("    word")));
-        assert_eq!(text.split_whitespace().count(), 41);
-    }
-
-    #[test]
-    fn a_word_longer_than_the_line_stays_whole() {
-        let word = "x".repeat(2 * WIDTH);
-        assert_eq!(wrapped("", &word), format!("{word}\n"));
-        assert_eq!(wrapped("a ", ""), "a\n");
-    }
 
     #[test]
     fn what_is_cut_says_so() {

@@ -26,6 +26,7 @@ pub enum Question {
     /// Exit with 0: every renderer gets an answer, if only in words
     Supports {
         /// mdBook's name for the renderer
+        #[arg(allow_hyphen_values = true)]
         renderer: String,
     },
 }

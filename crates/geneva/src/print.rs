@@ -79,7 +79,7 @@ pub fn run(wanted: &PrintArguments, streams: &mut dyn Streams) -> anyhow::Result
         tempfile::NamedTempFile::new_in(parent).with_context(|| format!("cannot write in {}", parent.display()))?;
     fs::copy(&pdf, whole.path()).with_context(|| format!("cannot write {}", out.display()))?;
     whole.persist(&out).with_context(|| format!("cannot write {}", out.display()))?;
-    streams.print(&format!("The book is in {}, {pages} pages.\n", out.display()))
+    streams.print(&streams.layout().folded(&format!("The book is in {}, {pages} pages.\n", out.display())))
 }
 
 /// Has the browser print the document.

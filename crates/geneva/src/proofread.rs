@@ -14,6 +14,10 @@ impl cli::Streams for Through<'_> {
     fn tell(&mut self, text: &str) {
         self.0.tell(text);
     }
+
+    fn layout(&self) -> cli::TextLayout {
+        self.0.layout()
+    }
 }
 
 /// Runs the command, which says all there is to say.

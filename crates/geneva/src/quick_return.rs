@@ -1,6 +1,7 @@
 //! One quick-return mechanism at an instant: where its parts are, every velocity and acceleration, or a drawing.
 
 use crate::fields;
+use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::quick_return::{Design, Drawing, Place, Question};
@@ -94,7 +95,7 @@ impl QuickReturnArguments {
 }
 
 /// The mechanism that is wanted, in the format that is wanted.
-pub fn page(wanted: &QuickReturnArguments) -> anyhow::Result<String> {
+pub fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result<String> {
     Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
     let design = Design::new(&wanted.question())?;
     let answer = design.answer()?;
@@ -109,6 +110,6 @@ pub fn page(wanted: &QuickReturnArguments) -> anyhow::Result<String> {
             };
             Ok(design.drawing(drawing).standalone())
         }
-        _ => Ok(fields::sheet(&answer)),
+        _ => Ok(fields::sheet(&answer, layout)),
     }
 }

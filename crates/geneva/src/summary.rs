@@ -1,16 +1,16 @@
 //! A summary of all verdicts: a small table, and every claim that no longer matches the record.
 
 use crate::claims::with_unit;
-use crate::output::{count, field, heading, style, wrapped};
+use crate::output::{TextLayout, count, field, heading, style};
 use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, slips_of};
 
 /// The verdicts of the documents by source, and each claim, also on pages elsewhere, that no longer matches the record.
-pub fn page(verdicts: &[Judged]) -> String {
-    table(verdicts) + "\n" + &differences(verdicts)
+pub fn page(verdicts: &[Judged], layout: TextLayout) -> String {
+    table(verdicts, layout) + "\n" + &differences(verdicts, layout)
 }
 
 /// How many statements and examples on pages elsewhere are right and wrong, if all match the record.
-fn elsewhere(verdicts: &[Judged]) -> String {
+fn elsewhere(verdicts: &[Judged], layout: TextLayout) -> String {
     let tally = |name: &str, examples: bool| {
         let of_kind =
             |judged: &&Judged| !judged.claim.work.is_document() && (judged.claim.kind == Kind::Example) == examples;
@@ -28,7 +28,7 @@ fn elsewhere(verdicts: &[Judged]) -> String {
     if tallies.is_empty() {
         return String::new();
     }
-    wrapped(
+    layout.wrapped(
         "",
         &format!("Elsewhere {}: all verdicts match the record. See geneva claims --source wild", tallies.join(" and ")),
     )
@@ -37,14 +37,20 @@ fn elsewhere(verdicts: &[Judged]) -> String {
 /// The row of the claims that no longer match the record.
 const CHANGED: &str = "changed since recorded";
 
-fn table(verdicts: &[Judged]) -> String {
+fn table(verdicts: &[Judged], layout: TextLayout) -> String {
     let names = Verdict::ALL.iter().map(|verdict| verdict.slug()).chain([CHANGED]);
     let label = names.map(str::len).max().unwrap_or(0);
     let columns: Vec<(&str, Option<Work>)> =
         Work::DOCUMENTS.iter().map(|work| (work.slug(), Some(*work))).chain([("all", None)]).collect();
+    let width = |title: &str| title.len().max(5);
+    // Two blanks between columns, or one where they take the room.
+    let least: usize = columns.iter().map(|(title, _)| 2 + width(title)).sum();
+    let gap = if label + least > layout.width() { 1 } else { 2 };
     let line = |name: &str, cell: &dyn Fn(&str, Option<Work>) -> String| -> String {
-        let cells =
-            columns.iter().map(|(title, work)| format!("  {:>width$}", cell(title, *work), width = title.len().max(5)));
+        let cell = |(title, work): &(&str, Option<Work>)| {
+            format!("{:gap$}{:>width$}", "", cell(title, *work), width = width(title))
+        };
+        let cells = columns.iter().map(cell);
         format!("{name:<label$}{}", cells.collect::<String>())
     };
     let tally = |wanted: &dyn Fn(&Judged) -> bool, work: Option<Work>| {
@@ -72,18 +78,19 @@ fn table(verdicts: &[Judged]) -> String {
     table + &format!("{}\n", line(CHANGED, &|_, work| tally(&|judged| !judged.holds(), work)))
 }
 
-fn differences(verdicts: &[Judged]) -> String {
+fn differences(verdicts: &[Judged], layout: TextLayout) -> String {
+    let field = |name, text: &str| field(name, text, layout);
     let differing: Vec<_> = verdicts.iter().filter(|judged| !judged.holds()).collect();
     if differing.is_empty() {
         let documents = verdicts.iter().filter(|judged| judged.claim.work.is_document()).count();
         let stands = format!("{}: all verdicts match the record.\n", count(documents, "claim"));
-        return stands + &wrapped("", &wrong()) + &elsewhere(verdicts);
+        return stands + &layout.wrapped("", &wrong()) + &elsewhere(verdicts, layout);
     }
     let bold = heading();
     let mut page = format!("{} of {} changed since recorded:\n", differing.len(), count(verdicts.len(), "claim"));
     for judged in differing {
         let claim = judged.claim;
-        page += &format!("\n{bold}{}{bold:#}  {}\n", claim.id, claim.locator);
+        page += &layout.folded(&format!("\n{bold}{}{bold:#}  {}\n", claim.id, claim.locator));
         page += &field("printed", &with_unit(&in_full(claim), claim.unit));
         if let Some(computed) = judged.computed {
             page += &field("computed", &computed.to_string());
@@ -95,7 +102,7 @@ fn differences(verdicts: &[Judged]) -> String {
             page += &field(form, &format!("{holds}: {}", finding.how));
         }
         for complaint in judged.complaints() {
-            page += &wrapped("  - ", &complaint);
+            page += &layout.wrapped("  - ", &complaint);
         }
     }
     page + "\n"
@@ -113,6 +120,9 @@ fn wrong() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Arguments, Command, claims, errata};
+    use clap::Parser;
+    use geneva_host::layout::columns;
     use geneva_ledger::{Evidence, Place, judge};
 
     /// A claim that no source makes, with these digits for seven thirds.
@@ -143,7 +153,7 @@ mod tests {
 
     #[test]
     fn a_claim_that_differs_is_shown_with_all_that_is_known() {
-        let page = page(&[judged("2.33"), judged("2.43")]);
+        let page = page(&[judged("2.33"), judged("2.43")], TextLayout::default());
         for part in
             ["1 of 2 claims", "2.43 mm", "expected      reproduced", "found         not-reproduced", "recorded as"]
         {
@@ -153,8 +163,28 @@ mod tests {
     }
 
     #[test]
+    fn every_list_of_claims_and_mistakes_fits_into_every_terminal() {
+        let all = geneva_ledger::verdicts();
+        for width in [60, 80, 100] {
+            let layout = TextLayout::for_columns(width);
+            let pages = ["claims", "errata --all", "errata --source wild --all"].map(|line| {
+                let line = ["geneva"].into_iter().chain(line.split(' '));
+                match Arguments::parse_from(line).command {
+                    Some(Command::Claims(wanted)) => claims::page(&wanted, layout),
+                    Some(Command::Errata(wanted)) => errata::page(&wanted, layout),
+                    other => panic!("{other:?}"),
+                }
+            });
+            let pages = pages.into_iter().map(|page| page.expect("a page")).chain([page(all, layout)]);
+            for line in pages.collect::<String>().lines() {
+                assert!(columns(line) <= width, "{width} columns: {line}");
+            }
+        }
+    }
+
+    #[test]
     fn nothing_is_said_of_claims_that_match_the_record() {
-        let page = page(&[judged("2.33")]);
+        let page = page(&[judged("2.33")], TextLayout::default());
         assert!(page.contains("\n1 claim: all verdicts match the record.\n"), "{page}");
         // Behind a list that may fill its line.
         assert!(page.ends_with("geneva errata\n"), "{page}");
@@ -162,7 +192,10 @@ mod tests {
 
     #[test]
     fn what_is_said_elsewhere_has_a_line_of_its_own_and_no_column() {
-        let page = page(&[judged("2.33"), judged_in(Work::Wild, "2.33"), judged_in(Work::Wild, "2.33"), example()]);
+        let page = page(
+            &[judged("2.33"), judged_in(Work::Wild, "2.33"), judged_in(Work::Wild, "2.33"), example()],
+            TextLayout::default(),
+        );
         assert!(page.contains("\n1 claim: all verdicts match the record.\n"), "{page}");
         assert!(
             page.contains("\nElsewhere 2 statements (2 right) and 1 example (1 right): all verdicts match"),

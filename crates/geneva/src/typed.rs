@@ -21,54 +21,61 @@ const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
 /// Degrees beyond which fractions of one are lost.
 const MOST_DEGREES: f64 = 1e9;
 
+/// Pins of a driver whose wheel has three stations; with more stations there are fewer.
+const MOST_PINS: u32 = 6;
+
 /// Most threads that may be asked for.
 pub const MOST_THREADS: usize = 1024;
 
 /// A number above zero.
 pub fn positive(text: &str) -> Result<f64, String> {
-    above_zero(text, number(text).ok_or("not a number; give one above zero, with a decimal point, not a comma")?)
+    above_zero(text, "number")
 }
 
 /// A length in metres, above zero: the unit of all lengths of a quick-return mechanism.
 pub fn metres(text: &str) -> Result<f64, String> {
-    above_zero(text, number(text).ok_or("not a length; give metres above zero, with a decimal point, not a comma")?)
+    above_zero(text, "length in metres")
 }
 
 /// A length in millimetres, above zero: the unit of all lengths of a wheel.
 pub fn millimetres(text: &str) -> Result<f64, String> {
-    above_zero(
-        text,
-        number(text).ok_or("not a length; give millimetres above zero, with a decimal point, not a comma")?,
-    )
+    above_zero(text, "length in millimetres")
 }
 
 /// A number that is zero or more.
 pub fn zero_or_more(text: &str) -> Result<f64, String> {
-    let value = number(text).ok_or("not a number; give zero or more, with a decimal point, not a comma")?;
+    let most = COMPUTABLE.end();
+    let value = number(text).ok_or_else(|| {
+        format!("not a number; give zero, or a number up to {most:e}, with a decimal point, not a comma")
+    })?;
     if value < 0.0 || value.is_nan() {
-        let most = COMPUTABLE.end();
         return Err(format!("{} is not zero or more; give zero, or a number up to {most:e}", shown(text.trim())));
     }
-    // A zero has no sign.
-    if value == 0.0 { Ok(0.0) } else { computable(text, value) }
+    if value == 0.0 { Ok(value) } else { computable(text, value) }
 }
 
 /// Turns a minute in either sense, counter-clockwise above zero.
 pub fn turns_a_minute(text: &str) -> Result<f64, String> {
-    let value = number(text).ok_or("not a speed; give turns per minute, with a decimal point, not a comma")?;
+    let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
+    let value = number(text).ok_or_else(|| {
+        format!(
+            "not a speed; give {least:e} to {most:e} turns per minute, or below zero, with a decimal point, not a comma"
+        )
+    })?;
     if value == 0.0 || value.is_nan() {
-        return Err(
-            "the crank must turn, or nothing moves; give turns per minute, above zero for counter-clockwise or below zero \
-             for clockwise"
-                .to_owned(),
-        );
+        return Err(format!(
+            "the crank must turn, or nothing moves; give {least:e} to {most:e} turns per minute for counter-clockwise, or below \
+             zero for clockwise"
+        ));
     }
     computable(text, value)
 }
 
 /// An angle in degrees. Which are possible, the mechanism says.
-pub fn degrees(text: &str) -> Result<f64, &'static str> {
-    number(text).ok_or("not an angle; give degrees, with a decimal point, not a comma")
+pub fn degrees(text: &str) -> Result<f64, String> {
+    number(text).ok_or_else(|| {
+        format!("not an angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}, with a decimal point, not a comma")
+    })
 }
 
 /// An angle in degrees, of which every finite one is possible.
@@ -96,7 +103,7 @@ pub fn stations(text: &str) -> Result<u32, String> {
 
 /// A number of a driver's pins. Which are possible, the library says.
 pub fn pins(text: &str) -> Result<u32, String> {
-    whole(text, "pins", "an integer of 1 or more")
+    whole(text, "pins", &format!("an integer from 1 to {MOST_PINS}"))
 }
 
 /// A number of threads.
@@ -110,9 +117,9 @@ fn whole<T: FromStr>(text: &str, things: &str, possible: &str) -> Result<T, Stri
     text.trim().parse().map_err(|_| format!("not a number of {things}; give {possible}"))
 }
 
-/// A number, with either of the signs for minus: the sheet has the typographer's.
+/// A number, with either of the signs for minus: the sheet has the typographer's. A zero has none.
 pub fn number(text: &str) -> Option<f64> {
-    text.trim().replace('−', "-").parse().ok()
+    text.trim().replace('−', "-").parse::<f64>().ok().map(|value| value + 0.0)
 }
 
 /// One of the values in a list, by its name; help says what each means.
@@ -125,12 +132,15 @@ pub fn named<T: Copy + Send + Sync + 'static>(
         .try_map(move |name| all.iter().copied().find(|value| slug(*value) == name).ok_or("not a known name"))
 }
 
-/// `value`, which was typed so, if it is above zero and can be computed with.
-fn above_zero(text: &str, value: f64) -> Result<f64, String> {
-    if value > 0.0 {
-        computable(text, value)
-    } else {
-        Err(format!("{} is not above zero; give a number above zero", shown(text.trim())))
+/// The number that was typed, if it is above zero and can be computed with; `what` it is.
+fn above_zero(text: &str, what: &str) -> Result<f64, String> {
+    let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
+    match number(text) {
+        None => Err(format!(
+            "not a number; give a {what} above zero, from {least:e} to {most:e}, with a decimal point, not a comma"
+        )),
+        Some(value) if value > 0.0 => computable(text, value),
+        Some(_) => Err(format!("{} is not above zero; give a {what} from {least:e} to {most:e}", shown(text.trim()))),
     }
 }
 
@@ -239,6 +249,23 @@ mod tests {
     }
 
     #[test]
+    fn every_number_that_is_none_is_refused_with_a_range() {
+        let parsers: [fn(&str) -> Result<f64, String>; 7] =
+            [positive, metres, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
+        let counts: [fn(&str) -> Result<u32, String>; 3] = [slots, stations, pins];
+        let threads = |text: &str| threads(text).map(|threads| threads.get() as f64);
+        for text in ["", "x", "１２", "0,3", "-", "1e", "nan", "-.5", "1e309", "-1e999", "5e-324"] {
+            let numbers = parsers.iter().map(|parse| parse(text)).chain([threads(text)]);
+            for refused in numbers.chain(counts.iter().map(|parse| parse(text).map(f64::from))).filter_map(Result::err)
+            {
+                let given = refused.split("give ").nth(1).unwrap_or_default();
+                let ends = [" to ", " up to ", " and ", " or "].iter().any(|word| given.contains(word));
+                assert!(ends && given.contains(|sign: char| sign.is_ascii_digit()), "{text}: {refused}");
+            }
+        }
+    }
+
+    #[test]
     fn what_is_out_of_range_is_refused_with_the_range() {
         for (said, words) in [
             (positive("0"), "above zero"),
@@ -248,7 +275,7 @@ mod tests {
             (zero_or_more("-0.30"), "-0.30 is not zero or more; give zero, or a number up to 1e30"),
             (positive(&"1".repeat(3000)), "1111…"),
             (positive("1e31"), "between 1e-30 and 1e30"),
-            (metres("0,1"), "metres above zero, with a decimal point"),
+            (metres("0,1"), "metres above zero, from 1e-30 to 1e30, with a decimal point"),
             (zero_or_more("nan"), "nan is not zero or more"),
             (turns_a_minute("-0"), "the crank must turn"),
             (turns_a_minute("-1e-31"), "-1e-31 is too large or too small"),
@@ -257,6 +284,7 @@ mod tests {
             assert!(said.contains(words) && said.contains("give "), "{said}");
         }
         assert_eq!(turns_a_minute("−60"), Ok(-60.0));
+        assert!(finite_degrees("-0").is_ok_and(f64::is_sign_positive));
         assert!(zero_or_more("-0").is_ok_and(f64::is_sign_positive));
         assert!(threads("1025").is_err() && threads("0").is_err());
     }

@@ -4,6 +4,7 @@
 //! with what would give it one.
 
 use crate::fields;
+use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -121,7 +122,7 @@ fn materials() -> impl TypedValueParser<Value = Material> {
 }
 
 /// The wheel that is wanted, in the format that is wanted.
-pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
+pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
     let (format, question) = (wanted.format, wanted.asked.0.clone());
     if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
         beside_times(&question, format)?;
@@ -133,7 +134,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
         return match format {
             Format::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
             Format::Json => fields::json(&answer),
-            _ => Ok(fields::sheet(&answer)),
+            _ => Ok(fields::sheet(&answer, layout)),
         };
     }
     let design = Design::new(question)?;
@@ -152,7 +153,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
         }
         Format::Json => fields::json(&design.answer()?)?,
         Format::Fields => fields::table(&design.answer()?)?,
-        _ => fields::sheet(&design.answer()?),
+        _ => fields::sheet(&design.answer()?, layout),
     })
 }
 

@@ -5,5 +5,6 @@
 
 pub mod files;
 pub mod git;
+pub mod layout;
 pub mod printable;
 pub mod terminal;

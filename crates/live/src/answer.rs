@@ -93,16 +93,16 @@ fn string(text: &str) -> String {
     json
 }
 
-/// The value of a control, to as many decimals as a box has room for.
+/// The value of a control, to as many decimals as a box has room for. A zero has no sign.
 pub fn shown(value: f64) -> f64 {
-    (value * 1e4).round() / 1e4
+    (value * 1e4).round() / 1e4 + 0.0
 }
 
 impl Number {
     /// A number to so many digits after the point, with its unit.
     pub fn new(name: &'static str, value: f64, digits: usize, unit: &str) -> Self {
         // What rounds to zero has no sign.
-        let value = if value == 0.0 { 0.0 } else { value };
+        let value = value + 0.0;
         let text = format!("{value:.digits$}");
         let is_zero = !text.contains(|c: char| ('1'..='9').contains(&c));
         let text = if is_zero { text.trim_start_matches('-').to_owned() } else { with_minus_sign(&text) };

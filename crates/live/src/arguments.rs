@@ -108,15 +108,16 @@ fn encoded(text: &str) -> String {
 
 /// A number with either minus sign: zero, or of a size between 1e-30 and 1e30.
 pub fn number(name: &str, text: &str) -> Result<f64, String> {
-    let value: Option<f64> = text.trim().replace('−', "-").parse().ok();
-    let value = value.filter(|value| value.is_finite());
-    let value = value
-        .ok_or_else(|| format!("{name} `{}`: not a number; give one with a point before its decimals", quoted(text)))?;
-    if value != 0.0 && !COMPUTABLE.contains(&value.abs()) {
+    computable(text).ok_or_else(|| {
         let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
-        return Err(format!("{name} `{}`: give zero, or a number of a size from {least:e} to {most:e}", quoted(text)));
-    }
-    Ok(value)
+        format!("{name} `{}`: give 0, or a number of a size from {least:e} to {most:e}, such as 2.5", quoted(text))
+    })
+}
+
+/// The number that a text is, with either minus sign, if it can be computed with. A zero has no sign.
+pub fn computable(text: &str) -> Option<f64> {
+    let value: f64 = text.trim().replace('−', "-").parse().ok()?;
+    (value == 0.0 || COMPUTABLE.contains(&value.abs())).then_some(value + 0.0)
 }
 
 /// A text as an error may quote it: the first characters, without control characters.

@@ -1,7 +1,7 @@
 //! What a reader may move in a figure, and what is told.
 
 use crate::answer::Answer;
-use crate::arguments::{Arguments, number, quoted};
+use crate::arguments::{Arguments, computable, quoted};
 
 /// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
 pub(crate) const TURNS: [f64; 2] = [-1e6, 1e6];
@@ -126,12 +126,25 @@ impl Control {
     ///
     /// Names the control, the text, and the range.
     pub fn read(&self, text: &str) -> Result<f64, String> {
-        let (value, [least, most]) = (number(self.name, text)?, self.range);
+        let [least, most] = self.range;
+        let value = computable(text).filter(|value| (least..=most).contains(value));
+        value.ok_or_else(|| self.refusal(text))
+    }
+
+    /// What is wrong with a text that is no value of the control: the text, and what the control may be.
+    fn refusal(&self, text: &str) -> String {
+        if let Kind::Choice(choices) = self.kind {
+            let choices = choices.iter().enumerate().map(|(number, choice)| format!("{number} ({choice})"));
+            let choices = choices.collect::<Vec<_>>().join(", ");
+            return format!("{} `{}`: none of the choices; give one of {choices}", self.name, quoted(text.trim()));
+        }
+        let [least, most] = self.range;
         let gap = if self.unit.is_empty() || self.unit == "°" { "" } else { " " };
-        if (least..=most).contains(&value) {
-            Ok(value)
+        let typed = quoted(text.trim());
+        if text.trim().replace('−', "-").parse().is_ok_and(f64::is_finite) {
+            format!("{} {typed}{gap}{}: give {least} to {most}", self.label, self.unit)
         } else {
-            Err(format!("{} {}{gap}{}: give {least} to {most}", self.label, quoted(text.trim()), self.unit))
+            format!("{} `{typed}`: not a number; give {least} to {most}, with a point before decimals", self.label)
         }
     }
 }
@@ -242,7 +255,15 @@ impl Live {
     /// As for [`answer`](Self::answer), and for an ending of none of its files.
     pub fn file(&self, ending: &str, arguments: &Arguments) -> Result<String, String> {
         let file = self.files.iter().find(|file| file.name == ending);
-        let file = file.ok_or_else(|| format!("no file `{}` of `{}`", quoted(ending), self.name))?;
+        let file = file.ok_or_else(|| {
+            let endings: Vec<_> = self.files.iter().map(|file| file.name).collect();
+            let known = if endings.is_empty() {
+                "there is none".to_owned()
+            } else {
+                format!("there are {}", endings.join(", "))
+            };
+            format!("no file `{}` of `{}`: {known}", quoted(ending), self.name)
+        })?;
         (file.make)(&self.settings(arguments)?)
     }
 
@@ -275,7 +296,12 @@ impl Settings<'_> {
         if value == f64::from(value as u32) {
             Ok(value as u32)
         } else {
-            Err(format!("{} {value}: not a whole number; give one", self.control(name)?.label))
+            let control = self.control(name)?;
+            if matches!(control.kind, Kind::Choice(_)) {
+                return Err(control.refusal(&value.to_string()));
+            }
+            let [least, most] = control.range;
+            Err(format!("{} {value}: not an integer; give an integer from {least} to {most}", control.label))
         }
     }
 

@@ -65,7 +65,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
     let [ground, radius, rpm] = ["ground", "radius", "rpm"].map(|name| settings.value(name));
     let (ground, crank, rpm) = (ground?, radius?, rpm?);
     if rpm == 0.0 {
-        return Err("the crank must turn, or nothing moves: give a speed above or below zero".to_owned());
+        return Err("the crank must turn, or nothing moves: give −1e6 to 1e6 rpm, but not 0".to_owned());
     }
     let angle = settings.moved("crank")?;
     let branch = if settings.moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };

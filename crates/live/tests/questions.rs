@@ -9,12 +9,11 @@ use geneva_live::{Arguments, LIVE, Live, answer};
 const QUESTIONS: u64 = 400;
 
 /// Data for the figures that need some; only their form is that of a source.
-const GIVEN: [(&str, &str); 3] = [
-    ("polygon", "ground=0.31&radius=0.13&speed=7&unit=m"),
+const GIVEN: [(&str, &str); 2] = [
     ("escapement", "follower=0.00013"),
     (
         "mistake",
-        "rows=4,0.21,0.31,151,43,0.041,0.0231;6,0.11,0.41,87,61,0.037,0.0113;3,0.33,0.17,93,11,0.067,0.0517&inertias=6,1.1e-5,1.3e-4;\
+        "rows=4,0.21,0.31,151,43,0.041,0.0231;6,0.11,0.41,87,61,0.037,0.0113;3,0.23,0.17,93,11,0.067,0.0517&inertias=6,1.1e-5,1.3e-4;\
          4,1.7e-5,1.3e-4;3,1.9e-5,1.7e-4&headed=6,2.1e-4,1.1e-5&duration=0.2&delay=0.00005&pi=3.1416",
     ),
 ];
@@ -93,13 +92,42 @@ fn question(live: &Live, random: &mut Rng) -> String {
     format!("{}{ending}?{}", live.name, pairs.join("&"))
 }
 
+/// Whether a text has a zero with a sign, which is no part of a longer number or word.
+fn has_signed_zero(text: &str) -> bool {
+    let is_part = |sign: char| sign.is_alphanumeric() || matches!(sign, '.' | '-' | '−' | '_' | ')' | '°' | '`');
+    text.char_indices().filter(|(_, sign)| matches!(sign, '-' | '−')).any(|(at, sign)| {
+        let digits = &text[at + sign.len_utf8()..];
+        let rest = digits.trim_start_matches(['0', '.']);
+        digits.starts_with('0')
+            && !rest.starts_with(|sign: char| sign.is_ascii_digit())
+            && !text[..at].ends_with(is_part)
+    })
+}
+
+/// Whether a refusal says what is possible: a range, a list, or what to do instead.
+fn says_what_to_give(error: &str) -> bool {
+    // What was typed is between backquotes.
+    let own: String = error.split('`').step_by(2).collect();
+    let has_range = own.contains(|sign: char| sign.is_ascii_digit());
+    let is_of_a_number = error.contains("not a number") || error.contains("not an integer");
+    let words =
+        ["there are", "there is none", "give one of", "give others", "give it once", "is missing", "write % as"];
+    if is_of_a_number { own.contains(" to ") } else { has_range || words.iter().any(|words| own.contains(words)) }
+}
+
 /// What is wrong with an answer, if anything.
 fn fault(answer: &str) -> Option<&'static str> {
     let Ok(read) = serde_json::from_str::<serde_json::Value>(answer) else { return Some("is no JSON") };
     let has_control = |text: &str| text.contains(|c: char| c.is_control() && c != '\n');
     if let Some(error) = read["error"].as_str() {
+        if !says_what_to_give(error) {
+            return Some("is an error that does not say what to give");
+        }
         let is_poor = error.len() < 12 || error.contains('\n') || has_control(error) || error.len() > 400;
         return is_poor.then_some("is an error without a reason, or not on one line");
+    }
+    if has_signed_zero(answer) {
+        return Some("has a zero with a sign");
     }
     if let Some(file) = read["file"].as_str() {
         return file.contains("NaN").then_some("is a file with NaN");
@@ -130,6 +158,40 @@ fn fuzz_questions() {
     }
     println!("{questions} questions: {drawn} answered, {refused} refused");
     assert!(drawn > questions / 4 && refused > questions / 10, "{drawn} answered, {refused} refused");
+}
+
+#[test]
+fn a_value_that_is_none_is_refused_with_the_range_or_the_choices_of_its_control() {
+    for live in LIVE {
+        let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
+        for control in live.controls {
+            let [least, most] = control.range;
+            let range = match control.kind {
+                geneva_live::Kind::Choice(choices) => format!("0 ({})", choices[0]),
+                _ => format!("{least} to {most}"),
+            };
+            for value in ["x", "nan", "1e300", "5e-324", "-5.9e13"] {
+                let text = answer(&format!("{}?{given}&{}={value}", live.name, control.name));
+                assert!(text.contains(&range), "{}={value}: no {range} in {text}", control.name);
+            }
+        }
+    }
+    for (question, words) in [
+        ("design?stations=6.5", "stations N 6.5: not an integer; give an integer from 3 to 100"),
+        ("design?size=0.5", "size `0.5`: none of the choices; give one of 0 (crank radius), 1 (centre distance)"),
+        ("escapement.dxf?follower=0.1", "no file `dxf` of `escapement`: there is none"),
+        ("design.stp?", "no file `stp` of `design`: there are dxf, svg, csv"),
+    ] {
+        assert!(answer(question).contains(words), "{question}: {}", answer(question));
+    }
+}
+
+#[test]
+fn a_speed_that_is_hardly_any_has_no_sign_where_it_is_rounded_to_zero() {
+    for question in ["polygon?rpm=-1e-9", "polygon?crank=-0", "design?error=-0", "wheel?error=-0&crank=-0"] {
+        let answer = answer(question);
+        assert!(answer.starts_with("{\"numbers\"") && !has_signed_zero(&answer), "{question}: {answer}");
+    }
 }
 
 #[test]
@@ -194,7 +256,16 @@ fn what_a_preset_makes_a_figure_say_is_short_numbers_and_of_its_own_drawing() {
     for live in LIVE {
         let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
         for preset in live.presets {
-            let setting = format!("{given}&{}", preset.arguments);
+            // The page multiplies what is set.
+            let times = |pair: &str| match pair.split_once("=*") {
+                Some((name, times)) => {
+                    let control = live.controls.iter().find(|control| control.name == name).expect("a control");
+                    format!("{name}={}", control.preset * times.parse::<f64>().expect("a factor"))
+                }
+                None => pair.to_owned(),
+            };
+            let arguments = preset.arguments.split('&').map(times).collect::<Vec<_>>().join("&");
+            let setting = format!("{given}&{arguments}");
             let arguments = Arguments::parse(setting.trim_start_matches('&'));
             let (message, caption) = match live.answer(&arguments.expect("arguments")) {
                 Ok(answer) => (answer.message.unwrap_or_default(), answer.figure.caption),

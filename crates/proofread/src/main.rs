@@ -1,7 +1,8 @@
 //! The program `proofread`. Everything it does is in the library's module `cli`.
 
 use clap::{Args, Command, FromArgMatches};
-use proofread::cli::{self, Streams};
+use proofread::cli::{self, Streams, TextLayout};
+use std::borrow::Cow;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -19,8 +20,13 @@ impl Streams for Own {
     }
 
     fn tell(&mut self, text: &str) {
+        let text = TextLayout::of_errors().map_or(Cow::Borrowed(text), |layout| layout.folded(text).into());
         // Nobody is left to be told if this fails.
         let _ = anstream::stderr().lock().write_all(text.as_bytes());
+    }
+
+    fn layout(&self) -> TextLayout {
+        TextLayout::of_output()
     }
 }
 

@@ -5,7 +5,7 @@ mod report;
 
 use crate::destination::apart_from;
 use crate::input::{MOST_BYTES, STANDARD_INPUT};
-use crate::output::count;
+use crate::output::{TextLayout, count};
 use crate::printable::{shown, shown_path};
 use crate::progress;
 use crate::threads::Threads;
@@ -211,7 +211,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 /// The answer to the action that is wanted.
-pub fn page(action: &Action) -> anyhow::Result<String> {
+pub fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
     apart_from(&destination(action).output, inputs(action))?;
     match action {
         Action::Check { deck, .. } => {
@@ -220,14 +220,14 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
             if deck.has_data() {
                 deck.data_sets().map_err(|faults| anyhow!("{name}\n{faults}"))?;
             }
-            Ok(report::checked(&name, &deck, &program))
+            Ok(report::checked(&name, &deck, &program, layout))
         }
         Action::Sort { deck, .. } => {
             let (name, deck) = read(deck)?;
-            Ok(report::sorted(&deck, &program(&name, &deck)?))
+            Ok(report::sorted(&deck, &program(&name, &deck)?, layout))
         }
         Action::Run(wanted) => run(wanted),
-        Action::Decks { name: None, .. } => Ok(listed::decks()),
+        Action::Decks { name: None, .. } => Ok(listed::decks(layout)),
         Action::Decks { name: Some(name), .. } => deck_named(name).map(str::to_owned).ok_or_else(|| {
             let known = DECKS.map(|(name, _)| name);
             anyhow!(
@@ -237,7 +237,7 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
                 known.join(", ")
             )
         }),
-        Action::Functions { .. } => Ok(listed::functions()),
+        Action::Functions { .. } => Ok(listed::functions(layout)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reports on a deck and its runs.
 
-use crate::output::{count, heading, wrapped};
+use crate::output::{TextLayout, count, heading};
 use anyhow::ensure;
 use geneva_mimic::language::{Deck, Program, Run, When, print_out};
 use serde::ser::{Serialize, Serializer};
@@ -10,10 +10,10 @@ use std::io::Write;
 const MOST_PRINTED: usize = 64_000_000;
 
 /// The report on a deck without mistakes: its size and its notes.
-pub fn checked(name: &str, deck: &Deck, program: &Program) -> String {
+pub fn checked(name: &str, deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let (integrals, instructions) = program.size();
     let dead = program.sorted().iter().filter(|of| of.is_dead).count();
-    let mut page = wrapped(
+    let mut page = layout.wrapped(
         "",
         &format!(
             "{name}: no mistakes found. {}, {}, {} per evaluation; {} without an effect on what is printed.",
@@ -24,28 +24,27 @@ pub fn checked(name: &str, deck: &Deck, program: &Program) -> String {
         ),
     );
     for note in deck.notes() {
-        page += &wrapped("note: ", note);
+        page += &layout.wrapped("note: ", note);
     }
     page
 }
 
 /// The statements in their order.
-pub fn sorted(deck: &Deck, program: &Program) -> String {
+pub fn sorted(deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let bold = heading();
     let (control, result) = (width(program, |of| of.control.as_deref().unwrap_or("")), width(program, |of| &of.result));
     let mut page = String::new();
     for (when, title) in [(When::Once, "Once in a run"), (When::Always, "At every evaluation of the integrands")] {
         page += &format!("{bold}{title}{bold:#}\n");
         for of in program.sorted().iter().filter(|of| of.when == when) {
-            let dead = if of.is_dead { "  (nothing that is printed needs it)" } else { "" };
-            let line = format!(
-                "  card {:>4}  {:<control$}  {:<result$}  {}{dead}",
+            let dead = if of.is_dead { " (nothing that is printed needs it)" } else { "" };
+            let lead = format!(
+                "  card {:>4}  {:<control$}  {:<result$}  ",
                 of.card,
                 of.control.as_deref().unwrap_or(""),
                 of.result,
-                deck.expression_of(of)
             );
-            page += &format!("{}\n", line.trim_end());
+            page += &layout.wrapped(&lead, &format!("{}{dead}", deck.expression_of(of)));
         }
     }
     page
@@ -74,12 +73,17 @@ pub fn print_outs(name: &str, runs: &[Run]) -> anyhow::Result<String> {
     Ok(pages)
 }
 
+/// A number whose zero has no sign.
+fn unsigned_zero(value: f64) -> f64 {
+    value + 0.0
+}
+
 /// A list of names and numbers as a JSON object.
 struct Named<'a>(&'a [(String, f64)]);
 
 impl Serialize for Named<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, unsigned_zero(*value))))
     }
 }
 
@@ -101,7 +105,7 @@ pub fn json(runs: &[Run]) -> anyhow::Result<String> {
         )?;
         for (at, row) in run.rows.iter().enumerate() {
             page.extend_from_slice(if at > 0 { b",\n      " } else { b"" });
-            serde_json::to_writer(&mut page, row)?;
+            serde_json::to_writer(&mut page, &row.iter().map(|value| unsigned_zero(*value)).collect::<Vec<_>>())?;
         }
         page.extend_from_slice(b"\n    ]\n  }");
     }
@@ -118,7 +122,7 @@ pub fn csv(runs: &[Run]) -> anyhow::Result<String> {
     for (at, run) in runs.iter().enumerate() {
         for row in &run.rows {
             let numbers = run.parameters.iter().map(|(_, value)| value).chain(row);
-            let cells: Result<Vec<_>, _> = numbers.map(serde_json::to_string).collect();
+            let cells: Result<Vec<_>, _> = numbers.map(|value| serde_json::to_string(&unsigned_zero(*value))).collect();
             writer.write_record([(at + 1).to_string()].into_iter().chain(cells?))?;
         }
     }
@@ -141,7 +145,8 @@ pub fn svg(name: &str, runs: &[Run]) -> anyhow::Result<String> {
         points.len() > 1,
         "{name}: only one point is printed, because FIN is true from the start; a curve needs two, so change the FIN card"
     );
-    let parameters: Vec<_> = run.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let parameters: Vec<_> =
+        run.parameters.iter().map(|(name, value)| format!("{name} = {}", unsigned_zero(*value))).collect();
     let title = if parameters.is_empty() { name.to_owned() } else { format!("{name}: {}", parameters.join(", ")) };
     Ok(geneva_figures::printed::plot(&title, names, points)?.standalone())
 }

@@ -78,8 +78,12 @@ pub enum SizesError {
     },
     /// A shaft that leaves no material, or that something runs against.
     #[error(
-        "{name} shaft, diameter {asked} mm: it must be less than {most:.4} mm{}",
-        if *most > 0.0 { "; give a thinner shaft" } else { ", so there is no room for one in the plane of the wheel" }
+        "{name} shaft, diameter {asked} mm: {}",
+        if *most > 0.0 {
+            format!("it must be less than {most:.4} mm; give a thinner shaft")
+        } else {
+            "there is no room for one in the plane of the wheel; leave it out, or choose a thinner pin or less play".to_owned()
+        }
     )]
     Shaft {
         /// Which shaft.

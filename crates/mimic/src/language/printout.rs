@@ -15,7 +15,7 @@ const MARKS: [char; 6] = ['*', '+', 'O', 'X', '.', '='];
 
 /// A number as the printer wrote it: one digit, a point, five digits and an exponent of two.
 fn number(value: f64) -> String {
-    let text = format!("{value:.5E}");
+    let text = format!("{:.5E}", value + 0.0);
     let Some((digits, exponent)) = text.split_once('E') else { return text };
     let (sign, exponent) = exponent.strip_prefix('-').map_or(('+', exponent), |rest| ('-', rest));
     format!("{digits}E{sign}{exponent:0>2}")

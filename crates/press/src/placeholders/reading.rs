@@ -98,7 +98,7 @@ mod tests {
     use super::*;
 
     fn lines(chapter: &str) -> String {
-        let page = Page { name: "pin", number: "1.", edition: &Edition::NONE };
+        let page = Page { name: "pin", number: "1.", edition: &Edition::NONE, written: "" };
         read(chapter, page, &shown(chapter, page)).expect("all are known")
     }
 

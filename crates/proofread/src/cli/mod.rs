@@ -11,7 +11,7 @@ mod since;
 mod text;
 
 pub use arguments::{Arguments, EXAMPLES};
-pub use output::Streams;
+pub use output::{Streams, TextLayout};
 
 use crate::check::{Options, Report, Tally, proofread};
 use crate::finding::{Finding, List};
@@ -93,7 +93,7 @@ impl<'a> Run<'a> {
         let option = OutputOption { name: "--accept", instead: "" };
         let accepted = arguments.accept.as_deref().map(|path| NewFile::new(path, option)).transpose()?;
         let writer: Box<dyn Writer> = match arguments.format {
-            Written::Text => Box::new(text::Text),
+            Written::Text => Box::new(text::Text(streams.layout())),
             Written::Json => Box::new(json::Json::default()),
             Written::Jsonl => Box::new(json::Lines),
             Written::Sarif => Box::new(sarif::Sarif::default()),

@@ -3,6 +3,8 @@
 use clap::builder::styling::{AnsiColor, Style};
 use geneva_host::printable::{escaped, is_obeyed};
 
+pub use geneva_host::layout::TextLayout;
+
 /// Where the words of the command go. Both take colours, which the caller strips where no terminal shows them.
 pub trait Streams {
     /// Takes text for standard output.
@@ -14,6 +16,11 @@ pub trait Streams {
 
     /// Takes text for standard error.
     fn tell(&mut self, text: &str);
+
+    /// How the text for standard output is laid out: as in a pipe, unless the stream says otherwise.
+    fn layout(&self) -> TextLayout {
+        TextLayout::default()
+    }
 }
 
 /// How the command ended.

@@ -1,19 +1,21 @@
 //! Findings for people.
 
-use super::output::{bold, printable};
+use super::output::{TextLayout, bold, printable};
 use super::{Checked, Sum, Writer};
 use crate::finding::{Finding, List};
 use crate::place::Lines;
 use crate::reader::Format;
 use crate::summary::{self, count};
 use clap::builder::styling::AnsiColor;
+use geneva_host::layout::{columns, first_columns};
 use geneva_host::printable::escaped;
 use std::ops::Range;
 
-/// Longest line of the text that is shown around a place, in characters.
-const WIDTH: usize = 100;
+/// Least of a text's line that is shown around a place, in characters.
+const LEAST_SHOWN: usize = 20;
 
-pub(crate) struct Text;
+/// Findings laid out for a terminal, or for a pipe.
+pub(crate) struct Text(pub TextLayout);
 
 impl Writer for Text {
     fn document(&mut self, checked: &Checked<'_>) -> String {
@@ -21,7 +23,7 @@ impl Writer for Text {
             return String::new();
         }
         let lines = Lines::new(&checked.document.text);
-        checked.findings.iter().map(|finding| one(finding, &lines, checked)).collect()
+        checked.findings.iter().map(|finding| one(finding, &lines, checked, self.0)).collect()
     }
 
     fn end(&mut self, sum: &Sum) -> String {
@@ -48,34 +50,54 @@ impl Writer for Text {
         if sum.accepted > 0 {
             text += &format!("{} left out as accepted.\n", count(sum.accepted, "case"));
         }
-        text
+        self.0.folded(&text)
     }
 }
 
-fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>) -> String {
+fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>, layout: TextLayout) -> String {
     let (bold, blue) = (bold(), AnsiColor::Blue.on_default().bold());
     let colour = if finding.list == List::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
     let [from, _] = lines.places(finding.at);
     let name = escaped(&checked.document.name);
     let gutter = " ".repeat(from.line.to_string().len());
     let mut text = format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.words());
-    text += &format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
+    text += &layout.folded(&format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column));
+    // Beside the number of the line, and with a sign at either end that says that the line goes on.
+    let width = layout.width().saturating_sub(gutter.len() + 5).max(LEAST_SHOWN);
     let said = printed_and_recomputed(finding);
     let is_markup = matches!(checked.document.format, Format::Xml | Format::Html | Format::Notebook);
     let start = lines.start(from.line);
     let in_line = finding.at.start as usize - start..finding.at.end as usize - start;
-    let shown =
-        if is_markup { window(&finding.chain, finding.marked.clone()) } else { window(lines.line(from.line), in_line) };
+    let shown = if is_markup {
+        window(&finding.chain, finding.marked.clone(), width)
+    } else {
+        window(lines.line(from.line), in_line, width)
+    };
     let (line, before, marked) = shown;
+    // From characters to columns.
+    let up_to = |characters: usize| columns(&printable(&line.chars().take(characters).collect::<String>()));
+    let (before, marked) = (up_to(before), up_to(before + marked) - up_to(before));
+    let line = first_columns(&line, width + 2);
+    let (before, marked) = (before.min(width), marked.min((width + 2).saturating_sub(before)));
     let number = if is_markup { gutter.clone() } else { from.line.to_string() };
-    text += &format!("{blue}{gutter} |{blue:#}\n{blue}{number} |{blue:#} {}\n", printable(&line));
-    text += &format!(
-        "{blue}{gutter} |{blue:#} {}{colour}{} {said}{colour:#}\n",
-        " ".repeat(before),
-        "^".repeat(marked.max(1))
-    );
+    text += &format!("{blue}{gutter} |{blue:#}\n{blue}{number} |{blue:#} {}\n", printable(line));
+    let marks = "^".repeat(marked.max(1));
+    let under = |indent: usize| format!("{blue}{gutter} |{blue:#} {}", " ".repeat(indent));
+    let beside = format!("{}{colour}{marks} {said}{colour:#}", under(before));
+    if columns(&beside) <= layout.width() {
+        text += &format!("{beside}\n");
+    } else {
+        // Words that don't fit beside the marks stand under them, as far to the left as they need.
+        let room = layout.width().saturating_sub(columns(&under(0)));
+        text += &format!("{}{colour}{marks}{colour:#}\n", under(before));
+        text += &match room.checked_sub(columns(&said)) {
+            Some(free) => format!("{}{colour}{said}{colour:#}\n", under(before.min(free))),
+            None => layout.wrapped(&under(0), &format!("{colour}{said}{colour:#}")),
+        };
+    }
     let mut note = |what: &str, words: &str| {
-        text += &format!("{gutter} {blue}={blue:#} {bold}{what}{bold:#}: {}\n", printable(words))
+        let lead = format!("{gutter} {blue}={blue:#} ");
+        text += &layout.wrapped(&lead, &format!("{bold}{what}{bold:#}: {}", printable(words)));
     };
     if !is_markup {
         note("read as", &finding.chain);
@@ -109,20 +131,20 @@ fn printed_and_recomputed(finding: &Finding) -> String {
     }
 }
 
-/// A part of a line around a place in it, how many columns are before the place, and how many it takes. A line may be as long as the
-/// text, so only what is near is looked at.
-fn window(line: &str, place: Range<usize>) -> (String, usize, usize) {
+/// A part of a line around a place in it, how many characters are before the place, and how many it takes. A line may be as long
+/// as the text, so only what is near is looked at.
+fn window(line: &str, place: Range<usize>, width: usize) -> (String, usize, usize) {
     let boundary = |at: usize| (0..=at.min(line.len())).rfind(|at| line.is_char_boundary(*at)).unwrap_or(0);
     let start = boundary(place.start);
     let end = boundary(place.end).max(start);
-    let is_short = line.chars().nth(WIDTH).is_none();
+    let is_short = line.chars().nth(width).is_none();
     let indent = || line.len() - line.trim_start().len();
-    let from = match line[..start].char_indices().rev().nth(WIDTH * 2 / 3 - 1) {
+    let from = match line[..start].char_indices().rev().nth(width * 2 / 3 - 1) {
         _ if is_short => indent().min(start),
         Some((from, _)) => from,
         None => 0,
     };
-    let to = if is_short { None } else { line[from..].char_indices().nth(WIDTH) };
+    let to = if is_short { None } else { line[from..].char_indices().nth(width) };
     let to = to.map_or(line.len(), |(length, _)| from + length);
     let mut text = line[from..to].to_owned();
     let mut before = line[from..start.min(to)].chars().count();
