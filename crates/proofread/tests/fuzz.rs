@@ -193,6 +193,22 @@ const TAKING: [(Format, &str, &str); 6] = [
     (Format::Notebook, "{\"cells\":[{\"cell_type\":\"markdown\",\"source\":\"$", "2^ \\\\sqrt √ ( [ {"),
 ];
 
+/// Commands of LaTeX outside formulas.
+const COMMANDS: &str = "\\verb|x| \\verb*+y+ \\lstinline!z! \\iffalse w \\fi \\begin{example}\\begin{verbatim}\\end{verbatim}\\end{example} \
+     \\newcommand*{\\a}[2][1]{#1#2}\\def\\b#1{#1}\\NewDocumentCommand{\\c}{O{2} m}{#2}\\DeclareMathOperator{\\d}{d} \
+     \\DeclareSIUnit[x=1]{\\e}{\\kilo\\gram}\\input{f}\\import{g}{h}\\usepackage[i]{j}\\documentclass[k.tex]{subfiles} % !TEX root = l.tex \
+     \n\\(1=1\\) \\[2=2\\] $$3=3$$ \\begin{align*}4=4\\end{align*} é\\end{document}";
+
+#[test]
+fn every_beginning_of_a_text_is_read() {
+    for (format, text) in SEEDS.into_iter().chain([(Format::Latex, COMMANDS)]) {
+        for (end, _) in text.char_indices() {
+            let tried = Tried(&text[..end], format);
+            check(tried.0, tried.1, tried.0);
+        }
+    }
+}
+
 /// On a page, a module has a stack of this many bytes.
 const STACK: usize = 1 << 20;
 

@@ -79,7 +79,8 @@ pub fn all() -> Vec<Structure> {
 }
 
 fn markdown() -> Vec<Structure> {
-    let in_markdown: [(&str, Grown); 30] = [
+    let in_markdown: [(&str, Grown); 31] = [
+        ("code beside MathML", repeated("", "`x` <math></math> ", "")),
         ("right lines", repeated("", "It is $2+2=4$ and 3.0*2.0=6.0 here.\n", "")),
         ("wrong lines", numbered("", |i| format!("It is ${}$ here.\n", wrong(i)), "")),
         ("wrong formulas on one line", numbered("", |i| format!("is ${}$ ", wrong(i)), "")),

@@ -27,8 +27,8 @@ fn body(text: &str, macros: &Macros<'_>, each: &mut Found<'_>) {
     let bytes = text.as_bytes();
     let mut ends = Ends::default();
     let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());
-    // Whether groups have ended so far; one without an end is looked for once.
-    let mut closes = true;
+    // Whether groups and conditions have ended so far; one without an end is looked for once.
+    let (mut closes, mut ends_conditions) = (true, true);
     while at < bytes.len() {
         match bytes[at] {
             b'%' => at += text[at..].find('\n').unwrap_or(bytes.len() - at),
@@ -60,14 +60,18 @@ fn body(text: &str, macros: &Macros<'_>, each: &mut Found<'_>) {
                     (name, _) if defines(name) => {
                         at = definition(text, at).map_or(at + 1 + length, |(_, _, end)| end);
                     }
-                    ("iffalse", _) => at += rest.find("\\fi").map_or(length + 1, |end| end + 4),
+                    ("iffalse", _) if ends_conditions => {
+                        let end = rest.find("\\fi");
+                        ends_conditions = end.is_some();
+                        at += end.map_or(length + 1, |end| end + 4);
+                    }
                     ("verb" | "lstinline", Some(_)) => {
                         let behind = &text[at + 1 + length..];
                         let mark = behind.chars().next().unwrap_or('|');
-                        let inside = &behind[mark.len_utf8()..];
-                        let line = inside.find('\n').unwrap_or(inside.len());
-                        let end = inside[..line].find(mark).map_or(0, |end| end + mark.len_utf8());
-                        at += 1 + length + mark.len_utf8() + end;
+                        // It ends in its line, and near.
+                        let mut inside = behind.char_indices().skip(1).take(FARTHEST).take_while(|(_, c)| *c != '\n');
+                        let end = inside.find(|(_, c)| *c == mark).map_or(0, |(end, _)| end);
+                        at += 1 + length + end + mark.len_utf8();
                     }
                     // What the document sets to nothing isn't printed.
                     (name, _) if macros.get(name).is_some_and(|of| of.arguments > 0 && of.body.trim().is_empty()) => {

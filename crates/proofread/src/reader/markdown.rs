@@ -89,9 +89,14 @@ fn piece_of(text: &str, dollars: Dollars, each: &mut Found<'_>) {
 fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
     let mut out = Vec::new();
     let mut from = 0;
+    // Where the stretches end that begin before the element.
+    let (mut skipped, mut until) = (skip.iter().peekable(), 0);
     while let Some(at) = text[from..].find("<math").map(|at| from + at) {
         let end = text[at..].find("</math>").map_or(text.len(), |end| at + end + "</math>".len());
-        if !skip.iter().any(|range| range.contains(&at)) {
+        while let Some(range) = skipped.next_if(|range| range.start <= at) {
+            until = until.max(range.end);
+        }
+        if at >= until {
             out.push(at..end);
         }
         from = end;
