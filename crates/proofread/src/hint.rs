@@ -239,23 +239,23 @@ fn around(tokens: &[Token], at: usize) -> String {
 /// Edits inside a fraction, a root or a group.
 fn nested(tokens: &[Token], at: usize, near: Near, tries: &mut Tries<'_>) -> ControlFlow<()> {
     let token = &tokens[at];
-    let mut inside = |list: &[Token], kind: &dyn Fn(Vec<Token>) -> Kind| {
+    let lists = match token.kind {
+        Kind::Fraction(..) => 2,
+        // The index of a root is no place for a slip.
+        Kind::Root(..) | Kind::Group(_) => 1,
+        _ => 0,
+    };
+    for (which, list) in token.inner().into_iter().take(lists).enumerate() {
         variants(list, near, &mut |edit| {
+            let mut kind = token.kind.clone();
+            kind.lists().into_iter().skip(which).take(1).for_each(|list| list.clone_from(&edit.tokens));
             let mut all = tokens[..at].to_vec();
-            all.push(Token::new(kind(edit.tokens), token.span));
+            all.push(Token::new(kind, token.span));
             all.extend_from_slice(&tokens[at + 1..]);
             tries(Edit { tokens: all, ..edit })
-        })
-    };
-    match &token.kind {
-        Kind::Fraction(above, below) => {
-            inside(above, &|new| Kind::Fraction(new, below.clone()))?;
-            inside(below, &|new| Kind::Fraction(above.clone(), new))
-        }
-        Kind::Root(of, index) => inside(of, &|new| Kind::Root(new, index.clone())),
-        Kind::Group(inner) => inside(inner, &Kind::Group),
-        _ => ControlFlow::Continue(()),
+        })?;
     }
+    ControlFlow::Continue(())
 }
 
 /// The exponent whose caret is lacking behind the ten of a power of ten: a minus sign and one or two digits.

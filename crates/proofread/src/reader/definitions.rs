@@ -2,7 +2,7 @@
 
 use crate::effort;
 use std::cell::{Cell, RefCell};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Most definitions that are kept of one text.
@@ -34,7 +34,7 @@ pub(crate) struct Macros<'d> {
     /// How many characters they may still add.
     left: Cell<usize>,
     /// Those that added too many to a formula, and are not used any more.
-    endless: RefCell<HashSet<String>>,
+    endless: RefCell<Named>,
 }
 
 impl<'d> Macros<'d> {
@@ -55,12 +55,15 @@ impl<'d> Macros<'d> {
 
     /// Notes a macro that is not to be used any more.
     pub fn give_up(&self, name: &str) {
-        self.endless.borrow_mut().insert(name.to_owned());
+        let known = self.own.get_key_value(name).or_else(|| self.elsewhere?.get_key_value(name));
+        if let Some((name, of)) = known {
+            self.endless.borrow_mut().insert(name.clone(), of.clone());
+        }
     }
 
     /// Whether a macro has been given up.
     pub fn is_endless(&self, name: &str) -> bool {
-        self.endless.borrow().contains(name)
+        self.endless.borrow().contains_key(name)
     }
 
     /// What a name stands for; the document's own definition counts first.

@@ -5,7 +5,6 @@ use super::definitions::{Macros, Named, closing, defines, definition};
 use super::delimited::{DISPLAYS, FARTHEST};
 use super::{Formula, Found, tex};
 use crate::token::{Span, signs};
-use std::collections::HashMap;
 
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
@@ -179,20 +178,22 @@ fn until(
 /// Most macros that are looked for as the end of a display.
 const MOST_ENDS: usize = 8;
 
-/// The macros that end displays, and how far a document has none of them.
+/// The ends of displays, each with the macros that stand for it and how far a document has none of them.
 #[derive(Default)]
-struct Ends(HashMap<String, (Vec<String>, usize)>);
+struct Ends(Vec<(String, Vec<String>, usize)>);
 
 impl Ends {
     /// Where the first macro begins that stands for this end, within the longest formula behind a place, and where it ends.
     fn nearest(&mut self, text: &str, from: usize, end: &str, macros: &Macros<'_>) -> Option<(usize, usize)> {
-        let (names, none_until) = self.0.entry(end.to_owned()).or_insert_with(|| {
+        let known = self.0.iter().position(|(of, ..)| of == end).unwrap_or_else(|| {
             let ends = macros.iter().filter(|(_, of)| of.body.trim() == end).map(|(name, _)| format!("\\{name}"));
             let mut ends: Vec<String> = ends.collect();
             ends.sort();
             ends.truncate(MOST_ENDS);
-            (ends, 0)
+            self.0.push((end.to_owned(), ends, 0));
+            self.0.len() - 1
         });
+        let (_, names, none_until) = &mut self.0[known];
         let boundary = |at: usize| (from..=at.min(text.len())).rfind(|at| text.is_char_boundary(*at)).unwrap_or(from);
         let limit = boundary(from + LONGEST);
         // One that begins in what was looked through may reach beyond it.

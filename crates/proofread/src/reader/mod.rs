@@ -5,6 +5,7 @@ mod commas;
 mod definitions;
 mod delimited;
 mod dress;
+mod expansion;
 mod latex;
 mod markdown;
 mod markup;

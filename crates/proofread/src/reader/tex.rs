@@ -1,6 +1,6 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
-use super::definitions::{Macro, Macros};
+use super::definitions::Macros;
 use super::dress::{self, stacked};
 use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
@@ -39,11 +39,11 @@ pub(crate) fn formula(signs: &[Sign], macros: &Macros<'_>) -> Vec<Token> {
 pub(super) struct Tex<'m> {
     /// What is still to be read, the next character last.
     pub(super) stack: Vec<Sign>,
-    macros: &'m Macros<'m>,
+    pub(super) macros: &'m Macros<'m>,
     /// How many characters macros have added.
-    expanded: usize,
+    pub(super) expanded: usize,
     /// The macro of the text itself that is being read, and how much of the text is behind it.
-    outermost: Option<(String, usize)>,
+    pub(super) outermost: Option<(String, usize)>,
     /// Whether the rest of the group is upright, as behind `\rm`.
     upright: bool,
 }
@@ -298,41 +298,6 @@ impl Tex<'_> {
         }
         debug_assert!(number_length(&taken) > 0);
         out.push(number(&taken));
-        true
-    }
-
-    /// Puts what a macro stands for in its place.
-    fn expand(&mut self, name: &str, used: &Macro, span: Span) -> bool {
-        let mut arguments: Vec<Vec<Sign>> = Vec::new();
-        for at in 0..used.arguments {
-            let given = match (&used.default, at) {
-                (Some(default), 0) => self.optional().unwrap_or_else(|| placed(default, span)),
-                _ => self.raw_group(),
-            };
-            arguments.push(given);
-        }
-        if self.outermost.as_ref().is_none_or(|(_, behind)| self.stack.len() <= *behind) {
-            self.outermost = Some((name.to_owned(), self.stack.len()));
-        }
-        let mut body = Vec::new();
-        let mut letters = used.body.chars();
-        while let Some(c) = letters.next() {
-            if c == '#'
-                && let Some(which) = letters.clone().next().and_then(|c| c.to_digit(10))
-            {
-                letters.next();
-                body.extend(arguments.get((which as usize).wrapping_sub(1)).into_iter().flatten());
-                continue;
-            }
-            body.push(Sign { c, span });
-        }
-        self.expanded += body.len() + 1;
-        if !self.macros.may_add(body.len() + 1, self.expanded) {
-            let name = self.outermost.take().map_or_else(|| name.to_owned(), |(name, _)| name);
-            self.macros.give_up(&name);
-            return false;
-        }
-        self.stack.extend(body.into_iter().rev());
         true
     }
 
@@ -604,8 +569,4 @@ fn stand(out: &mut Vec<Token>, upright: &mut Option<usize>) {
         let letters = out.split_off(from.min(out.len()));
         merge_letters(letters, out);
     }
-}
-
-fn placed(text: &str, span: Span) -> Vec<Sign> {
-    text.chars().map(|c| Sign { c, span }).collect()
 }

@@ -1,0 +1,46 @@
+//! What macros stand for, put in their place.
+
+use super::definitions::Macro;
+use super::tex::Tex;
+use crate::token::{Sign, Span};
+
+impl Tex<'_> {
+    /// Puts what a macro stands for in its place.
+    pub(super) fn expand(&mut self, name: &str, used: &Macro, span: Span) -> bool {
+        let mut arguments: Vec<Vec<Sign>> = Vec::new();
+        for at in 0..used.arguments {
+            let given = match (&used.default, at) {
+                (Some(default), 0) => self.optional().unwrap_or_else(|| placed(default, span)),
+                _ => self.raw_group(),
+            };
+            arguments.push(given);
+        }
+        if self.outermost.as_ref().is_none_or(|(_, behind)| self.stack.len() <= *behind) {
+            self.outermost = Some((name.to_owned(), self.stack.len()));
+        }
+        let mut body = Vec::new();
+        let mut letters = used.body.chars();
+        while let Some(c) = letters.next() {
+            if c == '#'
+                && let Some(which) = letters.clone().next().and_then(|c| c.to_digit(10))
+            {
+                letters.next();
+                body.extend(arguments.get((which as usize).wrapping_sub(1)).into_iter().flatten());
+                continue;
+            }
+            body.push(Sign { c, span });
+        }
+        self.expanded += body.len() + 1;
+        if !self.macros.may_add(body.len() + 1, self.expanded) {
+            let name = self.outermost.take().map_or_else(|| name.to_owned(), |(name, _)| name);
+            self.macros.give_up(&name);
+            return false;
+        }
+        self.stack.extend(body.into_iter().rev());
+        true
+    }
+}
+
+fn placed(text: &str, span: Span) -> Vec<Sign> {
+    text.chars().map(|c| Sign { c, span }).collect()
+}
