@@ -1,5 +1,6 @@
 //! Lines and columns of places in a text.
 
+use crate::effort;
 use crate::token::Span;
 
 /// A line and a column, both from 1; columns count characters.
@@ -25,6 +26,7 @@ pub struct Lines<'t> {
 
 /// How many characters begin in these bytes.
 fn characters(bytes: &[u8]) -> usize {
+    effort::count(bytes.len());
     bytes.iter().filter(|byte| (**byte as i8) >= -0x40).count()
 }
 
@@ -76,6 +78,15 @@ impl<'t> Lines<'t> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_place_in_a_long_line_costs_as_much_as_in_a_short_one() {
+        let text = "x".repeat(100_000);
+        let lines = Lines::new(&text);
+        let before = effort::steps();
+        assert_eq!(lines.place(99_999), Place { line: 1, column: 100_000 });
+        assert!(effort::steps() - before <= 2 * STEP as u64);
+    }
 
     #[test]
     fn columns_count_characters() {

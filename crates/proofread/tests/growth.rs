@@ -1,7 +1,7 @@
 //! Work and nesting are bounded by the length of a text, whatever its structure.
 
 use crate::structures::{self, Structure};
-use proofread::{Options, proofread};
+use proofread::{Format, Options, proofread};
 
 /// The steps that a text takes. The search for hints has a bound of its own.
 fn steps(text: &str, (name, format, _): &Structure) -> u64 {
@@ -19,10 +19,15 @@ fn steps(text: &str, (name, format, _): &Structure) -> u64 {
 fn four_times_the_text_is_less_than_six_times_the_work() {
     // What is done once for any text, such as the search for hints, counts as a few hundred tokens.
     const ONCE: u64 = 40_000;
+    // Short formulas take most: what stands around each is looked at, and a macro may stand for ten times as much.
+    const MOST_FOR_A_BYTE: u64 = 200;
     let mut over = Vec::new();
     for structure in structures::all() {
         let (name, format, grown) = &structure;
         let sizes = [3_000, 12_000, 48_000].map(|size| steps(&grown(size), &structure));
+        if sizes[2] > MOST_FOR_A_BYTE * 48_000 {
+            over.push(format!("{format:?}, {name}: {} steps for each byte", sizes[2] / 48_000));
+        }
         for pair in sizes.windows(2) {
             if pair[1] >= 6 * pair[0].max(ONCE) {
                 over.push(format!("{format:?}, {name}: {sizes:?} steps for four times the text each"));
@@ -30,4 +35,22 @@ fn four_times_the_text_is_less_than_six_times_the_work() {
         }
     }
     assert!(over.is_empty(), "{}", over.join("\n"));
+}
+
+#[test]
+fn a_search_for_hints_costs_little_and_nothing_for_long_sides() {
+    let effort = |text: &str| {
+        let report = proofread(text, Format::Markdown, Options::default()).expect("it can be read");
+        assert_eq!(report.findings.len(), 1, "{}", &text[..20]);
+        report.effort
+    };
+    let sum = |terms: usize| effort(&format!("${}1=3$", "1.1+".repeat(terms)));
+    assert!(sum(20).hints > 0);
+    for terms in [250, 1000, 2900] {
+        let found = sum(terms);
+        assert!(found.hints == 0 && found.steps < 400 * terms as u64, "{terms}: {found:?}");
+    }
+    // An edit is judged under a few readings, and made when it is tried.
+    let searched = sum(60);
+    assert!(searched.steps < 30 * searched.hints as u64, "{searched:?}");
 }
