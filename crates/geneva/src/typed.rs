@@ -248,11 +248,13 @@ mod tests {
         assert_eq!(number("0,3"), None);
     }
 
+    type Parser<T> = fn(&str) -> Result<T, String>;
+
     #[test]
     fn every_number_that_is_none_is_refused_with_a_range() {
-        let parsers: [fn(&str) -> Result<f64, String>; 7] =
+        let parsers: [Parser<f64>; 7] =
             [positive, metres, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
-        let counts: [fn(&str) -> Result<u32, String>; 3] = [slots, stations, pins];
+        let counts: [Parser<u32>; 3] = [slots, stations, pins];
         let threads = |text: &str| threads(text).map(|threads| threads.get() as f64);
         for text in ["", "x", "１２", "0,3", "-", "1e", "nan", "-.5", "1e309", "-1e999", "5e-324"] {
             let numbers = parsers.iter().map(|parse| parse(text)).chain([threads(text)]);

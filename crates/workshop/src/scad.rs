@@ -157,9 +157,6 @@ else {
 "#;
 
 #[cfg(test)]
-mod changed;
-
-#[cfg(test)]
 mod tests {
     use super::*;
     use geneva_kinematics::wheel::{Choices, Scale, Wheel};

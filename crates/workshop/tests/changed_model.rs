@@ -1,9 +1,8 @@
 //! Does a model whose variables are changed either refuse itself or still run? The text is evaluated here, as OpenSCAD would,
 //! and its parts are turned past each other, each as circles and squares.
 
-use super::scad;
-use crate::mesh::Solid;
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+use geneva_workshop::{Solid, scad};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
