@@ -161,8 +161,8 @@ fn preceding() -> Claim {
         })
         .but_not("it is a cubic equation")
         .read_as(
-            "We take the preceding equation to be the display before the word “where”, which has no number. Eq. (5.33), \
-             which comes after that word, only says what γ is.",
+            "We take the preceding equation to be the display before the word “where”, which has no number. The equation \
+             after that word only says what γ is.",
         )
 }
 
