@@ -86,6 +86,7 @@ const fn slip(reason: &'static str, witness: &'static str, changes: &'static str
 
 #[cfg(test)]
 mod tests {
+    use super::fit::ANY;
     use super::*;
     use crate::{Truth, verdicts_of};
     use std::collections::BTreeSet;
@@ -161,13 +162,42 @@ mod tests {
             assert_eq!(judged.corrected().as_deref(), Some(right), "{id}");
         }
         // Other tests than four slots, as the chapter says.
-        for (slots, degrees) in [(3, 60.0), (6, 120.0)] {
+        for (slots, degrees) in [(5, 108.0), (8, 135.0)] {
             assert!((Fit::by_vectors(slots).moving.to_degrees() - degrees).abs() < 1e-9, "{slots} slots");
         }
         // Too far apart up to five slots, too close from six on.
-        for slots in fit::ANY {
+        for slots in ANY {
             let wheel = Fit::by_vectors(slots);
             assert_eq!(root(wheel.slots) > wheel.centres / wheel.crank, slots < 6, "{slots} slots");
+        }
+    }
+
+    /// For which numbers of slots a wrong formula or example is right, as its check counts them; none if it does not count.
+    fn right_for(judged: &crate::Judged) -> Option<Vec<u32>> {
+        let (_, finding) = judged.findings.iter().find(|(form, _)| *form == "as printed")?;
+        let (_, counted) =
+            finding.how.split_once(&format!("from {} to {}, and it is right ", ANY.start(), ANY.end()))?;
+        let words = counted.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
+        Some(words.collect())
+    }
+
+    #[test]
+    fn five_and_eight_slots_refute_every_wrong_formula() {
+        let wrong = verdicts_of(Work::Wild).into_iter().filter(|judged| judged.truth() == Truth::Wrong);
+        let counted: Vec<_> = wrong.filter_map(|judged| Some((judged.claim.id, right_for(judged)?))).collect();
+        assert!(counted.len() >= 12, "{counted:?}");
+        for (id, slots) in &counted {
+            assert!(!slots.contains(&5) && !slots.contains(&8), "{id} is right for {slots:?}");
+        }
+        // Three and six refute neither ratio of teeth.
+        let teeth = |(id, _): &&(&str, Vec<u32>)| id.ends_with(".gears");
+        let teeth: Vec<_> = counted.iter().filter(teeth).map(|(_, slots)| slots.clone()).collect();
+        assert_eq!(teeth, [vec![3, 4, 6], vec![3, 4, 6]]);
+        // The classes of the chapter: at four slots alone, at three, four and six, and at none.
+        let equations =
+            counted.iter().filter(|(id, _)| crate::claim(id).is_some_and(|claim| claim.kind == crate::Kind::Equation));
+        for (id, slots) in equations {
+            assert!([&[][..], &[4], &[3, 4, 6]].contains(&&slots[..]), "{id} is right for {slots:?}");
         }
     }
 }

@@ -230,5 +230,7 @@ mod tests {
         ] {
             assert_eq!(characters(id), characters(there), "{id}");
         }
+        // The crank radius has a zero too many.
+        assert_eq!(characters("wild.holooly.crank"), format!("{}0", characters("pin.crank-radius")));
     }
 }
