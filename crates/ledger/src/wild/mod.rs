@@ -20,7 +20,7 @@ mod steps;
 mod textbook;
 mod turning;
 
-pub use pages::TAKEN_WHOLE;
+pub use pages::{CONTENTS, TAKEN_WHOLE};
 pub use ratios::ratio;
 
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
@@ -79,6 +79,12 @@ pub fn is_taken_whole(address: &str) -> bool {
     TAKEN_WHOLE.iter().filter_map(|place| read(place.locator())).any(|(known, _)| known == address)
 }
 
+/// The identifier of what was read at this address, if it is part of a repository that was at hand.
+pub fn content(address: &str) -> Option<&'static str> {
+    let of = |(place, _): &&(Place, &str)| read(place.locator()).is_some_and(|(known, _)| known == address);
+    CONTENTS.iter().find(of).map(|(_, content)| *content)
+}
+
 /// The slip of a claim that is found in the page's own formula or number.
 const fn slip(reason: &'static str, witness: &'static str, changes: &'static str) -> Slip {
     Slip { id: "", reason, witness, origin: Origin::Concept, consequence: Consequence::Result, changes }
@@ -99,6 +105,39 @@ mod tests {
             let digits = day.split('-').map(str::len).collect::<Vec<_>>();
             assert!(digits == [4, 2, 2] && day.starts_with("20"), "{}: {day}", claim.id);
         }
+    }
+
+    fn is_hash(text: &str) -> bool {
+        text.len() == 40 && text.chars().all(|c| c.is_ascii_digit() || ('a'..='f').contains(&c))
+    }
+
+    #[test]
+    fn evidence_in_a_repository_does_not_move() {
+        // Files that were read one by one, without the repository that tells what identifies them.
+        const ALONE: [&str; 4] = ["FreeCAD/", "MHSGhali/", "cool-japan/", "edtechd/"];
+        let addresses: BTreeSet<_> = claims().iter().filter_map(|claim| Some(read(claim.locator)?.0)).collect();
+        let mut files = 0;
+        for address in addresses {
+            assert!(!address.contains("/HEAD/"), "{address}: name the commit");
+            let Some(path) = address.strip_prefix("https://github.com/") else {
+                assert_eq!(content(address), None, "{address}");
+                continue;
+            };
+            if path.contains("/pull/") {
+                continue;
+            }
+            let commit = path.split('/').nth(3).unwrap_or_default();
+            assert!(is_hash(commit), "{address}: `{commit}` is no commit");
+            let found = content(address).and_then(|content| {
+                let (kind, hash) = content.strip_prefix("swh:1:")?.split_once(':')?;
+                (["cnt", "dir"].contains(&kind) && is_hash(hash)).then_some(kind)
+            });
+            let alone = ALONE.iter().any(|owner| path.starts_with(owner));
+            assert_eq!(found.is_none(), alone, "{address}");
+            assert_eq!(found == Some("dir"), path.contains("/tree/"), "{address}");
+            files += 1;
+        }
+        assert_eq!(CONTENTS.len() + 7, files);
     }
 
     #[test]

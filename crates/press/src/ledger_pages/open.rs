@@ -193,6 +193,23 @@ mod tests {
     }
 
     #[test]
+    fn the_preface_names_what_each_group_lacks() {
+        let preface = include_str!("../../../../book/src/preface.md").split_whitespace().collect::<Vec<_>>().join(" ");
+        let (_, rest) = preface.split_once("claims are rise times. For the others, ").expect("the sentence");
+        let sentence = rest.split_once(" is missing.").map_or("", |(sentence, _)| sentence);
+        for group in &GROUPS[1..] {
+            let word = match group.name {
+                "drawings" => "drawing",
+                "mimic-of-1973" => "manual",
+                "words" => "the meaning of a word",
+                "pages-and-sizes" => "value",
+                other => panic!("say in the preface what the claims of `{other}` lack"),
+            };
+            assert!(sentence.contains(word), "{}: {sentence}", group.name);
+        }
+    }
+
+    #[test]
     fn claims_that_lack_the_same_are_listed_together() {
         let rises = list("rise-times").expect("a list");
         assert!(rises.contains("<details>") && rises.matches("<li>").count() < 5, "{rises}");
