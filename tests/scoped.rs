@@ -34,7 +34,7 @@ fn twice_the_play_allows_nearly_twice_the_error_up_to_thirty_stations() {
         twice / once
     };
     for stations in [3, 4, 6, 8, 12, 20, 30] {
-        assert!((1.95..2.01).contains(&times(stations)), "{stations} stations: {}", times(stations));
+        assert!((1.9..2.01).contains(&times(stations)), "{stations} stations: {}", times(stations));
     }
     assert!(times(60) < 1.85, "{}", times(60));
 }

@@ -167,7 +167,8 @@ pub(super) fn by_vectors(placement: Placement) -> [f64; 3] {
     velocities.map(|velocity| placement.heading(placement.by_vectors(|_, motion| velocity(motion))))
 }
 
-/// The same directions by the angles of the triangle: across the crank, from the pin to O, and across the slot.
+/// Directions of the three velocities by the angles of the triangle: across the crank, from the pin to O, and across the
+/// slot.
 fn by_angles(placement: Placement) -> [f64; 3] {
     let slot = triangle(|t| t.angle_at_pivot).to_degrees();
     [printed("pin.crank-angle") + 90.0, slot + 180.0, slot + 270.0].map(|angle| placement.heading_of_velocity(angle))
