@@ -43,6 +43,11 @@ fn angle() -> Vec<Claim> {
             })
             .but_not("it is that angle when the pin has gone half of the way from there to the line of centres"),
         curves::caption(),
+        at("Fig. 5.31, caption").lost_drawing(
+            "jazar.fig-5.31-drawing",
+            "Figure 5.31",
+            "the drawing of the geometry of N stations",
+        ),
         at("Fig. 5.31, caption")
             .figure("jazar.fig-5.31", "half the angle", "neighbouring slots are 2α apart")
             .by(ClosedForm, |stated| {
