@@ -17,6 +17,7 @@ mod printed;
 mod proofread_page;
 mod prose;
 mod records;
+mod rise_measures;
 mod snapshots;
 mod supply;
 mod tidy;
