@@ -19,6 +19,7 @@ mod printed;
 mod proofread_page;
 mod prose;
 mod records;
+mod rise_measures;
 mod scoped;
 mod snapshots;
 mod supply;

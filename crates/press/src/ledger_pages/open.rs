@@ -23,7 +23,13 @@ const GROUPS: [Group; 5] = [
     Group {
         name: "rise-times",
         title: "What is a rise time?",
-        ids: &["meyer.app-e.*.rise", "meyer.fig-8.rise", "meyer.fig-10.rise-axis", "meyer.less-friction"],
+        ids: &[
+            "meyer.app-e.*.rise",
+            "meyer.fig-8.rise",
+            "meyer.fig-10.rise-axis",
+            "meyer.more-torque",
+            "meyer.less-friction",
+        ],
     },
     Group {
         name: "drawings",
@@ -76,7 +82,7 @@ const GROUPS: [Group; 5] = [
     Group {
         name: "pages-and-sizes",
         title: "Page numbers and sizes that are not given",
-        ids: &["meyer.contents", "meyer.list-of-figures", "meyer.app-c.turns"],
+        ids: &["meyer.contents", "meyer.list-of-figures", "meyer.page-of-definition", "meyer.app-c.turns"],
     },
 ];
 
