@@ -3,7 +3,7 @@
 use super::hand_over::Drawn;
 use super::*;
 use crate::agreement::joined;
-use crate::stated::in_words;
+use crate::number_words::number_in_word;
 
 const CONTENTS: Place = at("Table of contents");
 const FIGURES: Place = at("List of figures");
@@ -133,7 +133,7 @@ fn figures_before(id: &str) -> Option<usize> {
 /// Pins and slots in a text that names mechanisms by them, in the order of the text.
 pub fn pins_and_slots(text: &str) -> Vec<(u32, u32)> {
     let words: Vec<_> = text.split_whitespace().map(str::to_uppercase).collect();
-    let count = |word: &str| in_words(word).map(|number| number as u32);
+    let count = |word: &str| number_in_word(word).map(|number| number as u32);
     let of = |pair: &[String]| match pair {
         [pins, pin, slash, slots, slot] if pin == "PIN" && slash == "/" && slot == "SLOT" => {
             Some((count(pins)?, count(slots)?))
@@ -151,7 +151,7 @@ fn named(stated: Stated, which: usize) -> Option<(u32, u32)> {
 
 /// What Appendix A computes for its mechanisms, in its order: half the angle between two pins and between two slots, in
 /// degrees, and the distance of the axes.
-fn computed_sizes() -> Vec<[f64; 3]> {
+pub fn computed_sizes() -> Vec<[f64; 3]> {
     let lines = Work::Meyer1973.inventory().unwrap_or_default();
     let claimed = lines.iter().flat_map(|line| &line.entries).filter_map(crate::Entry::claimed);
     let own = claimed.filter_map(|id| id.strip_prefix("meyer.app-a.")?.strip_suffix(".theta"));
