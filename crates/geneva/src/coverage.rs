@@ -160,11 +160,7 @@ mod tests {
             for (line, at) in numbers {
                 let number = &line.numbers[at];
                 let is_word = number.starts_with(|c: char| c.is_alphabetic());
-                let other = match number.as_str() {
-                    "²" => "³".to_owned(),
-                    "³" => "²".to_owned(),
-                    number => another(number),
-                };
+                let other = another(number);
                 *(if is_word { &mut in_words } else { &mut in_digits }) += 1;
                 for put in [&other, "", &format!("{number} {number}")] {
                     let mut changed = line.numbers.clone();
@@ -176,7 +172,7 @@ mod tests {
                 }
             }
         }
-        assert!(in_words > 140 && in_digits > 2000, "only {in_words} and {in_digits} numbers were tried");
+        assert!(in_words > 140 && in_digits > 1700, "only {in_words} and {in_digits} numbers were tried");
     }
 
     #[test]

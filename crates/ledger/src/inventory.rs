@@ -149,32 +149,56 @@ pub fn listed(numbers: &[String]) -> String {
     if numbers.is_empty() { "none".to_owned() } else { numbers.join(" ") }
 }
 
-/// The numbers in a text, in their order: runs of digits, with points and commas between digits; raised digits and
-/// fractions that are one character; and words that say a number, in small letters.
+/// The numbers in a text, in their order: runs of digits, with points and commas between digits, raised digits as if they
+/// were not raised; fractions that are one character; and words that say a number, in small letters.
 pub fn number_tokens(text: &str) -> Vec<String> {
-    let mut tokens = Vec::new();
+    printed_numbers(text).map(|printed| lowered(printed).map_or(printed.to_lowercase(), str::to_owned)).collect()
+}
+
+/// The numbers in a text that are in digits and not raised: runs of digits, with points and commas between digits.
+pub fn numeric_tokens(text: &str) -> Vec<String> {
+    let in_digits = |printed: &&str| printed.starts_with(|c: char| c.is_ascii_digit());
+    printed_numbers(text).filter(in_digits).map(str::to_owned).collect()
+}
+
+/// The numbers in a text as they are printed, in digits, in characters of their own and in words.
+fn printed_numbers(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
-    while let Some(next) = rest.chars().next() {
-        let is_word = next.is_alphabetic() && !next.is_numeric();
+    let pieces = std::iter::from_fn(move || {
+        let next = rest.chars().next()?;
         let length = match next {
             '0'..='9' => digits_at_the_start(rest),
-            _ if is_word => rest.find(|c: char| !c.is_alphabetic() || c.is_numeric()).unwrap_or(rest.len()),
+            _ if is_letter(next) => rest.find(|c| !is_letter(c)).unwrap_or(rest.len()),
             other => other.len_utf8(),
         };
         let (piece, behind) = rest.split_at(length);
-        if is_word {
-            tokens.extend(number_in_word(piece).map(|_| piece.to_ascii_lowercase()));
-        } else if next.is_numeric() {
-            tokens.push(piece.trim_end_matches(['.', ',']).to_owned());
-        }
         rest = behind;
-    }
-    tokens
+        Some(piece)
+    });
+    let is_number = |piece: &&str| piece.starts_with(char::is_numeric) || number_in_word(piece).is_some();
+    pieces.filter(is_number).map(|piece| piece.trim_end_matches(['.', ',']))
 }
 
-/// The numbers in a text that are in digits: runs of digits, with points and commas between digits.
-pub fn numeric_tokens(text: &str) -> Vec<String> {
-    number_tokens(text).into_iter().filter(|token| token.starts_with(|c: char| c.is_ascii_digit())).collect()
+/// Whether a character belongs to a word. A Roman numeral that is one character is a number.
+fn is_letter(c: char) -> bool {
+    c.is_alphabetic() && !c.is_numeric()
+}
+
+/// A raised digit as if it were not raised.
+fn lowered(printed: &str) -> Option<&'static str> {
+    const RAISED: [(&str, &str); 10] = [
+        ("⁰", "0"),
+        ("¹", "1"),
+        ("²", "2"),
+        ("³", "3"),
+        ("⁴", "4"),
+        ("⁵", "5"),
+        ("⁶", "6"),
+        ("⁷", "7"),
+        ("⁸", "8"),
+        ("⁹", "9"),
+    ];
+    RAISED.iter().find(|(raised, _)| *raised == printed).map(|(_, digit)| *digit)
 }
 
 /// The numbers in a unit. Its words say none: a second is a time there.
@@ -204,10 +228,10 @@ mod tests {
     #[test]
     fn numbers_are_found_in_words_and_in_raised_digits_too() {
         let found = number_tokens("The FIRST 2 of three-quarters, 1.5 lb/in³ and ½; both second.");
-        assert_eq!(found, ["first", "2", "three", "quarters", "1.5", "³", "½", "both", "second"]);
+        assert_eq!(found, ["first", "2", "three", "quarters", "1.5", "3", "½", "both", "second"]);
         assert_eq!(number_tokens("2DX of eq. 1-18,4 at 0.2,1"), ["2", "1", "18,4", "0.2,1"]);
         assert!(number_tokens("in seconds, to someone or none, in chapter II").is_empty());
-        assert_eq!(numbers_in_unit("× 10^-6 in lb sec² per second").collect::<Vec<_>>(), ["10", "6", "²"]);
+        assert_eq!(numbers_in_unit("× 10^-6 in lb sec² per second").collect::<Vec<_>>(), ["10", "6", "2"]);
     }
 
     #[test]

@@ -47,8 +47,8 @@ pub enum Fault {
     OutOfOrder(u32, u32),
     /// What should be numbers.
     #[error(
-        "`{0}` are not numbers with single spaces between; a number is digits, with points and commas between digits, a \
-         raised digit, or a word in small letters that says a number, such as `two`"
+        "`{0}` are not numbers with single spaces between; a number is digits, with points and commas between digits, or \
+         a word in small letters that says a number, such as `two`"
     )]
     NoNumbers(String),
     /// A word that no entry begins with, or an entry with too few or too many words.

@@ -77,7 +77,7 @@ pub fn of_the_study() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| match stated.numbers()[..] {
                 // The word for the unit is the same as for a number, so it is kept as a letter would be.
-                [resolution, unit, beats, time] => same(stated.pick(resolution, 2.0) * unit, time / beats),
+                [resolution, unit, beats, time] => same(stated.pick(resolution, 2.0) * unit / time, 1.0 / beats),
                 _ => Finding::new(false, "a resolution and a rate, each with its unit, are expected"),
             })
             .by(LimitCase, |stated| match stated.numbers()[..] {
@@ -124,11 +124,9 @@ fn listed_below(id: &'static str, locator: &'static str, printed: &'static str, 
                 .filter(|claim| claim.locator.contains(item))
                 .filter_map(|claim| ordinal(claim.locator))
                 .collect();
+            let found: Vec<u32> = ordinals.into_iter().collect();
             let said: Vec<u32> = (1..=stated.pick(stated.count(), 4)).collect();
-            Finding::new(
-                ordinals.into_iter().collect::<Vec<_>>() == said,
-                format!("we make claims of the items from 1 to {}, and no further", said.len()),
-            )
+            Finding::new(found == said, format!("the ledger has claims on {} numbered items", found.len()))
         })
         .but_not("four follow")
 }

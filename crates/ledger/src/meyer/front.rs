@@ -13,11 +13,11 @@ const PAGES_OF_PARTS: &str = concat!(
     r"1 \ldots 4 \ldots 15 \ldots 22 \ldots 23 \ldots 24 \ldots 28 \ldots 33 \ldots 34 ",
     r"\ldots 35 \ldots 38 \ldots 39"
 );
-/// Number and page of each figure, without its name.
+/// Number and page of each figure, without its name; with dots between them where the name says the number of pins.
 const FIGURES_AND_PAGES: &str = concat!(
     r"1, 2 \ldots 2, 3 \ldots 3, 4 \ldots 4, 5 \ldots 5, 6 \ldots 6, 9 \ldots 7, 10 ",
-    r"\ldots 8, 16 \ldots 9, 18 \ldots 10, 19 \ldots 11, 20 \ldots 12, 25 \ldots 13, 26 ",
-    r"\ldots 14, 27 \ldots 15, 33"
+    r"\ldots 8 \ldots 16 \ldots 9 \ldots 18 \ldots 10 \ldots 19 \ldots 11 \ldots 20 \ldots 12 \ldots 25 ",
+    r"\ldots 13 \ldots 26 \ldots 14 \ldots 27 \ldots 15, 33"
 );
 pub fn claims() -> Vec<Claim> {
     [tables(), mechanisms(), drawings()].concat()
