@@ -10,7 +10,7 @@ use geneva_kinematics::pin_slot::velocity_ratio;
 const INDEXING: Place = at("1st paragraph");
 pub(super) const VARIETIES: Place = at("2nd paragraph");
 pub(super) const SIMPLE: Place = at("Paragraph on Fig. 5.28");
-const CAPTION: Place = at("Fig. 5.28, caption");
+pub(super) const CAPTION: Place = at("Fig. 5.28, caption");
 const MODEL: Place = at("Paragraph below Fig. 5.28");
 
 pub fn claims() -> Vec<Claim> {
@@ -127,7 +127,7 @@ fn quarter_turn() -> Claim {
 }
 
 /// The part of a whole that a number of quarters is; not a number if the words are not of quarters.
-fn quarters(stated: Stated) -> f64 {
+pub(super) fn quarters(stated: Stated) -> f64 {
     if stated.characters().contains("quarter") { stated.number() / 4.0 } else { f64::NAN }
 }
 
@@ -357,7 +357,7 @@ fn crossings<'a>(wheel: &Wheel, parts: &'a [f64]) -> impl Iterator<Item = (f64, 
 }
 
 /// Part of a turn of the driver in which the wheel is locked, by counting.
-fn locked_part(wheel: &Wheel) -> f64 {
+pub(super) fn locked_part(wheel: &Wheel) -> f64 {
     let steps = 4000;
     let middles = (0..steps).map(|k| PI * (2.0 * (f64::from(k) + 0.5) / f64::from(steps) - 1.0));
     let locked = middles.filter(|t| wheel.at(0, *t).is_ok_and(|m| m.phase == Phase::Dwell)).count();

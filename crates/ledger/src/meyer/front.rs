@@ -2,6 +2,8 @@
 
 use super::hand_over::Drawn;
 use super::*;
+use crate::agreement::joined;
+use crate::number_words::number_in_word;
 use crate::stated::in_words;
 
 const CONTENTS: Place = at("Table of contents");
@@ -12,11 +14,11 @@ const PAGES_OF_PARTS: &str = concat!(
     r"1 \ldots 4 \ldots 15 \ldots 22 \ldots 23 \ldots 24 \ldots 28 \ldots 33 \ldots 34 ",
     r"\ldots 35 \ldots 38 \ldots 39"
 );
-/// Number and page of each figure, without its name.
+/// Number and page of each figure, without its name; with dots between them where the name says the number of pins.
 const FIGURES_AND_PAGES: &str = concat!(
     r"1, 2 \ldots 2, 3 \ldots 3, 4 \ldots 4, 5 \ldots 5, 6 \ldots 6, 9 \ldots 7, 10 ",
-    r"\ldots 8, 16 \ldots 9, 18 \ldots 10, 19 \ldots 11, 20 \ldots 12, 25 \ldots 13, 26 ",
-    r"\ldots 14, 27 \ldots 15, 33"
+    r"\ldots 8 \ldots 16 \ldots 9 \ldots 18 \ldots 10 \ldots 19 \ldots 11 \ldots 20 \ldots 12 \ldots 25 ",
+    r"\ldots 13 \ldots 26 \ldots 14 \ldots 27 \ldots 15, 33"
 );
 pub fn claims() -> Vec<Claim> {
     [tables(), mechanisms(), drawings()].concat()
@@ -86,7 +88,7 @@ pub fn page_of_definition() -> Claim {
 /// Pins and slots in a text that names mechanisms by them, in the order of the text.
 pub fn pins_and_slots(text: &str) -> Vec<(u32, u32)> {
     let words: Vec<_> = text.split_whitespace().map(str::to_uppercase).collect();
-    let count = |word: &str| in_words(word).map(|number| number as u32);
+    let count = |word: &str| number_in_word(word).map(|number| number as u32);
     let of = |pair: &[String]| match pair {
         [pins, pin, slash, slots, slot] if pin == "PIN" && slash == "/" && slot == "SLOT" => {
             Some((count(pins)?, count(slots)?))
@@ -104,7 +106,7 @@ fn named(stated: Stated, which: usize) -> Option<(u32, u32)> {
 
 /// What Appendix A computes for its mechanisms, in its order: half the angle between two pins and between two slots, in
 /// degrees, and the distance of the axes.
-fn computed_sizes() -> Vec<[f64; 3]> {
+pub fn computed_sizes() -> Vec<[f64; 3]> {
     let lines = Work::Meyer1973.inventory().unwrap_or_default();
     let claimed = lines.iter().flat_map(|line| &line.entries).filter_map(crate::Entry::claimed);
     let own = claimed.filter_map(|id| id.strip_prefix("meyer.app-a.")?.strip_suffix(".theta"));

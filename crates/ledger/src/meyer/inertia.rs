@@ -235,9 +235,13 @@ pub fn printed_inertia() -> f64 {
     printed("meyer.disc.inertia") / units_in_one(UNIT)
 }
 
-/// The diameter and the thickness that are stated, in inches; the neighbour has a tenth of an inch more in diameter.
+/// The diameter and the thickness that are stated, in inches, for two discs; the neighbour has a tenth of an inch more in
+/// diameter.
 fn sizes(stated: Stated) -> [f64; 2] {
-    let [diameter, thickness] = stated.numbers().try_into().unwrap_or([f64::NAN; 2]);
+    let [diameter, thickness] = match stated.numbers()[..] {
+        [2.0, diameter, thickness] => [diameter, thickness],
+        _ => [f64::NAN; 2],
+    };
     [diameter + stated.pick(0.0, 0.1), thickness]
 }
 

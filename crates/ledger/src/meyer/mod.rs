@@ -14,6 +14,7 @@ mod centres;
 mod combinations;
 mod concluded;
 mod conclusions;
+mod counts;
 mod disc_letters;
 mod energy;
 mod friction;
@@ -28,6 +29,7 @@ mod lagrange;
 mod less_friction;
 mod letters;
 mod motion;
+mod named_mechanisms;
 mod newton;
 mod parameters;
 mod peaks;
@@ -68,7 +70,9 @@ pub fn claims() -> Vec<Claim> {
     [
         summary::claims(),
         front::claims(),
+        named_mechanisms::claims(),
         geometry::claims(),
+        counts::of_the_derivation(),
         combinations::claims(),
         angles::claims(),
         rates::claims(),
@@ -82,6 +86,7 @@ pub fn claims() -> Vec<Claim> {
         inertia::claims(),
         profile::claims(),
         peaks::claims(),
+        counts::of_the_study(),
         general_statements::claims(),
         conclusions::claims(),
         recommendations::claims(),

@@ -242,7 +242,7 @@ fn varies() -> Claim {
 
 /// Where the driver's angle begins.
 fn from_zero() -> Claim {
-    let begins = |stated: Stated| move |at: Mechanism| stated.pick(0.0, -at.engagement_half_angle());
+    let begins = |stated: Stated| move |at: Mechanism| stated.pick(stated.number(), -at.engagement_half_angle());
     AFTER
         .statement(
             "meyer.app-b.from-zero",
