@@ -1,7 +1,8 @@
 //! Is everything in the sources a claim or an exception with a reason, and would a gap be noticed?
 
-use geneva_ledger::{Entry, Line, Work, claim, claims};
+use geneva_ledger::{Entry, Line, Work, claim, claims, number_tokens};
 use std::collections::HashMap;
+use std::fs;
 
 fn lines(work: Work) -> &'static [Line] {
     work.inventory().unwrap_or_else(|malformed| panic!("{malformed}"))
@@ -117,6 +118,17 @@ fn exceptions_have_reasons_and_expire() {
 }
 
 #[test]
+fn a_drawing_that_is_lost_and_a_value_that_is_given_are_claims_in_every_source() {
+    for work in Work::DOCUMENTS {
+        for entry in lines(*work).iter().flat_map(|line| &line.entries) {
+            let Entry::Exception { id, reason, .. } = entry else { continue };
+            assert!(!reason.contains("drawing"), "{id}: a drawing that the copy lacks is a claim, and open");
+            assert!(!reason.contains("a datum:") && !reason.contains("is a datum,"), "{id}: what is given is a claim");
+        }
+    }
+}
+
+#[test]
 fn a_number_that_is_dropped_or_moved_is_noticed() {
     let mut tried = 0;
     for line in Work::DOCUMENTS.iter().flat_map(|work| lines(*work)) {
@@ -131,4 +143,32 @@ fn a_number_that_is_dropped_or_moved_is_noticed() {
         }
     }
     assert!(tried > 20, "only {tried} entries were tried");
+}
+
+#[test]
+fn the_page_on_coverage_names_words_that_count_as_numbers_and_words_that_do_not() {
+    let page = fs::read_to_string(crate::path("book/src/coverage.md")).expect("the page");
+    let paragraph =
+        page.split("\n\n").find(|paragraph| paragraph.starts_with("As numbers in words")).expect("the words");
+    let (count, do_not) = paragraph.split_once("We don't").expect("the words that don't");
+    let named = |text: &str| text.split('*').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
+    let (counted, others) = (named(count), named(do_not));
+    for word in &counted {
+        assert_eq!(number_tokens(word), [word.as_str()], "the page counts {word}");
+    }
+    for word in &others {
+        assert!(number_tokens(word).is_empty(), "the page doesn't count {word}");
+    }
+    assert!(counted.len() > 8 && others.len() > 2, "{counted:?} and {others:?}");
+}
+
+#[test]
+fn the_sources_have_numbers_in_words_and_a_claim_or_an_exception_accounts_for_each() {
+    let is_word = |number: &&String| number.starts_with(char::is_alphabetic);
+    for (work, least) in Work::DOCUMENTS.iter().zip([3, 2, 25, 100]) {
+        let words = lines(*work).iter().flat_map(|line| &line.numbers).filter(is_word).count();
+        let accounted =
+            lines(*work).iter().flat_map(|line| &line.entries).flat_map(Entry::numbers).filter(|n| is_word(&n)).count();
+        assert!(words == accounted && words >= least, "{work}: {words} words, {accounted} accounted for");
+    }
 }

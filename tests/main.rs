@@ -19,6 +19,8 @@ mod printed;
 mod proofread_page;
 mod prose;
 mod records;
+mod rise_measures;
+mod scoped;
 mod snapshots;
 mod supply;
 mod tidy;

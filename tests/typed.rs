@@ -215,7 +215,7 @@ fn phrases() -> Vec<(&'static str, &'static str, Vec<f64>)> {
         ("wild", "With four slots that is 45°", vec![slots(4) / 2.0]),
         ("wild", "the driver's axis is 45° as well", vec![90.0 - slots(4) / 2.0]),
         ("wild", "turns by the same 90°", vec![180.0 - slots(4)]),
-        ("wild", "turn by 60° with three and by 120° with six", vec![180.0 - slots(3), 180.0 - slots(6)]),
+        ("wild", "turn by 108° with five and by 135° with eight", vec![180.0 - slots(5), 180.0 - slots(8)]),
         ("method", "after 90°, as the program does", vec![reset]),
         ("method", "of degrees 2 and 4", vec![]),
         ("method", "the degree is at most 2 in one variable and at most 4 in another", vec![]),

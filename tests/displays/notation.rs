@@ -201,7 +201,7 @@ fn no_drawing_names_a_part_by_a_letter_that_was_given_up() {
 }
 
 /// What is read as a name in a source's equations and is no letter: units and words.
-const NO_LETTERS: [&str; 11] = ["min", "rad", "rev", "s", "in", "lb", "sec", "constant", "since", "if", "ldots"];
+const NO_LETTERS: [&str; 12] = ["min", "rad", "rev", "s", "in", "lb", "sec", "constant", "since", "by", "if", "ldots"];
 
 /// The letter of a name, without its dots, its marks and its indices, as Unicode.
 fn base(name: &str) -> String {

@@ -46,7 +46,7 @@ fn a_run_starts_from_rest_and_ends_near_the_steady_state() {
         let [.., last] = found[..] else { panic!("no lines") };
         let [time, _, _, _, speed, acceleration, _] = found[0];
         assert!(time == 0.0 && speed.abs() < 1e-9 * last[4] && acceleration > 0.0, "{design:?}: {:?}", found[0]);
-        if number(&steady, "engagements_to_settle") < 97.0 {
+        if number(&steady, "entry_speed_rise_engagements") < 97.0 {
             let [peak, minimum, mean] = ["peak_speed", "minimum_speed", "mean_speed"].map(|key| number(&steady, key));
             assert!(last[4] <= 1.001 * peak && last[4] >= 0.98 * minimum, "{design:?}: {last:?}");
             // The driver's mean speed over its last turn by the reset angle, and the last turn is of the steady state.

@@ -85,7 +85,7 @@ fn an_old_file_is_replaced_as_a_whole() {
     let path = file.to_string_lossy();
     fs::write(&file, "x".repeat(1 << 20)).expect("writable");
     let said = written(&to(&SMALL, &path), 0);
-    assert!(said.ends_with("sweep.csv: 16 rows, 11 ok, 1 jams, 4 no-terminal-speed\n"), "{said}");
+    assert!(said.ends_with("sweep.csv: 16 rows, 11 ok, 1 may-jam, 4 no-terminal-speed\n"), "{said}");
     assert_eq!(fs::read_to_string(&file).expect("it is there"), written(&to(&SMALL, "-"), 0));
     assert_eq!(names(folder.path()), ["sweep.csv"]);
 }

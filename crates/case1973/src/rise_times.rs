@@ -2,16 +2,68 @@
 
 use crate::chance::expected_rises;
 use crate::{Column, Hypothesis, Row, series};
-use geneva_dynamics::steady::{Engagement, Extreme, Printed, Rise};
+use geneva_dynamics::steady::{Cycle, Engagement, Extreme, Printed, Rise};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
-/// A time that a start from rest has, if so large a part of a velocity may be missing.
+/// A time that a start from rest has, if a velocity may be so far from the one that it comes to.
 pub struct Definition {
     /// The definition in words.
     pub name: &'static str,
     /// The time, in s.
-    time: fn(&Start, f64) -> Option<f64>,
+    time: fn(&Start, Near) -> Option<f64>,
+    /// Whether the steady value in question is the average terminal velocity itself, of which a part is the same as of this.
+    is_of_the_average: bool,
+    /// Whether the tables print the value that this velocity comes to.
+    is_printed: bool,
+}
+
+/// What the difference is a part of that may be missing at the end of a rise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whole {
+    /// The steady value of the quantity in question.
+    Itself,
+    /// The average terminal velocity: the mean of peak and minimum of the steady motion.
+    TerminalVelocity,
+    /// A hundred units of the tables' speeds, so that one per cent is one unit.
+    Units,
+}
+
+/// Where the value comes from that a velocity comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// The computed steady motion.
+    Computed,
+    /// Peak and minimum as the tables print them.
+    Printed,
+}
+
+/// How far a velocity may still be from the one that it comes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// The part that may be missing, dimensionless.
+    pub part: f64,
+    /// Of what.
+    pub whole: Whole,
+    /// What it comes to.
+    pub target: Target,
+}
+
+impl Near {
+    /// All ways to be near with a part: in the order of the kinds of whole, to the computed and then to the printed values.
+    const WAYS: [(Target, Whole); 6] = [
+        (Target::Computed, Whole::Itself),
+        (Target::Computed, Whole::TerminalVelocity),
+        (Target::Computed, Whole::Units),
+        (Target::Printed, Whole::Itself),
+        (Target::Printed, Whole::TerminalVelocity),
+        (Target::Printed, Whole::Units),
+    ];
+
+    /// Whether the part is this one of the velocity in question, or of the average terminal velocity.
+    pub fn is_part_of_a_velocity(&self, part: f64) -> bool {
+        self.part == part && self.whole != Whole::Units
+    }
 }
 
 /// A row's start from rest.
@@ -20,6 +72,10 @@ struct Start {
     rise: Rise,
     first_minimum: Option<Extreme>,
     lines: Vec<Printed>,
+    /// Peak and minimum as printed.
+    printed: [f64; 2],
+    /// A unit of the tables' speeds.
+    unit: f64,
     /// The part of the velocity that may be missing by the source's own words.
     missing: f64,
 }
@@ -30,15 +86,95 @@ impl Start {
         let listing = &row.given.listing;
         let lines = engagement.run(listing.interval, listing.duration).ok()?;
         let first_minimum = engagement.first_minimum().ok()?;
-        Some(Self { rise: hypothesis.rise(row)?, first_minimum, lines, missing, engagement })
+        let printed = [Column::Peak, Column::Minimum].map(|column| row.number(column));
+        let (rise, unit) = (hypothesis.rise(row)?, Column::Peak.unit());
+        Some(Self { rise, first_minimum, lines, printed, unit, missing, engagement })
     }
 
-    /// The first minimum, the first peak or a later minimum that is near the steady one, whichever comes first.
-    fn until_extreme(&self, part: f64) -> Option<f64> {
-        let steady = self.rise.steady.minimum.speed;
-        let first = self.first_minimum.filter(|first| (first.speed / steady - 1.0).abs() <= part);
-        let times = [first.map(|first| first.time), self.rise.until_peak(part), self.rise.until_minimum(part)];
+    /// The peak and the minimum that the motion comes to.
+    fn extremes(&self, target: Target) -> [f64; 2] {
+        let steady = &self.rise.steady;
+        match target {
+            Target::Computed => [steady.peak.speed, steady.minimum.speed],
+            Target::Printed => self.printed,
+        }
+    }
+
+    /// The average terminal velocity.
+    fn terminal(&self, target: Target) -> f64 {
+        let [peak, minimum] = self.extremes(target);
+        f64::midpoint(peak, minimum)
+    }
+
+    /// How far a quantity may be from this value.
+    fn allowed(&self, near: Near, value: f64) -> f64 {
+        let whole = match near.whole {
+            Whole::Itself => value,
+            Whole::TerminalVelocity => self.terminal(near.target),
+            Whole::Units => 100.0 * self.unit,
+        };
+        near.part * whole
+    }
+
+    /// The first engagement of which a quantity is near a value.
+    fn first(&self, near: Near, value: f64, quantity: fn(&Cycle) -> f64) -> Option<&Cycle> {
+        let allowed = self.allowed(near, value);
+        self.rise.cycles.iter().find(|cycle| (quantity(cycle) - value).abs() <= allowed)
+    }
+
+    fn until_profile(&self, near: Near) -> Option<f64> {
+        match near.whole {
+            Whole::Itself => self.engagement.until_profile(near.part).ok(),
+            Whole::TerminalVelocity | Whole::Units => {
+                self.engagement.until_profile_within(self.allowed(near, self.terminal(near.target))).ok()
+            }
+        }
+    }
+
+    fn until_average(&self, near: Near) -> Option<f64> {
+        let value = self.terminal(near.target);
+        let allowed = self.allowed(near, value);
+        let is_near = |cycle: &&Cycle| {
+            // The start at rest is no minimum.
+            let first = self.first_minimum.filter(|first| cycle.start == 0.0 && first.time < cycle.end);
+            let minimum = first.map_or(cycle.minimum.speed, |first| first.speed);
+            (f64::midpoint(cycle.peak.speed, minimum) - value).abs() <= allowed
+        };
+        self.rise.cycles.iter().find(is_near).map(|cycle| cycle.end)
+    }
+
+    fn until_entry_speed(&self, near: Near) -> Option<f64> {
+        self.first(near, self.rise.steady.entry_speed, |cycle| cycle.entry_speed).map(|cycle| cycle.start)
+    }
+
+    fn until_peak(&self, near: Near) -> Option<f64> {
+        let [peak, _] = self.extremes(near.target);
+        self.first(near, peak, |cycle| cycle.peak.speed).map(|cycle| cycle.peak.time)
+    }
+
+    fn until_minimum(&self, near: Near) -> Option<f64> {
+        let [_, minimum] = self.extremes(near.target);
+        self.first(near, minimum, |cycle| cycle.minimum.speed).map(|cycle| cycle.minimum.time)
+    }
+
+    /// The first minimum, the first peak or a later minimum that is near the one it comes to, whichever comes first.
+    fn until_extreme(&self, near: Near) -> Option<f64> {
+        let [_, minimum] = self.extremes(near.target);
+        let allowed = self.allowed(near, minimum);
+        let first = self.first_minimum.filter(|first| (first.speed - minimum).abs() <= allowed);
+        let times = [first.map(|first| first.time), self.until_peak(near), self.until_minimum(near)];
         times.into_iter().flatten().min_by(f64::total_cmp)
+    }
+
+    /// When the speed is first as great as the average terminal velocity, but for the part that may be missing.
+    fn until_average_is_passed(&self, near: Near) -> Option<f64> {
+        let average = self.terminal(near.target);
+        let enough = average - self.allowed(near, average);
+        self.lines.iter().find(|line| line.speed >= enough).map(|line| line.time)
+    }
+
+    fn until_mean_speed(&self, near: Near) -> Option<&Cycle> {
+        self.first(near, self.rise.steady.mean_speed, |cycle| cycle.mean_speed)
     }
 
     /// The first printed line whose speed is near the largest printed one.
@@ -64,44 +200,61 @@ pub fn parts(missing: f64) -> [f64; 4] {
     [0.5, 1.0, 2.0, 5.0].map(|times| times * missing)
 }
 
+impl Definition {
+    /// A definition by a quantity whose steady value the tables do not print.
+    const fn by(name: &'static str, time: fn(&Start, Near) -> Option<f64>) -> Self {
+        Self { name, time, is_of_the_average: false, is_printed: false }
+    }
+
+    /// A definition by a quantity whose steady value the tables print.
+    const fn printed(name: &'static str, time: fn(&Start, Near) -> Option<f64>) -> Self {
+        Self { is_printed: true, ..Self::by(name, time) }
+    }
+
+    /// A definition by the average terminal velocity.
+    const fn average(name: &'static str, time: fn(&Start, Near) -> Option<f64>) -> Self {
+        Self { is_of_the_average: true, ..Self::printed(name, time) }
+    }
+
+    /// The ways to be near that differ for this quantity.
+    fn ways(&self) -> impl Iterator<Item = (Target, Whole)> {
+        let (average, printed) = (self.is_of_the_average, self.is_printed);
+        Near::WAYS.into_iter().filter(move |(target, whole)| {
+            (printed || *target == Target::Computed) && !(average && *whole == Whole::TerminalVelocity)
+        })
+    }
+}
+
 /// The definitions nearest to the thesis's, with each of the parts: the time until some velocity of the motion is that
 /// near to the steady one.
-pub const OF_A_PART: [Definition; 8] = [
-    Definition {
-        name: "the velocity at every angle from then on",
-        time: |start, part| start.engagement.until_profile(part).ok(),
-    },
-    Definition {
-        name: "the average of peak and minimum of an engagement, to its end",
-        time: |start, part| start.rise.until_mean_of_extremes(part),
-    },
-    Definition { name: "the entry speed", time: |start, part| start.rise.until_entry_speed(part) },
-    Definition { name: "a peak", time: |start, part| start.rise.until_peak(part) },
-    Definition { name: "a minimum", time: |start, part| start.rise.until_minimum(part) },
-    Definition { name: "a peak or a minimum, whichever is first", time: Start::until_extreme },
-    Definition {
-        name: "the mean speed of an engagement, to its end",
-        time: |start, part| start.rise.until_mean_speed(part),
-    },
-    Definition {
-        name: "the mean speed of an engagement, to its start",
-        time: |start, part| start.rise.until_mean_speed_begins(part),
-    },
+pub const OF_A_PART: [Definition; 9] = [
+    Definition::by("the velocity at every angle from then on", Start::until_profile),
+    Definition::average("the average of peak and minimum of an engagement, to its end", Start::until_average),
+    Definition::by("the entry speed", Start::until_entry_speed),
+    Definition::printed("a peak", Start::until_peak),
+    Definition::printed("a minimum", Start::until_minimum),
+    Definition::printed("a peak or a minimum, whichever is first", Start::until_extreme),
+    Definition::by("the mean speed of an engagement, to its end", |start, near| {
+        start.until_mean_speed(near).map(|cycle| cycle.end)
+    }),
+    Definition::by("the mean speed of an engagement, to its start", |start, near| {
+        start.until_mean_speed(near).map(|cycle| cycle.start)
+    }),
+    Definition::average(
+        "the velocity, when it first comes up to the average of the steady peak and minimum",
+        Start::until_average_is_passed,
+    ),
 ];
 
 /// Other events of a start. Two of them are looked for in the lines of the print-out, which have a time of their own.
 pub const EVENTS: [Definition; 5] = [
-    Definition { name: "the first minimum", time: |start, _| start.first_minimum.map(|minimum| minimum.time) },
-    Definition { name: "the first minimum after a hand-over", time: |start, _| start.rise.until_first_minimum() },
-    Definition {
-        name: "the greatest speed of the first engagement",
-        time: |start, _| start.rise.cycles.first().map(|cycle| cycle.peak.time),
-    },
-    Definition {
-        name: "a printed speed within 1% of the largest printed one",
-        time: |start, _| start.printed_near_largest(),
-    },
-    Definition { name: "a printed minimum within 1%", time: |start, _| start.printed_minimum() },
+    Definition::by("the first minimum", |start, _| start.first_minimum.map(|minimum| minimum.time)),
+    Definition::by("the first minimum after a hand-over", |start, _| start.rise.until_first_minimum()),
+    Definition::by("the greatest speed of the first engagement", |start, _| {
+        start.rise.cycles.first().map(|cycle| cycle.peak.time)
+    }),
+    Definition::by("a printed speed within 1% of the largest printed one", |start, _| start.printed_near_largest()),
+    Definition::by("a printed minimum within 1%", |start, _| start.printed_minimum()),
 ];
 
 /// The result of trying a definition.
@@ -109,12 +262,19 @@ pub const EVENTS: [Definition; 5] = [
 pub struct Tried {
     /// The definition in words.
     pub name: &'static str,
-    /// The part of the velocity that may be missing, dimensionless; none for an event.
-    pub part: Option<f64>,
+    /// How near the velocity must be; none for an event.
+    pub near: Option<Near>,
     /// For the runs as they were.
     pub as_run: Explained,
     /// For the mechanisms as they are.
     pub ideal: Explained,
+}
+
+impl Tried {
+    /// Whether the definition lets so large a part be missing of the quantity itself, with its computed steady value.
+    pub fn is_to_a_part_of_itself(&self, part: f64) -> bool {
+        self.near == Some(Near { part, whole: Whole::Itself, target: Target::Computed })
+    }
 }
 
 /// How a definition does on the printed rise times.
@@ -149,20 +309,25 @@ impl Explained {
     }
 }
 
-/// Each definition with each part, then the events, in the order of [`OF_A_PART`], [`parts`] and [`EVENTS`].
+/// Each definition with each way to be near, and each of these with each part; then the events. In the order of
+/// [`OF_A_PART`], [`parts`] and [`EVENTS`].
 ///
 /// `missing` is the part of a velocity that may be missing by the source's own words.
 pub fn explained(rows: &[Row], missing: f64) -> Vec<Tried> {
     let starts = [Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL]
         .map(|of| rows.iter().map(|row| Start::new(&of, row, missing)).collect::<Vec<_>>());
-    let tried = |definition: &Definition, part: Option<f64>| {
+    let tried = |definition: &Definition, near: Option<Near>| {
+        let own = near.unwrap_or(Near { part: missing, whole: Whole::Itself, target: Target::Computed });
         let [as_run, ideal] = starts.each_ref().map(|starts| {
-            let time = |start: &Option<Start>| (definition.time)(start.as_ref()?, part.unwrap_or(missing));
+            let time = |start: &Option<Start>| (definition.time)(start.as_ref()?, own);
             Explained::new(rows, starts.iter().map(|start| time(start).unwrap_or(f64::NAN)).collect())
         });
-        Tried { name: definition.name, part, as_run, ideal }
+        Tried { name: definition.name, near, as_run, ideal }
     };
-    let of_parts = OF_A_PART.iter().flat_map(|definition| parts(missing).map(|part| tried(definition, Some(part))));
+    let of_parts = OF_A_PART.iter().flat_map(|definition| {
+        let near = |(target, whole)| parts(missing).map(|part| Near { part, whole, target });
+        definition.ways().flat_map(near).map(|near| tried(definition, Some(near))).collect::<Vec<_>>()
+    });
     of_parts.chain(EVENTS.iter().map(|definition| tried(definition, None))).collect()
 }
 

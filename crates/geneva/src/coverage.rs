@@ -7,7 +7,7 @@ use crate::typed;
 use anyhow::{Error, bail};
 use clap::Args;
 use geneva_host::files;
-use geneva_ledger::{Entry, Line, Work, listed, numeric_tokens};
+use geneva_ledger::{Entry, Line, Work, listed, number_tokens};
 use std::path::{Path, PathBuf};
 
 /// Options of `geneva coverage`.
@@ -16,7 +16,7 @@ pub struct CoverageArguments {
     /// Show only this source
     #[arg(long, value_parser = typed::named(Work::DOCUMENTS, Work::slug, Work::citation))]
     pub source: Option<Work>,
-    /// Compare the numbers on each line with those in FILE, your own copy of the source's text
+    /// Compare the numbers on each line, in digits and in words, with those in FILE, your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]
     pub against: Option<PathBuf>,
     /// Write a new inventory file for the ledger, with the numbers in FILE, your own copy of the source's text
@@ -76,8 +76,12 @@ fn inventory(work: Work, lines: &[Line], layout: TextLayout) -> String {
 fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
     let wanted = format!("{option} a text file with your copy of {work}");
     let bytes = files::read(file, MOST_BYTES, &wanted).map_err(Error::msg)?;
-    // Digits are the same in every encoding that a copy is likely to have.
-    let text = String::from_utf8_lossy(&bytes).into_owned();
+    // Digits and number words are the same in every encoding that a copy is likely to have. Raised digits and fractions that
+    // are one character are not: what is no UTF-8 is read as Latin-1.
+    let chunks = bytes.utf8_chunks();
+    let text: String = chunks
+        .flat_map(|chunk| chunk.valid().chars().chain(chunk.invalid().iter().map(|byte| char::from(*byte))))
+        .collect();
     if let Some((at, _)) = text.lines().enumerate().find(|(_, line)| line.len() > LONGEST_LINE) {
         bail!(
             "{}: line {} has more than {LONGEST_LINE} characters; give {option} your copy of {work} with its line breaks",
@@ -90,7 +94,7 @@ fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
 
 /// Compares the numbers of a text, line by line, with an inventory.
 fn compare(inventory: &[Line], text: &str, layout: TextLayout) -> (String, Outcome) {
-    let mut copy = text.lines().map(numeric_tokens).fuse();
+    let mut copy = text.lines().map(number_tokens).fuse();
     let lines = inventory.iter().map(|line| line.number as usize).max().unwrap_or(0).max(text.lines().count());
     let (mut page, mut compared, mut differing, mut agreeing) = (String::new(), 0, 0, 0);
     for number in 1..=lines {
@@ -114,7 +118,7 @@ fn compare(inventory: &[Line], text: &str, layout: TextLayout) -> (String, Outco
     }
     let compared = count(compared, "line");
     let sum = match differing {
-        0 => format!("{compared} compared: all numbers match the ledger"),
+        0 => format!("{compared} compared: all numbers, in digits and in words, match the ledger"),
         _ if agreeing == 0 => {
             format!("{compared} compared: no number matches the ledger; is this a copy of the right source?")
         }
@@ -127,13 +131,14 @@ fn compare(inventory: &[Line], text: &str, layout: TextLayout) -> (String, Outco
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_ledger::another;
 
     fn compared(inventory: &[Line], text: &str) -> (String, Outcome) {
         compare(inventory, text, TextLayout::default())
     }
 
     fn line(number: u32, printed: &str) -> Line {
-        Line { number, numbers: numeric_tokens(printed), entries: Vec::new() }
+        Line { number, numbers: number_tokens(printed), entries: Vec::new() }
     }
 
     #[test]
@@ -149,6 +154,50 @@ mod tests {
             let (page, outcome) = compared(&inventory, copy);
             assert_eq!(outcome, Outcome::Differs, "{copy}");
             assert_eq!(page.matches("DIFFERENT NUMBERS").count(), differing, "{page}");
+        }
+    }
+
+    #[test]
+    fn each_number_of_a_copy_is_seen_if_it_is_another_or_gone_or_printed_twice() {
+        // Made up from the inventories, since the sources' sentences are not ours to keep.
+        let (mut in_words, mut in_digits) = (0, 0);
+        for work in Work::DOCUMENTS {
+            let inventory = work.inventory().expect("a test of its own reads it");
+            let numbers = inventory.iter().flat_map(|line| (0..line.numbers.len()).map(move |at| (line, at)));
+            for (line, at) in numbers {
+                let number = &line.numbers[at];
+                let is_word = number.starts_with(|c: char| c.is_alphabetic());
+                let other = another(number);
+                *(if is_word { &mut in_words } else { &mut in_digits }) += 1;
+                for put in [&other, "", &format!("{number} {number}")] {
+                    let mut changed = line.numbers.clone();
+                    changed[at] = put.to_owned();
+                    let sentence = format!("So it says {} of them.\n", changed.join(" of the "));
+                    let copy = "\n".repeat(line.number as usize - 1) + &sentence;
+                    let (page, _) = compare(std::slice::from_ref(line), &copy);
+                    assert!(page.contains("DIFFERENT NUMBERS"), "{work}, line {}: {number}, {put}", line.number);
+                }
+            }
+        }
+        assert!(in_words > 140 && in_digits > 1700, "only {in_words} and {in_digits} numbers were tried");
+    }
+
+    #[test]
+    fn a_number_word_that_is_changed_gone_or_too_many_is_said_as_a_number_in_digits_is() {
+        let inventory = [line(1, "In one of four slots, 1.5 times."), line(2, "Nothing."), line(3, "Three-Quarters")];
+        let (page, outcome) = compare(&inventory, "one FOUR 1.5\n\nof three quarters\n");
+        assert_eq!(outcome, Outcome::AsRecorded, "{page}");
+        assert!(page.ends_with("all numbers, in digits and in words, match the ledger\n"), "{page}");
+        for (copy, found) in [
+            ("one of five 1.5\n\nthree quarters\n", "one five 1.5"),
+            ("one of them 1.5\n\nthree quarters\n", "one 1.5"),
+            ("one of four 1.5\nboth\nthree quarters\n", "both"),
+            ("one of four 1.5\n\ntwo-thirds\n", "two thirds"),
+        ] {
+            let (page, outcome) = compare(&inventory, copy);
+            assert_eq!(outcome, Outcome::Differs, "{copy}");
+            assert!(page.contains(&format!("in your copy:   {found}\n")), "{page}");
+            assert!(page.ends_with("1 with numbers that differ from the ledger\n"), "{page}");
         }
     }
 

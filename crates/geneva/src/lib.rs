@@ -198,7 +198,7 @@ A range gives its two ends, the number of values including both ends, and how th
 torques first, then through the inertia ratios, the frictions and the slots. There can be up to ten million rows. Units \
 and numbers are those of geneva escapement.
 
-The last column is the status: ok; jams if the friction is critical or more; no-terminal-speed if there is no friction; \
+The last column is the status: ok; may-jam if the friction is critical or more; no-terminal-speed if there is no friction; \
 too-sharp if the motion changes too quickly to be computed; long-rise if only the rise takes too many engagements to be \
 followed. A number that doesn't exist is left empty.
 

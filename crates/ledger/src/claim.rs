@@ -123,6 +123,14 @@ impl Place {
         self.claim(Kind::Example, id, printed, meaning)
     }
 
+    /// A drawing that the source refers to and the copy lacks. What the text says of it is in claims of its own.
+    #[track_caller]
+    pub fn lost_drawing(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Claim {
+        self.figure(id, printed, meaning).missing(
+            "The copy we had does not contain the drawing. What the text reads off the drawing is covered by other claims",
+        )
+    }
+
     #[track_caller]
     fn claim<R: ?Sized>(
         self,

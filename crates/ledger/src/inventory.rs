@@ -1,10 +1,11 @@
 //! The source line by line, so that nothing in it is passed over.
 //!
-//! The sources' sentences are not ours to print. What can be kept are the numbers in each line, in their order. The
-//! inventory names, in the order of the source, the claim that each number belongs to; the numbers of those claims,
-//! strung together, must be those of the line. A digit that no claim accounts for, a claim with a wrong digit and a
-//! claim that was dropped all make a difference.
+//! The sources' sentences are not ours to print. What can be kept are the numbers in each line, in digits and in words, in
+//! their order. The inventory names, in the order of the source, the claim that each number belongs to; the numbers of
+//! those claims, strung together, must be those of the line. A digit or a number word that no claim accounts for, a claim
+//! with a wrong digit and a claim that was dropped all make a difference.
 
+use crate::number_words::number_in_word;
 use crate::{Claim, claim};
 use std::fmt;
 
@@ -13,7 +14,7 @@ use std::fmt;
 pub struct Line {
     /// The line's number in the source's text, from 1.
     pub number: u32,
-    /// The numbers printed in it, in order; see [`numeric_tokens`].
+    /// The numbers printed in it, in order; see [`number_tokens`].
     pub numbers: Vec<String>,
     /// What the line contains, in order.
     pub entries: Vec<Entry>,
@@ -71,14 +72,12 @@ impl Entry {
     pub fn numbers(&self) -> Vec<String> {
         match self {
             Self::Claim(id) => claim(id).map_or_else(Vec::new, |claim| {
-                numeric_tokens(piece(claim.printed, 0)).into_iter().chain(numeric_tokens(claim.unit)).collect()
+                number_tokens(piece(claim.printed, 0)).into_iter().chain(numbers_in_unit(claim.unit)).collect()
             }),
-            Self::Rest(id, dots) => {
-                claim(id).map_or_else(Vec::new, |claim| numeric_tokens(piece(claim.printed, *dots)))
-            }
-            Self::Again(id) => claim(id).map_or_else(Vec::new, |claim| numeric_tokens(claim.printed)),
+            Self::Rest(id, dots) => claim(id).map_or_else(Vec::new, |claim| number_tokens(piece(claim.printed, *dots))),
+            Self::Again(id) => claim(id).map_or_else(Vec::new, |claim| number_tokens(claim.printed)),
             Self::Reading(_) => Vec::new(),
-            Self::Label(number) => numeric_tokens(number),
+            Self::Label(number) => number_tokens(number),
             Self::Exception { numbers, .. } => numbers.clone(),
         }
     }
@@ -150,19 +149,68 @@ pub fn listed(numbers: &[String]) -> String {
     if numbers.is_empty() { "none".to_owned() } else { numbers.join(" ") }
 }
 
-/// The numbers in a text: runs of digits, with points and commas between digits.
+/// The numbers in a text, in their order: runs of digits, with points and commas between digits, raised digits as if they
+/// were not raised; fractions that are one character; and words that say a number, in small letters.
+pub fn number_tokens(text: &str) -> Vec<String> {
+    printed_numbers(text).map(|printed| lowered(printed).map_or(printed.to_lowercase(), str::to_owned)).collect()
+}
+
+/// The numbers in a text that are in digits and not raised: runs of digits, with points and commas between digits.
 pub fn numeric_tokens(text: &str) -> Vec<String> {
-    let mut tokens = Vec::new();
+    let in_digits = |printed: &&str| printed.starts_with(|c: char| c.is_ascii_digit());
+    printed_numbers(text).filter(in_digits).map(str::to_owned).collect()
+}
+
+/// The numbers in a text as they are printed, in digits, in characters of their own and in words.
+fn printed_numbers(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
-    while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
-        let run = &rest[start..];
-        let end = run.find(|c: char| !matches!(c, '0'..='9' | '.' | ',')).unwrap_or(run.len());
-        // Behind a point a comma parts two numbers.
-        let end = run[..end].find(".,").unwrap_or(end);
-        tokens.push(run[..end].trim_end_matches(['.', ',']).to_owned());
-        rest = &run[end..];
-    }
-    tokens
+    let pieces = std::iter::from_fn(move || {
+        let next = rest.chars().next()?;
+        let length = match next {
+            '0'..='9' => digits_at_the_start(rest),
+            _ if is_letter(next) => rest.find(|c| !is_letter(c)).unwrap_or(rest.len()),
+            other => other.len_utf8(),
+        };
+        let (piece, behind) = rest.split_at(length);
+        rest = behind;
+        Some(piece)
+    });
+    let is_number = |piece: &&str| piece.starts_with(char::is_numeric) || number_in_word(piece).is_some();
+    pieces.filter(is_number).map(|piece| piece.trim_end_matches(['.', ',']))
+}
+
+/// Whether a character belongs to a word. A Roman numeral that is one character is a number.
+fn is_letter(c: char) -> bool {
+    c.is_alphabetic() && !c.is_numeric()
+}
+
+/// A raised digit as if it were not raised.
+fn lowered(printed: &str) -> Option<&'static str> {
+    const RAISED: [(&str, &str); 10] = [
+        ("⁰", "0"),
+        ("¹", "1"),
+        ("²", "2"),
+        ("³", "3"),
+        ("⁴", "4"),
+        ("⁵", "5"),
+        ("⁶", "6"),
+        ("⁷", "7"),
+        ("⁸", "8"),
+        ("⁹", "9"),
+    ];
+    RAISED.iter().find(|(raised, _)| *raised == printed).map(|(_, digit)| *digit)
+}
+
+/// The numbers in a unit. Its words say none: a second is a time there.
+fn numbers_in_unit(unit: &str) -> impl Iterator<Item = String> {
+    number_tokens(unit).into_iter().filter(|token| number_in_word(token).is_none())
+}
+
+/// How long a run of digits at the start of a text is, with its points and commas.
+fn digits_at_the_start(text: &str) -> usize {
+    let end = text.find(|c: char| !matches!(c, '0'..='9' | '.' | ',')).unwrap_or(text.len());
+    // Behind a point a comma parts two numbers.
+    text[..end].find(".,").unwrap_or(end)
 }
 
 #[cfg(test)]
@@ -174,7 +222,16 @@ mod tests {
     fn numbers_are_found_with_their_points_and_commas() {
         assert_eq!(numeric_tokens("x^{2} = 1,950 rad/s^2, or 0.5."), ["2", "1,950", "2", "0.5"]);
         assert_eq!(numeric_tokens("FSW(F,-1.,1.,1.)"), ["1", "1", "1"]);
-        assert!(numeric_tokens("no number, none.").is_empty());
+        assert!(numeric_tokens("no number, none, or two of them, squared: ²").is_empty());
+    }
+
+    #[test]
+    fn numbers_are_found_in_words_and_in_raised_digits_too() {
+        let found = number_tokens("The FIRST 2 of three-quarters, 1.5 lb/in³ and ½; both second.");
+        assert_eq!(found, ["first", "2", "three", "quarters", "1.5", "3", "½", "both", "second"]);
+        assert_eq!(number_tokens("2DX of eq. 1-18,4 at 0.2,1"), ["2", "1", "18,4", "0.2,1"]);
+        assert!(number_tokens("in seconds, to someone or none, in chapter II").is_empty());
+        assert_eq!(numbers_in_unit("× 10^-6 in lb sec² per second").collect::<Vec<_>>(), ["10", "6", "2"]);
     }
 
     #[test]
@@ -198,7 +255,7 @@ mod tests {
 
     #[test]
     fn a_gap_is_where_the_entries_and_the_numbers_part() {
-        let line = |numbers, entries| Line { number: 1, numbers: numeric_tokens(numbers), entries };
+        let line = |numbers, entries| Line { number: 1, numbers: number_tokens(numbers), entries };
         let labels = || vec![Entry::Label("1-2"), Entry::Label("5.3")];
         assert_eq!(line("1 2 5.3", labels()).gap(), None);
         assert_eq!(line("1 2 5.4", labels()).gap().as_deref(), Some("label 5.3 has 5.3, the line there 5.4"));

@@ -1,8 +1,8 @@
 //! The inventory files of the sources: how they are read, and written anew from a copy of the source.
 //!
 //! A file begins with a comment that ends with an empty line. Then each line of the source that says something has a
-//! block, in the order of the source: the line's number and the numbers printed in it, and indented by two spaces its
-//! entries, as [`Entry`] has them. A reason that is too long goes on in the next line, indented by four.
+//! block, in the order of the source: the line's number and the numbers printed in it, in digits or in words, and indented
+//! by two spaces its entries, as [`Entry`] has them. A reason that is too long goes on in the next line, indented by four.
 //!
 //! ```text
 //! # A comment.
@@ -18,7 +18,7 @@
 //!   claim pin.some-statement-without-numbers
 //! ```
 
-use crate::inventory::{Entry, Line, numeric_tokens};
+use crate::inventory::{Entry, Line, number_tokens};
 use std::collections::BTreeMap;
 use thiserror::Error;
 
@@ -47,7 +47,8 @@ pub enum Fault {
     OutOfOrder(u32, u32),
     /// What should be numbers.
     #[error(
-        "`{0}` are not numbers with single spaces between; a number is digits, with points and commas between digits"
+        "`{0}` are not numbers with single spaces between; a number is digits, with points and commas between digits, or \
+         a word in small letters that says a number, such as `two`"
     )]
     NoNumbers(String),
     /// A word that no entry begins with, or an entry with too few or too many words.
@@ -119,7 +120,7 @@ fn header(row: &str) -> Result<Line, Fault> {
 }
 
 fn numbers(text: &str) -> Result<Vec<String>, Fault> {
-    let numbers = numeric_tokens(text);
+    let numbers = number_tokens(text);
     if numbers.join(" ") == text { Ok(numbers) } else { Err(Fault::NoNumbers(text.to_owned())) }
 }
 
@@ -155,7 +156,7 @@ pub fn recorded(file: &str, copy: &str) -> String {
     let mut known = blocks(body);
     let last = known.keys().last().copied().unwrap_or_default();
     let mut written = format!("{head}\n\n");
-    let mut copied = copy.lines().map(numeric_tokens).chain(std::iter::repeat(Vec::new()));
+    let mut copied = copy.lines().map(number_tokens).chain(std::iter::repeat(Vec::new()));
     for number in 1..=last.max(copy.lines().count()) {
         let numbers = copied.next().unwrap_or_default();
         let header =
@@ -213,7 +214,7 @@ mod tests {
         };
         let third = Line {
             number: 3,
-            numbers: numeric_tokens("2 1,950 0.5"),
+            numbers: number_tokens("2 1,950 0.5"),
             entries: vec![Entry::Rest("pin.a", 2), exception],
         };
         let fourth = Line { number: 4, numbers: Vec::new(), entries: vec![Entry::Reading("pin.c")] };
@@ -234,7 +235,8 @@ mod tests {
             ("  rest pin.a 0", "`rest pin.a 0` is no entry"),
             ("  exception pin.a", "`exception pin.a` is no entry"),
             ("  exception pin.a 2: why", "`exception pin.a 2: why` is no entry"),
-            ("  exception pin.a (two): why", "`two` are not numbers"),
+            ("  exception pin.a (few): why", "`few` are not numbers"),
+            ("line 2: Two", "`Two` are not numbers with single spaces between; a number is digits"),
             ("  claim pins.a", "`pins.a` is not of this source; its ids begin with `pin.`"),
             ("    claim pin.b", "`claim pin.b` continues no reason; only an exception's goes on"),
         ] {
@@ -267,7 +269,8 @@ mod tests {
         let file = "# Head.\n\nline 1: 1 2\n  label 1-2\nline 3\n  claim pin.a\n\n# Part.\nline 4: 4\n  label 4\nline 5: 5\n  \
                     label 5\n";
         let copy = "1 and 2\n22\n\nfour: 40\nno number\n";
-        let written = "# Head.\n\nline 1: 1 2\n  label 1-2\nline 2: 22\nline 3\n  claim pin.a\n\n# Part.\nline 4: 40\n";
+        let written =
+            "# Head.\n\nline 1: 1 2\n  label 1-2\nline 2: 22\nline 3\n  claim pin.a\n\n# Part.\nline 4: four 40\n";
         assert_eq!(recorded(file, copy), written);
         assert_eq!(recorded("# Head of a new source.\n", "none\n3.5\n"), "# Head of a new source.\n\nline 2: 3.5\n");
     }

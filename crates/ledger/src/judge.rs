@@ -166,6 +166,9 @@ fn number(judged: &mut Judged, computed: &Route<Number>, witness: &Route<Number>
     } else {
         Verdict::NotReproduced
     };
+    if let Some(rounded) = judged.from_rounded.filter(|rounded| !printed.is_rounding_of(*rounded)) {
+        judged.faults.push(format!("the source's own rounded results give {rounded}, not the printed digits"));
+    }
     if correction == Some(false) {
         judged.faults.push(format!("the correction is not what is computed, {value}"));
     }

@@ -1,6 +1,7 @@
 //! What is put to a route of a statement: the right form or a neighbour that is wrong, with the characters it is made of.
 
 use crate::Decimal;
+use crate::number_words::{next_number_word, number_in_word};
 use std::ops::Range;
 
 /// Which of two neighbouring statements is put to a route, and its characters. A check that cannot fail is not a check: a
@@ -62,32 +63,6 @@ impl Stated {
     }
 }
 
-/// Numbers in words, and the next ones in order.
-const WORDS: [(&str, f64); 22] = [
-    ("one", 1.0),
-    ("two", 2.0),
-    ("three", 3.0),
-    ("four", 4.0),
-    ("five", 5.0),
-    ("six", 6.0),
-    ("seven", 7.0),
-    ("eight", 8.0),
-    ("nine", 9.0),
-    ("ten", 10.0),
-    ("twenty", 20.0),
-    ("thirty", 30.0),
-    ("forty", 40.0),
-    ("fifty", 50.0),
-    ("sixty", 60.0),
-    ("hundred", 100.0),
-    ("single", 1.0),
-    ("double", 2.0),
-    ("first", 1.0),
-    ("second", 2.0),
-    ("third", 3.0),
-    ("fourth", 4.0),
-];
-
 /// The numbers in a text, in digits or in words, and where they stand.
 pub fn numbers_in(text: &str) -> Vec<(Range<usize>, f64)> {
     let mut found = Vec::new();
@@ -103,7 +78,7 @@ pub fn numbers_in(text: &str) -> Vec<(Range<usize>, f64)> {
         let piece = &rest[..length];
         let (before, behind) = (text[..at].chars().next_back(), rest[length..].chars().next());
         let number = if next.is_ascii_alphabetic() {
-            in_words(piece)
+            number_in_word(piece)
         } else if is_named(text, at..at + length, before, behind) {
             None
         } else {
@@ -113,11 +88,6 @@ pub fn numbers_in(text: &str) -> Vec<(Range<usize>, f64)> {
         at += length;
     }
     found
-}
-
-/// The number that a word says.
-pub(crate) fn in_words(piece: &str) -> Option<f64> {
-    WORDS.iter().find(|(word, _)| piece.eq_ignore_ascii_case(word)).map(|(_, number)| *number)
 }
 
 /// A number in digits; a point may end it.
@@ -136,8 +106,8 @@ fn is_named(text: &str, at: Range<usize>, before: Option<char>, behind: Option<c
 
 /// The next number in the same way of writing: another last digit, or the next word.
 pub fn another(piece: &str) -> String {
-    match WORDS.iter().position(|(word, _)| piece.eq_ignore_ascii_case(word)) {
-        Some(at) => WORDS[(at + 1) % WORDS.len()].0.to_owned(),
+    match next_number_word(piece) {
+        Some(word) => word.to_owned(),
         None => {
             let last = piece.rfind(|c: char| c.is_ascii_digit()).unwrap_or(0);
             let digit = piece[last..].chars().next().and_then(|c| c.to_digit(10)).unwrap_or(0);

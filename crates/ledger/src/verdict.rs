@@ -11,7 +11,7 @@ pub enum Verdict {
     Truncated,
     /// Only the source's own rounded intermediates give the printed digits.
     FromRounded,
-    /// Read from a curve or a print-out, and right within the reading's resolution.
+    /// Read from a curve or a print-out, or announced as approximate, and right within a resolution that is stated.
     ReadOff,
     /// A slip of the source leads to the printed digits, so they are not right.
     ReproducedInError,
@@ -75,7 +75,10 @@ impl Verdict {
                 "the source's own rounded intermediate results give the printed digits, but the exact value has other \
                  digits"
             }
-            Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
+            Self::ReadOff => {
+                "read from a curve or a print-out, or announced as approximate by the source, and right within the \
+                 stated resolution"
+            }
             Self::ReproducedInError => {
                 "the source's own method gives the printed digits, but the method contains a mistake, so the right \
                  number is a different one"

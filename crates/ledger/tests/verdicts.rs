@@ -8,6 +8,9 @@ use geneva_ledger::{
 use std::collections::{BTreeSet, HashSet};
 use std::sync::{Arc, Mutex, OnceLock};
 
+#[path = "verdicts/kinds.rs"]
+mod kinds;
+
 #[test]
 fn every_claim_stands_as_recorded() {
     let wrong: Vec<_> = verdicts()

@@ -19,7 +19,7 @@ pub const LIVE: Live = Live {
     name: "escapement",
     figure: "live-escapement",
     hint: "Reduce the friction bit by bit: the start takes more and more engagements, and without friction there is no \
-           steady speed. Add friction until the mechanism jams. Press “twice the torque”: the mechanism runs √2 times \
+           steady speed. Add friction until the mechanism may jam. Press “twice the torque”: the mechanism runs √2 times \
            as fast, and in the figure only the speeds and times change.",
     controls: &[
         Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
@@ -32,7 +32,7 @@ pub const LIVE: Live = Live {
     presets: &[
         Preset { name: "hardly any friction", arguments: "friction=0.02" },
         Preset { name: "twice the torque", arguments: "torque=*2" },
-        Preset { name: "four pins, jammed", arguments: "mechanism=1&ratio=0.1&friction=0.9" },
+        Preset { name: "four pins, may jam", arguments: "mechanism=1&ratio=0.1&friction=0.9" },
     ],
     given: &["follower"],
     quantities: &[

@@ -127,8 +127,8 @@ pub const OF_AN_ENTRY: &[Field] = &[
     ("id", "The claim, the label, or the exception's own name."),
     (
         "numbers",
-        "The printed numbers that the entry accounts for. Together, the entries of a line contain all numbers of the \
-         line, in their order.",
+        "The printed numbers that the entry accounts for, in digits and in words. Together, the entries of a line contain \
+         all numbers of the line, in their order.",
     ),
     ("reason", "Why there is nothing to check. Null unless the entry is an exception."),
 ];

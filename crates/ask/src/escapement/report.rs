@@ -2,20 +2,19 @@
 //!
 //! Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 
-use super::{Design, Units, own_reset, rise, unsteady};
+use super::{Design, SETTLED, Units, own_reset, rise, unsteady};
 use crate::written::{angle, as_typed, count, number};
 use crate::{Answer, Error, Field};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::{critical_friction, least_margin};
-use geneva_dynamics::steady::{MOST_CYCLES, SteadyState};
+use geneva_dynamics::steady::{Engagement, MOST_CYCLES, RiseMeasure, SteadyState};
 
 const INTRODUCTION: &str = "Times are in the unit of time of the torque and the inertias, and speeds in radians per \
                             unit of time. With lb, in and s, or with N, m and kg, these are s and rad/s. Crank angles \
                             are measured at the driver's axis from the line of centres, negative before it.";
 
-/// What the rise time is.
-const RISE_TIME: &str = "time from rest, with a pin at its entry, until an engagement begins with at least 99 % of the \
-                         entry speed of the steady state";
+/// Most engagements from rest of which profile and average are looked at.
+const MOST_COMPARED: usize = 10_000;
 
 impl Design {
     /// The answer.
@@ -43,7 +42,7 @@ impl Design {
                 ("Mechanism", mechanism_fields(parameters, reset_deg, self.question.units)),
                 ("Existence", existence_fields(parameters)),
                 ("Steady state", steady_fields(&state, engagement.reset() > mechanism.engagement_half_angle())),
-                ("Rise from rest", rise_fields(rise)),
+                ("Rise from rest", rise_fields(engagement, rise)),
             ],
             list: None,
             note: String::new(),
@@ -144,15 +143,24 @@ fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
     ]
 }
 
-fn rise_fields(rise: Option<(usize, f64)>) -> Vec<Field> {
+/// The times of a start from rest by three of the measures: the fourth is of no start, and only chapters ask for it.
+fn rise_fields(engagement: &Engagement, rise: Option<(usize, f64)>) -> Vec<Field> {
     let (engagements, time) = rise.unzip();
-    let mut duration = Field::new("rise_time", time).line("rise time", RISE_TIME);
-    if time.is_none() {
-        duration = duration.words("rise time", format!("longer than {MOST_CYCLES} engagements; it is the {RISE_TIME}"));
-    }
+    let field = |key, name, measure: RiseMeasure, time: Option<f64>, most: usize| {
+        let meaning = measure.meaning();
+        match time {
+            Some(_) => Field::new(key, time).line(name, meaning),
+            None => Field::new(key, time).words(name, format!("longer than {most} engagements; it is the {meaning}")),
+        }
+    };
+    let compared = engagements.is_some_and(|count| count <= MOST_COMPARED);
+    let [profile, average] = [Engagement::until_profile_in, Engagement::until_average_in]
+        .map(|until| if compared { until(engagement, SETTLED, MOST_COMPARED).ok() } else { None });
     vec![
-        duration,
-        Field::new("rise_time_definition", RISE_TIME),
-        Field::new("engagements_to_settle", engagements).line("engagements", "until then"),
+        field("profile_rise_time", "rise, profile", RiseMeasure::Profile, profile, MOST_COMPARED),
+        field("average_rise_time", "rise, average", RiseMeasure::Average, average, MOST_COMPARED),
+        field("entry_speed_rise_time", "rise, entry speed", RiseMeasure::EntrySpeed, time, MOST_CYCLES),
+        Field::new("entry_speed_rise_engagements", engagements)
+            .line("engagements", "until an engagement begins with at least 99 % of the entry speed"),
     ]
 }

@@ -109,9 +109,9 @@ impl Design {
         let settling = Settling { multiplier: state.multiplier, period: state.period };
         let least = critical_inertia_ratio(self.parameters.mechanism(), self.parameters.friction())?;
         Ok(vec![
-            Field::new("engagements_to_one_per_cent", settling.engagements(PER_CENT))
+            Field::new("small_difference_engagements", settling.engagements(PER_CENT))
                 .line("settling", "engagements until a small difference of speeds squared is down to one per cent"),
-            Field::new("time_to_one_per_cent", settling.time(PER_CENT)).line("", "time until then"),
+            Field::new("small_difference_rise_time", settling.time(PER_CENT)).line("", "time until then"),
             Field::new("hand_over_rate", 1.0 / state.period).line("hand-overs", "in a unit of time"),
             Field::in_unit("reversal_angle_deg", state.reversal_angle.map(f64::to_degrees), "°")
                 .line("reversal", "where the contact changes to the trailing flank"),

@@ -1,6 +1,7 @@
 //! The start from rest, engagement by engagement.
 //!
-//! "Rise time to 99 %" needs a definition: of what, and counted to when. Each that is offered here has its own name.
+//! "Rise time to 99 %" needs a definition: of what, and counted to when. Each that is offered here has its own name, and
+//! [`RiseMeasure`] lists those of which books and programs may speak.
 
 use super::engagement::Engagement;
 use super::extremes::Extreme;
@@ -51,6 +52,57 @@ pub struct Rise {
     pub steady: SteadyState,
     /// The engagements, in order, until the speed at the end is within `settled` of the steady one.
     pub cycles: Vec<Cycle>,
+}
+
+/// What tells that a start from rest is over: the measures of a rise time, each with the name by which it is called.
+///
+/// ```
+/// use geneva_dynamics::steady::RiseMeasure;
+///
+/// assert_eq!(RiseMeasure::ALL.map(RiseMeasure::name), ["profile", "average", "entry speed", "small difference"]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RiseMeasure {
+    /// The speed at every crank angle is the steady one from then on.
+    Profile,
+    /// An engagement is over whose mean of peak and minimum is the steady one.
+    Average,
+    /// An engagement begins at the steady entry speed.
+    EntrySpeed,
+    /// A small difference of two motions has fallen to the part that may be left.
+    SmallDifference,
+}
+
+impl RiseMeasure {
+    /// All measures.
+    pub const ALL: [Self; 4] = [Self::Profile, Self::Average, Self::EntrySpeed, Self::SmallDifference];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Profile => "profile",
+            Self::Average => "average",
+            Self::EntrySpeed => "entry speed",
+            Self::SmallDifference => "small difference",
+        }
+    }
+
+    /// What it measures, to one per cent, in words.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Profile => {
+                "time from rest until the speed at every angle is within 1 % of its steady value from then on"
+            }
+            Self::Average => {
+                "time from rest until the end of the first engagement whose mean of peak and minimum is within 1 % of \
+                 its steady value"
+            }
+            Self::EntrySpeed => {
+                "time from rest until an engagement begins with at least 99 % of the entry speed of the steady state"
+            }
+            Self::SmallDifference => "time in which a small difference from the steady motion falls to 1 % of its size",
+        }
+    }
 }
 
 /// Most engagements of a [`Rise`].
@@ -159,23 +211,93 @@ impl Engagement {
     /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `part` is not between 0 and 1; [`Error::TooMany`] if
     /// [`MOST_CYCLES`] engagements are not enough.
     pub fn until_profile(&self, part: f64) -> Result<f64, Error> {
+        self.until_profile_in(part, MOST_CYCLES)
+    }
+
+    /// When the profile is the steady one, as by [`Engagement::until_profile`], in `most` engagements at most. In units of time.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::until_profile`]; [`Error::TooMany`] if `most` engagements are not enough.
+    pub fn until_profile_in(&self, part: f64, most: usize) -> Result<f64, Error> {
         if !(part > 0.0 && part < 1.0) {
             return Err(Error::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
         }
+        self.until_all(most, |speed, steady| near(speed, steady, part))
+    }
+
+    /// When a start from rest has taken on the steady velocity profile, to one difference at all angles: from then on the
+    /// driver's speed at every crank angle is within `difference` (above zero, in radians per unit of time) of the steady
+    /// one there. In units of time.
+    ///
+    /// ```
+    /// use geneva_dynamics::steady::Engagement;
+    /// use geneva_dynamics::{Inertias, Parameters};
+    /// use geneva_kinematics::Mechanism;
+    ///
+    /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
+    /// let engagement = Engagement::new(&timer)?;
+    /// let steady = engagement.steady_state()?;
+    /// // One per cent of the greatest speed allows more than one per cent of each speed, and one of the least less.
+    /// let [most, least] = [steady.peak, steady.minimum].map(|extreme| 0.01 * extreme.speed);
+    /// assert!(engagement.until_profile_within(most)? <= engagement.until_profile(0.01)?);
+    /// assert!(engagement.until_profile_within(least)? >= engagement.until_profile(0.01)?);
+    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::until_profile`], with the difference for the part, which has no greatest value.
+    pub fn until_profile_within(&self, difference: f64) -> Result<f64, Error> {
+        if !(difference > 0.0 && difference.is_finite()) {
+            return Err(Error::OutOfRange { name: "difference", asked: difference, least: 0.0, most: f64::INFINITY });
+        }
+        self.until_all(MOST_CYCLES, |speed, steady| (speed - steady).abs() <= difference)
+    }
+
+    /// When a start from rest is near the steady motion at all angles from then on; each speed beside the steady one at its
+    /// angle. In units of time.
+    fn until_all(&self, most: usize, is_near: impl Fn(f64, f64) -> bool) -> Result<f64, Error> {
         let engagement = self.refined()?;
         let repeated = engagement.fixed_point()?;
         let steady = engagement.pass_with(repeated.entry, repeated.split.as_ref());
         let (mut square, mut time, mut reached) = (0.0, 0.0, 0.0);
-        for _ in 0..MOST_CYCLES {
+        for _ in 0..most {
             let passage = engagement.pass(square);
-            match passage.last_departure(&steady, part) {
+            match passage.last_departure(&steady, &is_near) {
                 Some(since) => reached = time + since,
                 None => return Ok(reached),
             }
             time += passage.duration();
             square = passage.end;
         }
-        Err(Error::TooMany { name: "engagements", limit: MOST_CYCLES })
+        Err(Error::TooMany { name: "engagements", limit: most })
+    }
+
+    /// When a start from rest has come to the steady average: the end of the first engagement whose mean of peak and minimum
+    /// is within a relative `part` (between 0 and 1) of the steady one, of `most` engagements at most. In units of time.
+    ///
+    /// In the first engagement, the minimum is the least speed after the first peak, for the start at rest is no minimum.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::until_profile_in`].
+    pub fn until_average_in(&self, part: f64, most: usize) -> Result<f64, Error> {
+        if !(part > 0.0 && part < 1.0) {
+            return Err(Error::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
+        }
+        let (steady, first) = (self.steady_state()?.mean_of_extremes(), self.first_minimum()?);
+        let (mut square, mut time) = (0.0, 0.0);
+        for count in 0..most {
+            let passage = self.pass(square);
+            let ([peak, minimum], duration) = (passage.extremes(), passage.duration());
+            let own = first.filter(|first| count == 0 && first.time < duration).unwrap_or(minimum);
+            (square, time) = (passage.end, time + duration);
+            if near(f64::midpoint(peak.speed, own.speed), steady, part) {
+                return Ok(time);
+            }
+        }
+        Err(Error::TooMany { name: "engagements", limit: most })
     }
 }
 
@@ -234,10 +356,10 @@ impl Rise {
 }
 
 impl Passage<'_> {
-    /// Time from the start of this passage to the last place where its speed departs by more than a part from another's
-    /// at the same angle, in units of time; none if it nowhere does.
-    fn last_departure(&self, other: &Self, part: f64) -> Option<f64> {
-        let rule = self.engagement.rule;
+    /// Time from the start of this passage to the last place where its speed is not near another's at the same angle, in
+    /// units of time; none if it is near everywhere.
+    fn last_departure(&self, other: &Self, is_near: impl Fn(f64, f64) -> bool) -> Option<f64> {
+        let (rule, unit) = (self.engagement.rule, self.engagement.unit);
         // The place that was looked at before, later in the motion: its traversal and its w.
         let mut later: Option<(usize, f64)> = None;
         for (number, traversal) in self.traversals.iter().enumerate().rev() {
@@ -245,8 +367,8 @@ impl Passage<'_> {
             let departs = |s: f64| {
                 let w = traversal.nodes.at(s);
                 let there = other.square_at(w, mirrored);
-                let off = libm::fabs((traversal.square_between(rule, s) / there).sqrt() - 1.0);
-                off > part || off.is_nan()
+                let speeds = [traversal.square_between(rule, s), there].map(|square| unit * square.sqrt());
+                !is_near(speeds[0], speeds[1])
             };
             for place in 0..=PLACES {
                 // Backwards in the motion.

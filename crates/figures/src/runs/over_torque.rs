@@ -62,6 +62,9 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
     Ok(Chart::new(panels).in_columns(COLUMNS).key(key).figure(words, series(&means)))
 }
 
+/// A unit of the tables' speeds, in rad/s.
+const UNIT: f64 = 1.0;
+
 /// Panels in a row.
 const COLUMNS: usize = 2;
 
@@ -157,7 +160,14 @@ fn words(group: &Group, frictions: usize, means: &[Means<'_>]) -> Words {
              on the dashed line, which is for the mechanism itself.",
             degrees(group.reset)
         ),
-        None => "Here the reset is right, so the printed values (marks) are on the mechanism's own line.".to_owned(),
+        None => {
+            let beside = means.iter().filter(|run| (run.printed - run.as_is).abs() > UNIT).count();
+            let but = if beside == 0 { String::new() } else { format!(", except for {beside} of them") };
+            format!(
+                "Here the reset is right, so the printed values (marks) are on the mechanism's own line, to within 1 \
+                 rad/s{but}."
+            )
+        }
     };
     Words::new(
         format!("runs-{name}-pin"),

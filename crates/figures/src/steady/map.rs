@@ -193,11 +193,11 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
     let said: Vec<String> = said.collect();
     Words::new(
         format!("steady-map-{name}-pin"),
-        format!("Mean terminal speed and rise over friction and inertias, {name} pins"),
+        format!("Mean terminal speed and rise by the small difference over friction and inertias, {name} pins"),
         format!(
             "Two maps with the friction μ to the right and I_D / I_f upwards, on a logarithmic axis: {} lines of equal \
-             mean speed and {} lines of equal rise. With more friction the speed falls and the rise is shorter; with a \
-             heavier driver the rise is longer. The mean speed is greatest at a ratio of the inertias of {least} to \
+             mean speed and {} lines of equal rise by the small difference. With more friction the speed falls and \
+             this rise is shorter; with a heavier driver it is longer. The mean speed is greatest at a ratio of the inertias of {least} to \
              {greatest}, by friction. In a corner with much friction and a light driver the equation of motion has no \
              single solution.{}",
             shown[0],
@@ -207,8 +207,8 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
         format!(
             "{pins} pins and {} slots. Above are lines of equal mean speed in the steady state, in units of the square \
              root of the ratio of the spring's torque to the follower's moment of inertia. Below are lines of equal \
-             rise: the number of engagements in which a deviation from the steady speed shrinks to a hundredth of its \
-             size. The marks are the runs of the thesis.",
+             rise by the small difference: the number of engagements in which a small difference from the steady speed \
+             shrinks to a hundredth of its size. The marks are the runs of the thesis.",
             mechanism.slots()
         ),
     )

@@ -57,7 +57,7 @@ pub fn settling(own: &Parameters, parts: &[f64], run: &str) -> Result<Figure, Fi
     let (quickest, slowest) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
     let words = Words::new(
         "timer-settling",
-        "How long the escapement takes to settle with a lighter follower",
+        "How long a small difference from the steady motion lasts with a lighter follower",
         format!(
             "Three panels over the follower's inertia. From the lightest follower to the run's follower the number of \
              engagements falls, the time of each engagement rises, and their product stays between {} and {} ms.",
@@ -65,10 +65,9 @@ pub fn settling(own: &Parameters, parts: &[f64], run: &str) -> Result<Figure, Fi
             significant(slowest, 3)
         ),
         format!(
-            "With a lighter follower each engagement is shorter, but the motion needs more of them to settle. So the settling time \
-             hardly changes. It is the time in which a small difference in the square of the speed falls to one per \
-             cent. Shown: {run}, with only the \
-             follower's inertia changed."
+            "With a lighter follower each engagement is shorter, but a small difference from the steady motion needs \
+             more of them to die away. So in this example the time in which a small difference in the square of the \
+             speed falls to one per cent hardly changes. Shown: {run}, with only the follower's inertia changed."
         ),
     );
     let columns = [("part of I_f", "1"), ("engagements", "1"), ("period", "ms"), ("time to 1 %", "ms")];

@@ -128,7 +128,7 @@ impl Tally {
         }
     }
 
-    /// "10 ok, 2 jams".
+    /// "10 ok, 2 may-jam".
     fn words(&self) -> String {
         let some = self.0.iter().zip(Status::ALL).filter(|(number, _)| **number > 0);
         some.map(|(number, status)| format!("{number} {}", status.name())).collect::<Vec<_>>().join(", ")

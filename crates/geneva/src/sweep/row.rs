@@ -30,7 +30,7 @@ impl Status {
     pub fn name(self) -> &'static str {
         match self {
             Self::Ok => "ok",
-            Self::Jams => "jams",
+            Self::Jams => "may-jam",
             Self::NoTerminalSpeed => "no-terminal-speed",
             Self::TooSharp => "too-sharp",
             Self::LongRise => "long-rise",
@@ -59,7 +59,7 @@ pub fn row(cell: &Cell) -> (Row, Status) {
         ("period", steady.map(|steady| steady.period).into()),
         ("multiplier", steady.map(|steady| steady.multiplier).into()),
         ("switch_angle_deg", steady.and_then(|steady| steady.reversal_angle).map(f64::to_degrees).into()),
-        ("rise_time", rise_time.into()),
+        ("entry_speed_rise_time", rise_time.into()),
         ("status", status.name().into()),
     ]);
     (row, status)

@@ -196,13 +196,13 @@ fn more_pins() -> Claim {
                 entry_crank(wheel) < (1.0 - 1e-9) * 2.0 * PI / f64::from(pins)
             })
         })
-        .but_not("three pins are possible with any number of stations")
+        .but_not("seven pins are possible")
         .read_as("Two pins are possible with any number of stations, and three or more are possible with some.")
 }
 
-/// Whether two pins are possible with all wheels, and three or more with some; or three with all.
+/// Whether two pins are possible with all wheels, and three or more with some; or seven.
 fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> bool) -> Finding {
-    let (said, pins) = (stated.count(), stated.pick(stated.count(), 3));
+    let (said, pins) = (stated.count(), stated.pick(stated.count(), 7));
     let all = for_all_stations(|wheel| possible(wheel, pins), &format!("{pins} pins {what}"));
     let most =
         |stations: u32| (1..=6).rev().find(|pins| Wheel::new(stations).is_ok_and(|wheel| possible(&wheel, *pins)));

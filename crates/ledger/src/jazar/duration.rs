@@ -43,13 +43,18 @@ fn angle() -> Vec<Claim> {
             })
             .but_not("it is that angle when the pin has gone half of the way from there to the line of centres"),
         curves::caption(),
+        at("Fig. 5.31, caption").lost_drawing(
+            "jazar.fig-5.31-drawing",
+            "Figure 5.31",
+            "the drawing of the geometry of N stations",
+        ),
         at("Fig. 5.31, caption")
             .figure("jazar.fig-5.31", "half the angle", "neighbouring slots are 2α apart")
             .by(ClosedForm, |stated| {
                 for_all_stations(
                     |wheel| {
                         let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
-                        agrees(stated.pick(2.0, 1.0) * alpha * f64::from(wheel.stations()), 2.0 * PI)
+                        agrees(stated.pick(1.0 / stated.number(), 1.0) * alpha * f64::from(wheel.stations()), 2.0 * PI)
                     },
                     "all slots together make one turn if the sine of α is the crank over the centre distance",
                 )
@@ -58,7 +63,8 @@ fn angle() -> Vec<Claim> {
                 for_all_stations(
                     |wheel| {
                         // From slot to slot, as often as there are slots: the first one again.
-                        let step = Turn::from_radians(stated.pick(2.0, 1.0) * entry_angle(wheel).abs());
+                        let step =
+                            Turn::from_radians(stated.pick(1.0 / stated.number(), 1.0) * entry_angle(wheel).abs());
                         let first = Turn::from_radians(0.0);
                         let last = (0..wheel.stations()).fold(first, |slot, _| slot.plus(&step));
                         vanishes((last.direction() - first.direction()).norm())

@@ -3,7 +3,7 @@
 use super::letters::{PARTS, PARTS_BY_DEGREES};
 use super::*;
 use geneva_kinematics::indexing::{Indexing, Phase};
-use geneva_kinematics::{Field, Rational, rational};
+use geneva_kinematics::rational;
 
 const C: Place = at("Ex. (c)");
 
@@ -42,21 +42,14 @@ pub fn claims() -> Vec<Claim> {
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART),
         C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, truncated instead of rounded")
-            .by(ClosedForm, || {
-                let unit = unit_of_the_decimal().approximate();
-                libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
-            })
-            .by(OtherPlaceInSource, || {
-                long_division(decimal("jazar.ex-c.dwell-seconds").map_or(0, |seconds| seconds.places() as usize))
-                    .iter()
-                    .rev()
-                    .fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
-            })
+            .by(ClosedForm, || seconds(part(printed("jazar.ex-b.alpha"), -1.0)))
+            .by(Series, || six(entry_crank) / example_speed())
+            .rounded(|| long_division(4))
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART)
             .read_as(
-                "The decimal is cut off after its last place, as long division leaves it. If the fraction before it \
-                 were rounded, it would end in a 6.",
+                "The decimal is the fraction before it, cut off after the last place. If the fraction were rounded, the \
+                 decimal would end in a 6.",
             ),
     ]
 }
@@ -102,19 +95,10 @@ fn dwell_seconds() -> f64 {
     example().and_then(|wheel| wheel.dwell_time(example_speed())).unwrap_or(f64::NAN)
 }
 
-fn unit_of_the_decimal() -> Rational {
-    decimal("jazar.ex-c.dwell-seconds").map_or(Rational::ZERO, |seconds| seconds.unit_in_last_place())
-}
-
-/// So many digits of the printed fraction behind its point, by long division.
-fn long_division(places: usize) -> Vec<u32> {
-    let text = characters("jazar.ex-c.dwell");
-    let numbers: Vec<u32> = text.split('/').filter_map(|number| number.parse().ok()).collect();
-    let [mut rest, divisor] = numbers[..] else { return Vec::new() };
-    let next = |_| {
-        let tenfold = rest % divisor * 10;
-        rest = tenfold;
-        tenfold / divisor
-    };
-    (0..places).map(next).collect()
+/// The printed fraction of a second as a decimal of so many places, by long division, which cuts off what is left.
+fn long_division(places: u32) -> f64 {
+    let numbers = crate::by_id::numbers("jazar.ex-c.dwell");
+    let [above, below] = numbers[..] else { return f64::NAN };
+    let scale = 10u32.pow(places);
+    (above * scale).checked_div(below).map_or(f64::NAN, |digits| f64::from(digits) / f64::from(scale))
 }

@@ -1,9 +1,9 @@
 //! The worked example, parts (a), (b) and (d). Part (c) has a file of its own.
 
-use super::dwell;
 use super::letters::{FASTEST, PARTS};
 use super::peak::{number, rounds_to_the_speed};
 use super::*;
+use super::{dwell, text};
 use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove};
@@ -27,6 +27,26 @@ fn advances() -> Vec<Claim> {
         )
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances"))
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
+        DATA.statement("jazar.ex.single-pin", "single pin", "the given number of pins, confirmed by parts (a) and (c)")
+            .by(LimitCase, |stated| {
+                // As many advances as pins pass, in a turn of the driver.
+                let pins = f64::from(stated.pick(stated.count(), 2));
+                let advances = pins * printed("jazar.ex.rpm") / 60.0;
+                Finding::new(
+                    rounds("jazar.ex-a.advances", advances),
+                    format!("there are {advances} advances per second"),
+                )
+            })
+            .by(Series, |stated| {
+                // The part of the cycle that part (c) gives is the one in which the wheel moves.
+                let pins = f64::from(stated.pick(stated.count(), 2));
+                let moving = pins * six(entry_crank) / (2.0 * PI);
+                Finding::new(
+                    rounds("jazar.ex-c.fraction", moving),
+                    format!("the wheel moves for {moving:.3} of the cycle"),
+                )
+            })
+            .but_not("the driver has two pins"),
         A.equation("jazar.ex-a.formula", "360/60", "revolutions per second from revolutions per minute")
             .evaluated(OtherPlaceInSource, |tex| match number(tex) {
                 Some(quotient) => same(quotient * printed("jazar.ex-c.cycle"), 1.0),
@@ -124,27 +144,48 @@ fn reference() -> Claim {
 
 fn absolute_senses() -> Claim {
     at("Ex. (d), reference to Fig. 5.29")
-        .statement("jazar.ex-d.absolute-senses", "CCW", "ϕ is positive counterclockwise while θ is positive clockwise")
+        .statement(
+            "jazar.ex-d.absolute-senses",
+            "CCW direction while θ is positive in the CW",
+            "ϕ is positive counterclockwise while θ is positive clockwise",
+        )
         .by(Vectors, |stated| {
-            let sign = stated.pick(1.0, -1.0);
+            let ([phi, theta], caption) = senses_and_caption(stated);
             for_all_stations(
                 |wheel| {
+                    let pin = |t: f64| turned_clockwise(wheel, -theta * t);
                     within(wheel.engagement_half_angle()).all(|t| {
-                        let pin = turned_clockwise(wheel, t);
-                        vanishes(sign * libm::atan2(pin.y, pin.x) - steady_display("jazar.eq-5.30", wheel, t))
+                        let angle = libm::atan2(pin(t).y, pin(t).x);
+                        let counted = vanishes(phi * angle - steady_display("jazar.eq-5.30", wheel, t));
+                        counted && pin(t).perp(&pin(t + 1e-6)) * caption > 0.0
                     })
                 },
-                "with a driver turned clockwise by θ, the pin's direction from the wheel's axis is the angle of Eq. \
-                 (5.30)",
+                "with a driver turned so by θ, the pin's direction from the wheel's axis is the angle of Eq. (5.30), and \
+                 the wheel turns as the caption of Fig. 5.28 says",
             )
         })
-        .by(ExactIdentity, |stated| prove(&AbsoluteSenses { sign: stated.pick(1, -1) }).into())
-        .but_not("ϕ is positive clockwise, as θ is")
+        .by(ExactIdentity, |stated| {
+            let (senses, caption) = senses_and_caption(stated);
+            let proof: Finding = prove(&AbsoluteSenses { senses: senses.map(|sense| sense as i64) }).into();
+            // The velocity of Eq. (5.31) is positive in the advance, so the wheel turns in the sense of positive φ.
+            let as_in_the_caption = senses[0] == caption;
+            let agrees = if as_in_the_caption { "agrees" } else { "disagrees" };
+            let holds = proof.holds && as_in_the_caption;
+            Finding::new(holds, format!("{}; the caption of Fig. 5.28 {agrees} with this sense of φ", proof.how))
+        })
+        .but_not("ϕ is positive clockwise while θ is positive counterclockwise")
         .read_as(
             "This is a convention of Fig. 5.29, which is not in the copy we had. The equations need the two senses to \
-             be opposite. They hold as well with θ counterclockwise and ϕ clockwise, so they don't settle which of the \
-             two is clockwise.",
+             be opposite, but they hold in the mirror image as well. The caption of Fig. 5.28 decides between the two: it \
+             says that the wheel is advanced counterclockwise, and by its own caption Fig. 5.29 models the same mechanism.",
         )
+}
+
+/// The senses in which φ and θ are positive, by the statement or by its mirror image; and the sense in which the wheel is
+/// advanced by the caption of Fig. 5.28.
+fn senses_and_caption(stated: Stated) -> ([f64; 2], f64) {
+    let senses = text::senses_in(stated.characters()).map(|sense| sense * stated.pick(1.0, -1.0));
+    (senses, text::sense(characters("jazar.fig-5.28-sense")))
 }
 
 fn senses() -> Claim {
@@ -159,30 +200,36 @@ fn senses() -> Claim {
             for_all_stations(
                 |wheel| {
                     within(wheel.engagement_half_angle()).all(|t| {
-                        // The driver turns on, counter-clockwise; so does the wheel if the product is positive.
-                        let place = |angle: f64| (wheel.centre_distance_ratio() + libm::cos(angle), libm::sin(angle));
-                        let ((x, y), (next_x, next_y)) = (place(PI - t), place(PI - t + 1e-6));
-                        (x * next_y - y * next_x) * stated.pick(-1.0, 1.0) > 0.0
+                        // The driver turns on, clockwise or counter-clockwise. The wheel turns counter-clockwise if the
+                        // product is positive.
+                        let pin = turned_clockwise(wheel, t);
+                        [1e-6, -1e-6].iter().all(|on| {
+                            let turning = pin.perp(&turned_clockwise(wheel, t + on));
+                            turning * on * stated.pick(1.0, -1.0) > 0.0
+                        })
                     })
                 },
-                "the wheel turns in this sense while the driver turns counter-clockwise",
+                "the wheel turns in this sense against the driver, whether the driver turns clockwise or counter-clockwise",
             )
         })
         .but_not("the wheel and the driver turn in the same sense")
 }
 
-/// While the driver turns clockwise from the line of centres, the wheel's counter-clockwise speed is `sign` times the velocity
-/// ratio of Eq. (5.31). Variables: k and the tangent of half the crank's angle θ.
+/// While the driver turns in the sense in which θ is positive, the wheel's speed in the sense in which φ is positive is the
+/// velocity ratio of Eq. (5.31). The senses of φ and θ are 1 counter-clockwise and −1 clockwise. Variables: k and the tangent
+/// of half the crank's angle θ.
 struct AbsoluteSenses {
-    sign: i64,
+    senses: [i64; 2],
 }
 
 impl Identity<2> for AbsoluteSenses {
     fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let [phi, theta] = self.senses;
         let crank = Turn::from_half_tangent(&half);
-        let formula = self.sign * velocity_ratio(&ratio, &crank);
-        pin_vectors::solve(&Expression::ONE, &ratio, &crank.supplement(), &Expression::integer(-1))
-            .map_or(Expression::ONE, |motion| motion.follower_speed - formula)
+        let formula = velocity_ratio(&ratio, &crank);
+        let place = if theta < 0 { crank.supplement() } else { crank.supplement().reversed() };
+        pin_vectors::solve(&Expression::ONE, &ratio, &place, &Expression::integer(theta))
+            .map_or(Expression::ONE, |motion| phi * motion.follower_speed - formula)
     }
 }
 
@@ -237,4 +284,20 @@ fn zero_of_acceleration() -> f64 {
     let end = wheel.engagement_half_angle();
     let (_, high) = halved(-end, end, |t| by_series(&wheel, t)[2] > 0.0);
     if high.abs() < 1e-15 { 0.0 } else { high }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::judge;
+
+    #[test]
+    fn other_senses_are_refused() {
+        for [phi, theta] in [["CW", "CCW"], ["CW", "CW"], ["CCW", "CCW"]] {
+            let words = format!("{phi} direction while θ is positive in the {theta}").leak();
+            let claim = Claim { printed: words, ..absolute_senses() };
+            assert!(!judge(Box::leak(Box::new(claim))).holds(), "{words}");
+        }
+        assert!(judge(Box::leak(Box::new(absolute_senses()))).holds());
+    }
 }

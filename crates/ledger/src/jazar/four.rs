@@ -77,6 +77,11 @@ fn loop_closure() -> Vec<Claim> {
                 })
             })
             .but_not("θ is the angle of rotation since the pin entered"),
+        at("Fig. 5.29, caption").lost_drawing(
+            "jazar.fig-5.29-drawing",
+            "Figure 5.29",
+            "the drawing of the model of the mechanism",
+        ),
     ]
 }
 

@@ -24,7 +24,7 @@ fn sizes() -> Vec<Claim> {
         RATIOS
             .statement(
                 "jazar.wheel-radius-ratio",
-                r"\text{outside diameter}: 1/\tan \alpha",
+                r"\text{outside diameter … the latter is } 1/\tan \alpha",
                 "the second ratio, which is the outside diameter of the wheel over the pin radius",
             )
             .by(Vectors, |stated| {
@@ -43,7 +43,7 @@ fn sizes() -> Vec<Claim> {
             })
             .read_as(PIN_RADIUS)
             .corrected(
-                r"\text{outside radius}: 1/\tan \alpha",
+                r"\text{outside radius … the latter is } 1/\tan \alpha",
                 Slip {
                     id: "",
                     reason: "The only other length that the sentence names is the pin radius. If α is half the angle \
@@ -123,18 +123,21 @@ fn equations() -> Vec<Claim> {
     ]
 }
 
+/// What is left out between the length and its ratio, which the sentence before gives another one.
+const BETWEEN: &str = " … the latter is } ";
+
 /// How many outside radii the length is of which the characters give the ratio.
 fn radii(stated: Stated) -> Option<u32> {
-    match stated.characters().split_once(':')?.0 {
-        r"\text{outside radius}" => Some(1),
-        r"\text{outside diameter}" => Some(2),
+    match stated.characters().split_once(BETWEEN)?.0 {
+        r"\text{outside radius" => Some(1),
+        r"\text{outside diameter" => Some(2),
         _ => None,
     }
 }
 
 /// The ratio that the characters give, for this α.
 fn ratio(stated: Stated, alpha: f64) -> Option<f64> {
-    let (_, formula) = stated.characters().split_once(':')?;
+    let (_, formula) = stated.characters().split_once(BETWEEN)?;
     Some(value(formula, &by_name([("alpha", alpha)])))
 }
 

@@ -3,6 +3,7 @@
 //! The claims follow the order of the source: the four-station wheel and its equations, the general wheel, the example.
 //! The wheel of the example is [`example`].
 
+mod counts;
 mod curves;
 mod duration;
 mod dwell;
@@ -46,11 +47,13 @@ const fn at(locator: &'static str) -> Place {
 pub fn claims() -> Vec<Claim> {
     [
         text::claims(),
+        counts::of_the_caption(),
         four::claims(),
         curves::claims(),
         duration::claims(),
         general::claims(),
         spherical::claims(),
+        counts::of_the_example(),
         example::claims(),
         peak::claims(),
     ]

@@ -66,10 +66,10 @@ fn steps() -> Vec<Claim> {
             .read(PEAK.evidence, |tex| holds(tex, (PEAK.numbers)())),
         E.equation(
             "jazar.ex-e.pythagoras",
-            r"\sin^2\theta = 1 - \cos^2\theta",
+            r"\sin^2\theta \text{ by } 1 - \cos^2\theta",
             "the square of the sine, replaced by the cosine",
         )
-        .in_letters(ANY),
+        .rewritten_and_proven(ANY, |tex| tex.replace(r"\text{ by }", "=")),
         at("Ex. (e), quadratic")
             .equation(
                 "jazar.ex-e.quadratic",
@@ -129,15 +129,22 @@ fn preceding() -> Claim {
             "the preceding equation is a quadratic equation in cos θ",
         )
         .by(ExactIdentity, |stated| {
+            let printed = decide_multiple(characters("jazar.ex-e.quadratic"), quadratic);
             let degree = left_side(Expression::variable(0), Expression::integer(7)).degrees(1)[0];
-            Finding::new(degree == stated.pick(2, 3), format!("the equation is of degree {degree} in cos θ"))
+            let how = format!("{}; the equation is of degree {degree} in cos θ", printed.how);
+            Finding::new(printed.holds && degree == stated.pick(2, 3), how)
         })
         .by(ClosedForm, |stated| {
-            // Differences of values at whole numbers: of a polynomial, those of its degree are the last that are
-            // not zero.
+            // Differences of the sides for cosines at equal steps: of a polynomial, those of its degree are the last
+            // that are not zero.
             let degree: usize = stated.pick(2, 3);
+            let sides = |cosine: f64| {
+                let (left, right) = characters("jazar.ex-e.quadratic").split_once('=').unwrap_or_default();
+                let letters = by_name([("theta", libm::acos(cosine)), ("gamma", 7.0)]);
+                value(left, &letters) - value(right, &letters)
+            };
             let difference = |order: usize| {
-                let mut values: Vec<f64> = (0..=order).map(|c| left_side(c as f64, 7.0)).collect();
+                let mut values: Vec<f64> = (0..=order).map(|step| sides(step as f64 / 4.0)).collect();
                 while values.len() > 1 {
                     values = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
                 }
@@ -145,14 +152,18 @@ fn preceding() -> Claim {
             };
             let (own, next) = (difference(degree), difference(degree + 1));
             Finding::new(
-                own != 0.0 && next == 0.0,
+                !vanishes(own) && vanishes(next),
                 format!(
-                    "the differences of order {degree} are {own}, and the differences of the next order are {next}"
+                    "the differences of order {degree} are {own:.3}, and the differences of the next order are {:.3}",
+                    next + 0.0
                 ),
             )
         })
         .but_not("it is a cubic equation")
-        .read_as("The preceding equation is Eq. (5.33), the one before the words that say what γ is.")
+        .read_as(
+            "We take the preceding equation to be the display before the word “where”, which has no number. The equation \
+             after that word only says what γ is.",
+        )
 }
 
 fn numbers() -> Vec<Claim> {

@@ -10,7 +10,7 @@ use geneva_kinematics::pin_slot::velocity_ratio;
 const INDEXING: Place = at("1st paragraph");
 pub(super) const VARIETIES: Place = at("2nd paragraph");
 pub(super) const SIMPLE: Place = at("Paragraph on Fig. 5.28");
-const CAPTION: Place = at("Fig. 5.28, caption");
+pub(super) const CAPTION: Place = at("Fig. 5.28, caption");
 const MODEL: Place = at("Paragraph below Fig. 5.28");
 
 pub fn claims() -> Vec<Claim> {
@@ -27,6 +27,7 @@ pub fn claims() -> Vec<Claim> {
         locking::journal_radius(),
         locking::cutout_centres(),
         sense_of_the_wheel(),
+        CAPTION.lost_drawing("jazar.fig-5.28-drawing", "Figure 5.28", "the drawing of the four-station mechanism"),
         parts_of_the_cycle(),
         speeds_up_then_slows_down(),
     ]
@@ -126,7 +127,7 @@ fn quarter_turn() -> Claim {
 }
 
 /// The part of a whole that a number of quarters is; not a number if the words are not of quarters.
-fn quarters(stated: Stated) -> f64 {
+pub(super) fn quarters(stated: Stated) -> f64 {
     if stated.characters().contains("quarter") { stated.number() / 4.0 } else { f64::NAN }
 }
 
@@ -221,11 +222,56 @@ fn wheel_radius() -> Claim {
 }
 
 fn sense_of_the_wheel() -> Claim {
-    CAPTION.figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise").missing(
-        "The copy we had does not include the drawing, and the text does not say in which sense the driver turns. If \
-         the driver turns clockwise, which is the sense in which Fig. 5.29 measures θ, the star wheel turns \
-         counterclockwise. If the driver turns counterclockwise, the star wheel turns clockwise.",
-    )
+    CAPTION
+        .figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise")
+        .by(Series, |stated| {
+            // φ grows while the wheel advances, and the note of part (d) says in which sense it is counted.
+            let (said, [phi, _]) = (sense(stated.characters()) * stated.pick(1.0, -1.0), senses_of_the_note());
+            for_all_stations(
+                |wheel| within(wheel.engagement_half_angle()).all(|t| by_series(wheel, t)[1] * phi * said > 0.0),
+                "φ grows in the advance, counted as the note on Fig. 5.29 says",
+            )
+        })
+        .by(Vectors, |stated| {
+            // The driver turns in the sense in which the note counts θ.
+            let (said, [_, theta]) = (sense(stated.characters()) * stated.pick(1.0, -1.0), senses_of_the_note());
+            for_all_stations(
+                |wheel| {
+                    let place = |t: f64| turned_clockwise(wheel, -theta * t);
+                    within(wheel.engagement_half_angle()).all(|t| place(t).perp(&place(t + 1e-6)) * said > 0.0)
+                },
+                "the pin goes round the wheel's axis in this sense while the driver turns as the note on Fig. 5.29 says",
+            )
+        })
+        .but_not("the star wheel is advanced clockwise")
+        .read_as(
+            "The copy has lost the drawing. By its caption, Fig. 5.29 is the model of this mechanism, and a note in part (d) \
+             says in which senses Fig. 5.29 counts its angles. We take the wheel to advance in the sense in which φ \
+             grows, because φ is said to vary from −45° to 45° during the advance.",
+        )
+}
+
+/// Whether a word names the counterclockwise sense, with a plus, or the clockwise one, with a minus; not a number if
+/// it names none.
+pub(super) fn sense(words: &str) -> f64 {
+    match (
+        words.contains("CCW") || words.contains("counterclockwise"),
+        words.contains("CW") || words.contains("clockwise"),
+    ) {
+        (true, _) => 1.0,
+        (false, true) => -1.0,
+        (false, false) => f64::NAN,
+    }
+}
+
+/// The senses in which φ and θ are positive by these words, as the note of part (d) has them.
+pub(super) fn senses_in(words: &str) -> [f64; 2] {
+    words.split_once("while").map_or([f64::NAN; 2], |(phi, theta)| [sense(phi), sense(theta)])
+}
+
+/// The senses that the note of part (d) prints.
+fn senses_of_the_note() -> [f64; 2] {
+    senses_in(characters("jazar.ex-d.absolute-senses"))
 }
 
 fn parts_of_the_cycle() -> Claim {
@@ -311,7 +357,7 @@ fn crossings<'a>(wheel: &Wheel, parts: &'a [f64]) -> impl Iterator<Item = (f64, 
 }
 
 /// Part of a turn of the driver in which the wheel is locked, by counting.
-fn locked_part(wheel: &Wheel) -> f64 {
+pub(super) fn locked_part(wheel: &Wheel) -> f64 {
     let steps = 4000;
     let middles = (0..steps).map(|k| PI * (2.0 * (f64::from(k) + 0.5) / f64::from(steps) - 1.0));
     let locked = middles.filter(|t| wheel.at(0, *t).is_ok_and(|m| m.phase == Phase::Dwell)).count();

@@ -9,6 +9,11 @@ pub fn claims() -> Vec<Claim> {
 
 fn lengths() -> Vec<Claim> {
     vec![
+        at("Fig. 5").lost_drawing(
+            "meyer.fig-5",
+            "Figure 5",
+            "the angles of driver and follower between entry and exit",
+        ),
         at("Fig. 5 and 1st display before Eq. (1-4)")
             .equation(
                 "meyer.projection",

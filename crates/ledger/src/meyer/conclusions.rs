@@ -27,10 +27,11 @@ fn timing() -> Claim {
         )
         .by(Quadrature, |stated| {
             let settled = series(rows()).filter_map(|own| {
-                let of = general_statements::with(own.first()?, 1.0, stated.pick(1.0, MORE))?;
-                let steady = of.steady_state().ok()?;
+                let row = own.first()?;
+                let steady = general_statements::with(row, 1.0, 1.0)?.steady_state().ok()?;
+                let of = general_statements::with(row, 1.0, stated.pick(1.0, MORE));
                 let last = STARTS.map(|start| {
-                    let mut speed = start * steady.entry_speed;
+                    let (of, mut speed) = (of.as_ref()?, start * steady.entry_speed);
                     for _ in 0..ENGAGEMENTS {
                         speed = of.return_map(speed).ok()?;
                     }
@@ -38,22 +39,21 @@ fn timing() -> Claim {
                 });
                 Some(settles(&last.map(|duration| duration.unwrap_or(f64::NAN))))
             });
-            of_groups(settled.collect())
+            of_groups(settled.collect(), stated)
         })
         .by(RungeKutta, |stated| {
             let settled = series(rows()).filter_map(|own| {
                 let (row, friction) = (own.first()?, stated.pick(1.0, MORE));
-                let rest = from_speed(row, friction, 0.0);
-                let (duration, speed) = *rest.last()?;
+                // The motion from rest with the friction of the run: its last engagement but one is compared with the last.
+                let rest = from_speed(row, 1.0, 0.0);
+                let ((duration, speed), before) = (*rest.last()?, rest.iter().rev().nth(1)?.0);
                 let last = STARTS.map(|start| {
-                    let all = if start == 0.0 { rest.clone() } else { from_speed(row, friction, start * speed) };
+                    let all = from_speed(row, friction, start * speed);
                     all.last().map_or(f64::NAN, |(last, _)| last / duration)
                 });
-                // From rest alone the last two engagements are compared.
-                let before = rest.iter().rev().nth(1)?.0 / duration;
-                Some(settles(&[&last[..], &[before]].concat()))
+                Some(settles(&[&last[..], &[before / duration]].concat()))
             });
-            of_groups(settled.collect())
+            of_groups(settled.collect(), stated)
         })
         .but_not("it comes to the same motion with a fifth more friction")
         .read_as(
@@ -71,14 +71,15 @@ fn settles(periods: &[f64]) -> bool {
     periods.iter().all(|period| crate::tolerance::STEPS.agrees(*period, 1.0))
 }
 
-fn of_groups(settled: Vec<bool>) -> Finding {
+fn of_groups(settled: Vec<bool>, stated: Stated) -> Finding {
     let count = settled.iter().filter(|settled| **settled).count();
     Finding::new(
         count == series(rows()).count(),
         format!(
-            "in {count} of {} groups of runs, the motion comes to one period, whether it starts from rest or with a \
-             tenth to ten times the steady speed",
-            series(rows()).count()
+            "in {count} of {} groups of runs, the motion {}comes to the steady period of the run, whether it starts \
+             from rest or with a tenth to ten times the steady speed",
+            series(rows()).count(),
+            stated.pick("", "with a fifth more friction ")
         ),
     )
 }

@@ -54,7 +54,7 @@ pub fn claims() -> Vec<Claim> {
 
 fn torque() -> Vec<Claim> {
     vec![
-        lost_drawing("meyer.fig-6", "Fig. 6", "the moment arm of the friction about the driver's axis", "Figure 6"),
+        at("Fig. 6").lost_drawing("meyer.fig-6", "Figure 6", "the moment arm of the friction about the driver's axis"),
         at("1st display after Fig. 6")
             .equation(
                 "meyer.friction-torque",
@@ -80,6 +80,11 @@ fn torque() -> Vec<Claim> {
             )
             .proven_by(triangle)
             .read(ClosedForm, holds),
+        at("Sentence before Eq. (1-11)").lost_drawing(
+            "meyer.triangle-drawing",
+            "the following triangle can be drawn",
+            "the triangle from which sin φ is read off",
+        ),
         at("Eq. (1-11)")
             .equation(
                 "meyer.eq-1-11",
@@ -101,7 +106,7 @@ fn torque() -> Vec<Claim> {
 
 fn normal_force() -> Vec<Claim> {
     vec![
-        lost_drawing("meyer.fig-7", "Fig. 7", "the forces on the follower", "Figure 7"),
+        at("Fig. 7").lost_drawing("meyer.fig-7", "Figure 7", "the forces on the follower"),
         at("Display after Fig. 7")
             .equation(
                 "meyer.moments",
@@ -275,11 +280,4 @@ fn as_size(tex: &str) -> Option<bool> {
         pressing.map(with_size).collect()
     });
     reading::holds(tex, with_size)
-}
-
-/// A drawing of which the copy has only the caption.
-fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    let reason = "The copy we had does not contain the drawing. What the text reads off the drawing is covered by \
-                  other claims";
-    at(locator).figure(id, printed, meaning).missing(reason)
 }

@@ -100,6 +100,7 @@ fn conditions() -> Vec<Claim> {
             })
             .but_not("with one pin more or fewer, the next pin enters at that instant too"),
         hand_over::along_the_slot(),
+        at("Fig. 4").lost_drawing("meyer.fig-4", "Figure 4", "the mechanism as one pin leaves and the next enters"),
     ]
 }
 

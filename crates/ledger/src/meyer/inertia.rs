@@ -4,7 +4,7 @@ use super::disc_letters::{DISC, ESTIMATE};
 use super::parameters::AFTER_THE_LIST;
 use super::runs::table::{UNIT, units_in_one};
 use super::*;
-use crate::Dimension as Exponents;
+use crate::{Dimension as Exponents, Verdict};
 
 const FORMULA: Place = at("Chapter II, 1st display of I");
 const NUMBERS: Place = at("Chapter II, 2nd display of I");
@@ -207,18 +207,13 @@ fn estimate() -> Vec<Claim> {
                 let weight = density * thickness * PI * diameter * diameter / 4.0;
                 units_in_one(UNIT) * weight / gravity / 2.0 * diameter * diameter / 4.0
             })
-            .corrected(
-                "0.45",
-                Slip {
-                    id: "",
-                    reason: "The numbers in the display before this one give a little less than 0.45, so 0.4 would be \
-                             right to one digit. The thesis writes “approximately equal” here, and its next sentence \
-                             says “about”. But here, as everywhere, we judge the digit that is printed.",
-                    witness: "We computed the inertia as half the disc's mass times the square of its radius.",
-                    origin: Origin::Arithmetic,
-                    consequence: Consequence::Number,
-                    changes: "",
-                },
+            .read_to(|| 0.1)
+            .expecting(Verdict::ReadOff)
+            .read_as(
+                "The thesis announces the value as approximate twice, by the sign in this display and in the next \
+                 sentence, so we ask for it to one unit of its only digit. The numbers of the display before give \
+                 0.44986. A weight of .2831 would be printed as .283 too, and with it the value rounds to the printed \
+                 digit.",
             ),
     ]
 }
@@ -240,9 +235,13 @@ pub fn printed_inertia() -> f64 {
     printed("meyer.disc.inertia") / units_in_one(UNIT)
 }
 
-/// The diameter and the thickness that are stated, in inches; the neighbour has a tenth of an inch more in diameter.
+/// The diameter and the thickness that are stated, in inches, for two discs; the neighbour has a tenth of an inch more in
+/// diameter.
 fn sizes(stated: Stated) -> [f64; 2] {
-    let [diameter, thickness] = stated.numbers().try_into().unwrap_or([f64::NAN; 2]);
+    let [diameter, thickness] = match stated.numbers()[..] {
+        [2.0, diameter, thickness] => [diameter, thickness],
+        _ => [f64::NAN; 2],
+    };
     [diameter + stated.pick(0.0, 0.1), thickness]
 }
 
@@ -330,4 +329,21 @@ pub fn volume(power: u32) -> Exponents {
 /// A force over an acceleration.
 pub fn mass() -> Exponents {
     Exponents::FORCE * Exponents::TIME * Exponents::TIME / Exponents::LENGTH
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Decimal;
+
+    #[test]
+    fn a_weight_that_rounds_to_the_printed_one_gives_the_printed_digit_of_the_inertia() {
+        let data = data().expect("numbers");
+        let printed: Decimal = characters("meyer.disc.inertia").parse().expect("a number");
+        let weight: Decimal = ".283".parse().expect("a number");
+        let inertia = |weight: f64| units_in_one(UNIT) * disc(data.diameter, data.thickness) * weight / data.density;
+        assert!(weight.is_rounding_of(data.density) && !printed.is_rounding_of(inertia(data.density)));
+        assert!(weight.is_rounding_of(0.2831) && printed.is_rounding_of(inertia(0.2831)));
+        assert_eq!(format!("{:.5}", inertia(data.density)), "0.44986");
+    }
 }

@@ -174,15 +174,17 @@ fn vector_sum() -> Claim {
     .by(Evidence::Quadrature, |stated| {
         for_each(
             |at| {
-                // The work of a unit torque on the follower over an engagement is the angle it turns by.
+                // The work of a unit torque on the follower is the angle by which it turns. We take two thirds of an
+                // engagement: over all of it, the driver turns as far with four slots.
                 let ratio = at.centre_distance_ratio();
                 let factor =
                     |angle: f64| stated.pick(pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)), 1.0);
-                let work = simpson(factor, -at.engagement_half_angle(), at.engagement_half_angle());
-                agrees_in_steps(work, at.follower_pitch_angle())
+                let ends = [-at.engagement_half_angle(), at.engagement_half_angle() / 3.0];
+                let [from, to] = ends.map(|end| PinKinematics::new(at, end).angle());
+                agrees_in_steps(simpson(factor, ends[0], ends[1]), to - from)
             },
-            "we compared the work of a torque on the follower over an engagement with the angle through which the \
-             follower turns",
+            "we compared the work of a torque on the follower over two thirds of an engagement with the angle through \
+             which the follower turns",
         )
     })
     .but_not("a torque on the follower counts like a torque on the driver")

@@ -14,6 +14,7 @@ mod centres;
 mod combinations;
 mod concluded;
 mod conclusions;
+mod counts;
 mod disc_letters;
 mod energy;
 mod friction;
@@ -28,6 +29,7 @@ mod lagrange;
 mod less_friction;
 mod letters;
 mod motion;
+mod named_mechanisms;
 mod newton;
 mod parameters;
 mod peaks;
@@ -47,7 +49,7 @@ pub mod terms;
 pub use concluded::CONCLUSIONS;
 pub use symbols::SYMBOLS;
 
-use crate::agreement::{agrees, range, same, vanishes};
+use crate::agreement::{agrees, joined, range, same, vanishes};
 use crate::by_id::{characters, named, numbers, printed, right_side};
 use crate::tex as reading;
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work, claim, numeric_tokens};
@@ -68,7 +70,9 @@ pub fn claims() -> Vec<Claim> {
     [
         summary::claims(),
         front::claims(),
+        named_mechanisms::claims(),
         geometry::claims(),
+        counts::of_the_derivation(),
         combinations::claims(),
         angles::claims(),
         rates::claims(),
@@ -82,6 +86,7 @@ pub fn claims() -> Vec<Claim> {
         inertia::claims(),
         profile::claims(),
         peaks::claims(),
+        counts::of_the_study(),
         general_statements::claims(),
         conclusions::claims(),
         recommendations::claims(),
@@ -179,22 +184,18 @@ fn instant(escapement: &Mechanism, k: i32) -> f64 {
     escapement.engagement_half_angle() * f64::from(2 * k + 1) / 20.0
 }
 
-/// Whether a property holds for each of the three escapements.
+/// Whether a property holds for each of the three escapements; or for which it fails.
 fn for_each(holds: impl Fn(&Mechanism) -> bool, how: &str) -> Finding {
-    let failing = Mechanism::ALL.into_iter().find(|escapement| !holds(escapement));
-    match failing {
-        None => Finding::new(true, format!("{how}, for each of the three mechanisms")),
-        Some(escapement) => Finding::new(false, format!("{how}: this fails with {} slots", escapement.slots())),
+    let failing: Vec<u32> = Mechanism::ALL.iter().filter(|at| !holds(at)).map(|at| at.slots()).collect();
+    match failing[..] {
+        [] => Finding::new(true, format!("{how}, for each of the three mechanisms")),
+        _ => Finding::new(false, format!("{how}: this fails with {} slots", joined(failing))),
     }
 }
 
 /// Whether a property of the hand-over without rounding holds for each of the three escapements.
 fn exactly(holds: impl Fn(&HandOver) -> bool, how: &str) -> Finding {
-    let failing = Mechanism::ALL.into_iter().find(|escapement| !holds(&escapement.hand_over()));
-    match failing {
-        None => Finding::new(true, format!("{how}, with the roots exact, for each of the three mechanisms")),
-        Some(escapement) => Finding::new(false, format!("{how}: this fails with {} slots", escapement.slots())),
-    }
+    for_each(|escapement| holds(&escapement.hand_over()), &format!("{how}, with the roots exact"))
 }
 
 /// Whether a number is zero, with its roots exact.
@@ -209,3 +210,101 @@ fn all_proven<const V: usize>(identities: &[impl Identity<V>]) -> Finding {
 }
 
 use Evidence::{ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Check, Kind, Verdict, verdicts_where};
+
+    #[test]
+    fn claims_on_the_reset_take_the_angle_between_pins_in_so_many_words_or_are_wrong_with_it() {
+        let mut kept = Vec::new();
+        for claim in claims().iter().filter(|claim| claim.id.starts_with("meyer.app-b.")) {
+            let words =
+                ["each engagement", "single engagements", "engagements of one pin", "angle of the pin in its slot"];
+            let of_the_reset = ["reset", "modulo", "X varies"].iter().any(|word| claim.meaning.contains(word));
+            if !of_the_reset && !words.iter().any(|word| claim.meaning.contains(word)) {
+                continue;
+            }
+            let wrong = claim.erratum.is_some_and(|erratum| erratum.slip.id == slips::RESET_ANGLE.id);
+            let reading = claim.reading.unwrap_or_default();
+            let read = reading.contains("is a claim of its own");
+            // The sentence that the printed program is the one that ran is about its reset as it is printed.
+            let as_printed = claim.meaning.contains("the printed program, with its reset");
+            assert!(wrong != read || as_printed, "{}: {reading}", claim.id);
+            kept.push(claim.id);
+        }
+        assert_eq!(
+            kept,
+            [
+                "meyer.app-b.actual-program",
+                "meyer.app-b.fold",
+                "meyer.app-b.series",
+                "meyer.app-b.hand-over",
+                "meyer.app-b.one-pin-at-a-time",
+                "meyer.app-b.angle-in-lines",
+                "meyer.app-b.varies-only",
+            ]
+        );
+    }
+
+    #[test]
+    fn a_near_miss_is_false_in_all_cases_that_its_finding_counts() {
+        let stated =
+            |claim: &Claim| claim.work == Work::Meyer1973 && matches!(claim.kind, Kind::Statement | Kind::Figure);
+        let mut counted = 0;
+        for judged in verdicts_where(stated) {
+            for (form, finding) in judged.findings.iter().filter(|(form, _)| form.starts_with("neighbour")) {
+                let words: Vec<&str> = finding.how.split_whitespace().collect();
+                for pair in words.windows(3).filter(|pair| pair[1] == "of" && pair[2].parse::<u32>().is_ok()) {
+                    if let Ok(count) = pair[0].parse::<u32>() {
+                        counted += 1;
+                        assert_eq!(count, 0, "{}, {form}: {}", judged.claim.id, finding.how);
+                    }
+                }
+                let mechanisms = finding.how.split("this fails with ").nth(1).filter(|of| !of.contains("slots and"));
+                let three = !finding.how.contains("three to eighteen");
+                if let Some(failing) = mechanisms.filter(|_| three) {
+                    counted += 1;
+                    assert_eq!(failing, "3, 4 and 6 slots", "{}, {form}", judged.claim.id);
+                }
+            }
+        }
+        assert!(counted > 20, "{counted}");
+    }
+
+    #[test]
+    fn a_near_miss_says_nothing_that_another_claim_says() {
+        let all = claims();
+        let near = |claim: &Claim| match claim.check {
+            Check::Statement { neighbour, .. } => neighbour,
+            _ => None,
+        };
+        for claim in &all {
+            let Some(said) = near(claim) else { continue };
+            let other = all.iter().find(|other| other.id != claim.id && other.meaning == said);
+            assert!(other.is_none(), "{}: {said}", claim.id);
+        }
+    }
+
+    #[test]
+    fn a_reading_that_cites_a_claim_as_open_or_as_another_s_agrees_with_its_verdict() {
+        let verdict = |id: &str| crate::judge(named(id)).verdict;
+        let reading = |id: &str| named(id).reading.expect("a reading");
+        let demand = "it is open whether as a need or as a choice";
+        for id in ["meyer.conclusion.three", "meyer.conclusion.the-three"] {
+            assert!(reading(id).contains(demand), "{id}");
+        }
+        assert_eq!(verdict("meyer.always-engaged"), Verdict::NotReproducible);
+        assert!(reading("meyer.first-minimum").contains("it would be open"));
+        assert_eq!(verdict("meyer.fig-8.rise"), Verdict::NotReproducible);
+        assert!(reading("meyer.app-b.cannot-be-solved").contains("whose verdict is open"));
+        for id in ["meyer.app-b.must-be-solved", "meyer.app-b.simultaneous"] {
+            assert_eq!(verdict(id), Verdict::NotReproducible);
+        }
+        for id in ["meyer.app-b.series", "meyer.app-b.hand-over", "meyer.app-b.one-pin-at-a-time"] {
+            assert!(reading(id).contains("the printed 90° is a claim of its own"), "{id}");
+        }
+        assert_eq!(verdict("meyer.app-b.fold"), Verdict::Corrected);
+    }
+}

@@ -39,7 +39,7 @@ pub fn after_the_list() -> Vec<Claim> {
                 let off = Mechanism::ALL.into_iter().map(|at| {
                     let pins = pins_needed(at.slots()).map_or(f64::NAN, |pins| pins.approximate());
                     let slot = PI / f64::from(at.slots());
-                    stated.pick(PI / 2.0 - slot, slot) - PI / pins
+                    stated.pick(1.0, 2.0) * (PI / 2.0 - slot) - PI / pins
                 });
                 every(off, vanishes, "with m by Eq. (1-3), the differences between that angle and π/m are")
             })
@@ -47,12 +47,12 @@ pub fn after_the_list() -> Vec<Claim> {
                 let across = Mechanism::ALL.into_iter().map(|at| {
                     let slot = PI / f64::from(at.slots());
                     let drawn = Drawn::new(at.pins(), at.slots());
-                    let angle = stated.pick(PI / 2.0 - slot, slot);
+                    let angle = stated.pick(1.0, 2.0) * (PI / 2.0 - slot);
                     drawn.place(angle).perp(&Drawn::velocity(angle))
                 });
                 every(across, vanishes, "at that angle, the velocities of a pin across its slot are")
             })
-            .but_not("θ_0 is the follower's angle π/n"),
+            .but_not("θ_0 is the angle from one pin to the next, 2π/m"),
         AFTER_THE_LIST
             .statement(
                 "meyer.four-parameters",

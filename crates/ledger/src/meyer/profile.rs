@@ -1,10 +1,10 @@
 //! Fig. 8 and what chapter II says of its curve: its shape, its scales, and when it is steady.
 
-use super::by_steps::{Group, Motion, groups};
+use super::by_steps::{Motion, groups};
 use super::general_statements::{Responses, responses};
 use super::runs::table::rows;
 use super::study::steady;
-use super::terms::Start;
+use super::terms::{Start, is_there};
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::Stated;
@@ -98,11 +98,10 @@ fn scales() -> Claim {
         .but_not("changing torque and both inertias in the same proportion will change them")
         .read_as(
             "In all runs, each of the three changes by a thousandth or more if we change a suitable one of torque, \
-             friction and the two inertias, and nothing else, by a tenth up or down. Changes of this size count for \
-             the shape too. The torque changes all three, and velocity and period change with each of the four. The \
-             rise time does not always change. With six pins and a friction of .35, the driver's inertia changes the \
-             rise time, measured to the average, by 0.02 per cent. That is a few hundredths of a millisecond, and the \
-             tables' unit is one millisecond.",
+             friction and the two inertias, and nothing else, by a tenth, whether up or down. Changes of this size \
+             count for the shape too. The torque changes all three, and velocity and period change with each of the \
+             four. The rise time does not always change: in some runs, a tenth more or a tenth less of the friction or \
+             of the driver's inertia changes it by less than a thousandth.",
         )
 }
 
@@ -113,23 +112,27 @@ fn first_minimum() -> Claim {
         "by the first minimum of its speed, the driver has reached its steady motion",
     )
     .by(Quadrature, |stated| {
-        let lacks = |(row, state): &(&Row, SteadyState)| {
+        let first = |(row, state): &(&Row, SteadyState)| {
             let first = Hypothesis::IDEAL.engagement(row)?.first_minimum().ok()??;
-            Some(1.0 - first.speed / state.minimum.speed)
+            Some([first.speed, state.minimum.speed])
         };
-        achieved(stated, &steady().iter().filter_map(lacks).collect::<Vec<_>>(), rows().len())
+        achieved(stated, &steady().iter().filter_map(first).collect::<Vec<_>>())
     })
     .by(RungeKutta, |stated| {
-        let lacks = |group: &Group| {
-            let least = |of| Some(group.motion.least(of)?.value);
-            Some(1.0 - least(group.motion.engagements.first()?)? / least(group.motion.steady()?)?)
+        let first = |row: &Row| {
+            let group = groups().iter().find(|group| group.rows.contains(row))?;
+            let least = |of| Some(group.motion.least(of)?.value * group.scale(row));
+            Some([least(group.motion.engagements.first()?)?, least(group.motion.steady()?)?])
         };
-        achieved(stated, &groups().iter().filter_map(lacks).collect::<Vec<_>>(), groups().len())
+        achieved(stated, &rows().iter().filter_map(first).collect::<Vec<_>>())
     })
     .read_as(
-        "We test the sentence against all runs, because the sentence before it in the thesis speaks of all runs. \
-         “Steady” means to within one per cent, as for the rise time. The claim also fails if it is meant only for the \
-         four-pin run of Fig. 8, whichever run of the tables that is.",
+        "We test the sentence against all runs, because the sentence before it in the thesis speaks of all runs. We ask \
+         for no more than that the first minimum is within 1 rad/s (the unit of the tables) of the minimum of the steady \
+         motion. If we asked for one per cent, as for the rise time, no run would pass. If the sentence were meant only \
+         for the run of Fig. 8, it would be open, because the thesis does not name this run. Of the 17 four-pin runs, 12 \
+         have a first minimum within 1 rad/s of the steady one, and in 4 of these the velocity at each angle stays \
+         within 1 rad/s of the steady velocity from then on.",
     )
     .corrected(
         "at the first minimum in velocity, the driver is still 1.8 to 28 per cent slower than at the minimum of its \
@@ -137,9 +140,9 @@ fn first_minimum() -> Claim {
         Slip {
             id: "",
             reason: "The first minimum belongs to an engagement that begins at rest. In every run this minimum is \
-                     lower than the minimum of the steady state, and the less friction there is, the lower it is. In a \
-                     few runs the difference is 1 rad/s or less, so the tables, whose speeds have no decimals, hardly \
-                     show it.",
+                     lower than the minimum of the steady state, and the less friction there is, the lower it is. In \
+                     15 of the 49 runs, 12 of them with four pins, the difference is 1 rad/s or less, so the tables, \
+                     whose speeds have no decimals, hardly show it there.",
             witness: "We computed the motions in small steps of the driver's angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
@@ -150,16 +153,17 @@ fn first_minimum() -> Claim {
     )
 }
 
-/// Whether the first minima, which lack such parts of the steady ones, are steady to one per cent, or lack as much as is
-/// stated.
-fn achieved(stated: Stated, lacks: &[f64], count: usize) -> Finding {
-    let [least, most] = range(lacks.iter().copied()).map(|lack| 100.0 * lack);
-    let steady = lacks.iter().filter(|lack| lack.abs() <= terms::MISSING).count();
+/// Whether the first minima of all runs are the steady ones, to within a unit of the tables, or lack as much of them as is
+/// stated; from the first and the steady minimum of each, in rad/s.
+fn achieved(stated: Stated, minima: &[[f64; 2]]) -> Finding {
+    let count = rows().len();
+    let [least, most] = range(minima.iter().map(|[first, steady]| 100.0 * (1.0 - first / steady)));
+    let near = minima.iter().filter(|[first, steady]| is_there(steady - first)).count();
     Finding::new(
-        lacks.len() == count && stated.pick(stated.is_rounding_of(&[least, most]), steady == count),
+        minima.len() == count && stated.pick(stated.is_rounding_of(&[least, most]), near == count),
         format!(
-            "in {steady} of {count} motions the first minimum agrees with the steady minimum to one per cent; the \
-             first minimum is {least:.1} to {most:.1} per cent lower than the steady one"
+            "in {near} of {count} runs the first minimum is within 1 rad/s of the steady minimum; the first minimum is \
+             {least:.1} to {most:.1} per cent lower than the steady one"
         ),
     )
 }
@@ -174,19 +178,22 @@ const VISIBLE: f64 = 1e-3;
 /// alone leaves the shape as it is.
 fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -> Option<Vec<f64>>) -> Finding {
     if stated.pick(true, false) {
-        // The shape's numbers come last; of a parameter the greater of its two changes.
+        // The shape's numbers come last; of these the one that changes more.
         let shape = |own: &[f64; QUANTITIES]| own[SCALES..].iter().copied().fold(0.0, f64::max);
-        let changes = alone(found).map(|groups| groups.iter().map(shape).collect::<Vec<f64>>());
-        let [torque, others @ ..] = &changes;
-        let most = torque.iter().copied().fold(0.0, f64::max);
-        let least = others.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-        let complete = changes.iter().all(|own| own.len() == series(rows()).count());
+        let changes = |which: usize| {
+            let both = [&found[which], &found[which + PARAMETERS]];
+            both.into_iter().flatten().map(shape).collect::<Vec<f64>>()
+        };
+        let (torque, others) = (changes(0), (1..PARAMETERS).flat_map(changes).collect::<Vec<f64>>());
+        let [most, least] = [range(torque.iter().copied())[1], range(others.iter().copied())[0]];
+        let groups = series(rows()).count();
+        let complete = torque.len() == 2 * groups && others.len() == 2 * groups * (PARAMETERS - 1);
         return Finding::new(
             complete && most <= crate::tolerance::STEPS.relative && least >= VISIBLE,
             format!(
                 "relative to the peak, neither the minimum nor the speed at entry changes if the torque changes by a \
-                 tenth. But if any other parameter changes by a tenth, one of the two changes by {:.2} per cent or \
-                 more, with every mechanism at every friction value",
+                 tenth, up or down. But if any other parameter changes by a tenth, up or down, one of the two changes \
+                 by {:.2} per cent or more, with every mechanism at every friction value",
                 100.0 * least
             ),
         );
@@ -276,11 +283,11 @@ fn quantities_in_steps() -> &'static Responses<QUANTITIES> {
     })
 }
 
-/// By parameter and group the greater of the two changes, up and down, of each quantity.
+/// By parameter and group the lesser of the two changes, up and down, of each quantity.
 fn alone(found: &Responses<QUANTITIES>) -> [Vec<[f64; QUANTITIES]>; PARAMETERS] {
     let either = |which: usize| {
         let (more, less) = (&found[which], &found[which + PARAMETERS]);
-        more.iter().zip(less).map(|(a, b)| std::array::from_fn(|k| if a[k] > b[k] { a[k] } else { b[k] })).collect()
+        more.iter().zip(less).map(|(a, b)| std::array::from_fn(|k| if a[k] < b[k] { a[k] } else { b[k] })).collect()
     };
     std::array::from_fn(either)
 }
@@ -301,8 +308,8 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
         groups.len() == series(rows()).count() && least >= 100.0 * VISIBLE,
         format!(
             "with every mechanism at every friction value, each of the three changes by {least:.1} per cent or more \
-             if the parameter with the greatest effect on it changes by a tenth, and by {least_alone:.2} per cent or \
-             more if any other parameter does"
+             if the parameter with the greatest effect on it changes by a tenth, up or down, and by {least_alone:.3} \
+             per cent or more if any other parameter does"
         ),
     )
 }
@@ -328,12 +335,30 @@ mod tests {
     }
 
     #[test]
-    fn the_first_minimum_is_not_the_steady_one_in_any_four_pin_run() {
-        for (row, state) in steady().iter().filter(|(row, _)| row.mechanism == Mechanism::FOUR_PIN) {
-            let engagement = Hypothesis::IDEAL.engagement(row).expect("an escapement");
-            let first = engagement.first_minimum().expect("a start").expect("a minimum");
-            assert!(first.speed < (1.0 - terms::MISSING) * state.minimum.speed, "{}", row.slug());
-        }
+    fn the_first_minimum_is_the_steady_one_in_as_many_runs_as_reading_and_reason_say() {
+        // Whether the minimum alone is as near as this, and whether the velocity at each angle is so from then on.
+        let near = |row: &Row, is_near: fn(f64, f64) -> bool| {
+            let group = groups().iter().find(|group| group.rows.contains(row)).expect("a group");
+            let (motion, scale) = (&group.motion, group.scale(row));
+            let speeds = |of| motion.values(of, |_, speed| speed * scale);
+            let (first, steady) = (&motion.engagements[0], motion.steady().expect("a steady motion"));
+            let [minimum, other] = [first, steady].map(|of| motion.least(of).expect("a minimum").value * scale);
+            let from = motion.angles.iter().position(|angle| *angle >= motion.least(first).expect("a minimum").angle);
+            let skipped = from.expect("an angle");
+            let agrees = |of, skipped| {
+                speeds(of).into_iter().zip(speeds(steady)).skip(skipped).all(|(speed, steady)| is_near(speed, steady))
+            };
+            let later = motion.engagements.iter().skip(1).all(|of| agrees(of, 0));
+            [is_near(minimum, other), agrees(first, skipped) && later]
+        };
+        let count = |rows: &[Row], is_near: fn(f64, f64) -> bool| {
+            [0, 1].map(|which| rows.iter().filter(|row| near(row, is_near)[which]).count())
+        };
+        let (unit, per_cent) =
+            (|a: f64, b: f64| is_there(a - b), |a: f64, b: f64| (a / b - 1.0).abs() <= terms::MISSING);
+        assert_eq!(count(rows_of(rows(), Mechanism::FOUR_PIN), unit), [12, 4]);
+        assert_eq!(count(rows(), unit)[0], 15);
+        assert_eq!(count(rows(), per_cent), [0, 0]);
     }
 
     #[test]
@@ -354,10 +379,11 @@ mod tests {
             assert!(torque.iter().all(|own| own[..SCALES].iter().all(|change| *change >= VISIBLE)));
             assert!(alone.iter().flatten().all(|own| own[..2].iter().all(|change| *change >= VISIBLE)));
             let unseen = |k: usize| alone.iter().flatten().filter(|own| own[k] < VISIBLE).count();
-            assert_eq!([unseen(2), unseen(3)], [0, 3]);
-            // With six pins and a friction of .35 the driver's inertia.
-            let least = alone.iter().flatten().map(|own| own[3]).fold(f64::INFINITY, f64::min);
-            assert!(least == alone[2][3][3] && (1.5e-4..2.5e-4).contains(&least), "{least}");
+            assert_eq!([unseen(2), unseen(3)], [2, 5]);
+            // These are changes of the friction and of the driver's inertia.
+            for of in [&alone[0], &alone[3]] {
+                assert!(of.iter().all(|own| own[2] >= VISIBLE && own[3] >= VISIBLE));
+            }
         }
     }
 }

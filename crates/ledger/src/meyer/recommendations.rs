@@ -82,8 +82,8 @@ fn cyclic_oscillations() -> Claim {
         .read_as(
             "Runs with the same mechanism and the same friction value form a group. We read the recommendation's \
              “excessively high” as ten times the greatest torque that the tables have for the group. We call an \
-             oscillation “significant” if, once the rise is over, the highest and the lowest peak differ by 1 rad/s or \
-             more, because the tables give peaks in whole rad/s. By this measure, the printed velocities oscillate in \
+             oscillation “significant” if, once the rise is over, the highest and the lowest peak differ by 1 rad/s, \
+             the unit of the tables, or more. By this measure, the printed velocities oscillate in \
              every group if the torque is about five times that greatest torque or more. At three times the greatest \
              torque, the velocities of some groups do not oscillate. Our first check takes the motion of the \
              mechanisms, and our second check takes the program as it was run, so their numbers differ.",

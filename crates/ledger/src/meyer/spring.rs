@@ -112,7 +112,8 @@ fn in_the_equation(stated: Stated) -> Finding {
         agrees(reading::value(right, &letters), TORQUE)
     };
     let what = stated.pick("a torque", "a torque per unit of angle");
-    Finding::for_all([0.5, 1.0, 2.0], gives_it, |found, all| {
+    // Not one radian, at which the two are one.
+    Finding::for_all([0.5, 2.0, 4.0], gives_it, |found, all| {
         format!("if K is {what}, Eq. (1-15) gives the right torque at {found} of {all} angles")
     })
 }

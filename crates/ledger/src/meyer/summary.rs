@@ -24,15 +24,16 @@ pub fn claims() -> Vec<Claim> {
             .by(Quadrature, |stated| {
                 let of = |row: &Row| Some(with(row, 1.0, stated.pick(1.0, 0.0))?.steady_state().ok()?.multiplier);
                 let left: Vec<f64> = rows().iter().filter_map(of).collect();
-                let worst = left.iter().copied().fold(0.0, f64::max);
-                Finding::new(
-                    left.len() == rows().len() && worst < 1.0,
+                let worst = left.iter().copied().reduce(f64::max);
+                let reduced = worst.map_or_else(String::new, |worst| {
                     format!(
-                        "{} of {} runs have a steady motion, and an engagement reduces a small difference from the \
-                         steady speed to {worst:.2} of its size or less",
-                        left.len(),
-                        rows().len()
-                    ),
+                        ", and an engagement reduces a small difference from the steady speed to {worst:.2} of its \
+                         size or less"
+                    )
+                });
+                Finding::new(
+                    left.len() == rows().len() && worst.is_some_and(|worst| worst < 1.0),
+                    format!("{} of {} runs have a steady motion{reduced}", left.len(), rows().len()),
                 )
             })
             .by(RungeKutta, |stated| {

@@ -7,7 +7,7 @@
 use super::by_steps::{self, Motion};
 use super::runs::table::rows;
 use geneva_case1973::{Hypothesis, Row};
-use geneva_dynamics::steady::{Cycle, Engagement};
+use geneva_dynamics::steady::{Engagement, MOST_CYCLES};
 use std::sync::OnceLock;
 
 /// A word of the source with its meaning.
@@ -40,7 +40,7 @@ fn stands_for(known: &str, id: &str) -> bool {
 }
 
 /// The terms, in the order in which the source first uses them.
-pub const TERMS: [Term; 8] = [
+pub const TERMS: [Term; 9] = [
     Term {
         word: "terminal velocity",
         known_by: &["terminal velocit"],
@@ -73,9 +73,9 @@ pub const TERMS: [Term; 8] = [
         word: "rise time",
         known_by: &["rise time"],
         meaning: "the time from rest until the terminal velocity is reached, to one per cent. The thesis leaves open \
-                  which velocity this is, so we allow two readings. In one, the velocity at each angle must be steady \
-                  from then on. In the other, the average of peak and minimum of an engagement must be steady, and \
-                  the time is counted to the end of that engagement",
+                  which velocity this is, so we allow two measures. By the profile, the velocity at each angle must be \
+                  steady from then on. By the average, the average of peak and minimum of an engagement must be steady, \
+                  and the time is counted to the end of that engagement",
         rests_on: "introduction, which defines it; axes of Figs. 10 and 11, for the one per cent; chapter II, \
                    paragraph on the rise time, for the steady state velocity profile and for the average",
         measure: "terms::Start::by_integrals",
@@ -132,19 +132,42 @@ pub const TERMS: [Term; 8] = [
         ],
     },
     Term {
-        word: "is a maximum, is a minimum, coincides, slows down, decreases",
-        known_by: &[],
-        meaning: "the speed differs from the greatest or the least speed of the cycle by no more than one unit of the \
-                  tables, 1 rad/s. A member slows down, or its speed decreases, if the speed never rises by more than \
-                  one such unit above its lowest value so far",
+        word: "is a maximum, is a minimum, coincides, has achieved, slows down, increases, decreases, shape, significant \
+               (of speeds on the curves)",
+        known_by: &["the unit of the tables"],
+        meaning: "speeds on the curves of the driver and the follower are compared to one unit of the tables, 1 rad/s. A \
+                  speed is a maximum, a minimum or steady if it differs from that speed by no more than this unit. A \
+                  member slows down, or its speed decreases, if the speed never rises by more than one such unit above \
+                  its lowest value so far",
         rests_on: "Appendix E, whose speeds have no decimals",
         measure: "terms::is_there",
         claims: &[
+            "meyer.shape",
+            "meyer.first-minimum",
             "meyer.peaks-at-*",
             "meyer.driver-slows",
             "meyer.driver-increases",
             "meyer.extremes-on-centres",
             "meyer.follower-decreases",
+            "meyer.cyclic-oscillations",
+        ],
+    },
+    Term {
+        word: "lower, greater, fast enough, as much as (of rise times and terminal velocities)",
+        known_by: &[],
+        meaning: "sentences that compare the rise times or terminal velocities of the runs, or set them a limit, are \
+                  judged against the rows of Appendix E and against the mechanisms themselves. A sentence is right or \
+                  wrong only if the two agree, or if one of them cannot decide. Otherwise it is open",
+        rests_on: "chapter II, which makes its general statements about the graphs, and draws conclusions on the \
+                   mechanisms from them",
+        measure: "",
+        claims: &[
+            "meyer.abstract.fifty",
+            "meyer.more-torque",
+            "meyer.least-rise-time",
+            "meyer.less-friction",
+            "meyer.almost-linear",
+            "meyer.not-fast-enough",
         ],
     },
     Term {
@@ -191,14 +214,8 @@ impl Start {
 
     /// The start by the solution over the angle, with another part of the velocity that may be missing.
     pub fn by_integrals_to(of: &Engagement, missing: f64) -> Option<Self> {
-        let (rise, first) = (of.rise(1e-6).ok()?, of.first_minimum().ok()??);
-        let velocity = rise.steady.mean_of_extremes();
-        let average = |cycle: &Cycle| {
-            // From rest the least speed of the first engagement is none of its minima.
-            let minimum = if cycle.start == 0.0 && first.time < cycle.end { first.speed } else { cycle.minimum.speed };
-            f64::midpoint(cycle.peak.speed, minimum)
-        };
-        let average = rise.cycles.iter().find(|cycle| is_near(average(cycle), velocity, missing))?.end;
+        let velocity = of.steady_state().ok()?.mean_of_extremes();
+        let average = of.until_average_in(missing, MOST_CYCLES).ok()?;
         Some(Self { velocity, rise_times: [of.until_profile(missing).ok()?, average] })
     }
 
@@ -278,6 +295,36 @@ mod tests {
                 let exists = own.iter().any(|claim| stands_for(known, claim.id));
                 assert!(exists, "{}: no claim {known}", term.word);
             }
+        }
+    }
+
+    /// The term with this in its word.
+    fn term(word: &str) -> &'static Term {
+        TERMS.iter().find(|term| term.word.contains(word)).expect("a term")
+    }
+
+    #[test]
+    fn all_claims_on_a_speed_of_the_curves_state_one_tolerance() {
+        let own = claims().iter().filter(|claim| term("coincides").is_used_by(claim.id));
+        for claim in own {
+            let reading = claim.reading.expect("a reading");
+            assert!(reading.contains("1 rad/s"), "{}: {reading}", claim.id);
+        }
+    }
+
+    #[test]
+    fn a_sentence_on_the_runs_is_judged_against_tables_and_mechanisms_or_is_open() {
+        use crate::Evidence::OtherPlaceInSource;
+        for claim in claims().iter().filter(|claim| term("fast enough").is_used_by(claim.id)) {
+            let evidence = claim.check.evidence();
+            let (tables, mechanisms) = (
+                evidence.contains(&OtherPlaceInSource),
+                evidence.iter().any(|evidence| *evidence != OtherPlaceInSource),
+            );
+            let open = matches!(claim.check, Check::Missing { .. });
+            // The torques of the tables end where this sentence begins.
+            let beyond = claim.id == "meyer.least-rise-time";
+            assert!(open || mechanisms && tables != beyond, "{}: {evidence:?}", claim.id);
         }
     }
 

@@ -3,7 +3,6 @@
 use super::letters::FOUR_SLOTS;
 use super::*;
 use crate::tex::{decide, holds};
-use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Field, Rational, Surd, rational};
 
 const STATEMENT: Place = at("Problem, 1st paragraph");
@@ -11,6 +10,10 @@ const QUESTION: Place = at("Problem, 2nd paragraph");
 
 pub fn claims() -> Vec<Claim> {
     vec![
+        at("Problem, 1st sentence")
+            .figure("pin.problem-figure", "shown", "the drawing of the mechanism, with its crank radius")
+            .missing(placement::LOST_DRAWING),
+        signs::driver_sense(),
         signs::letter_v(),
         STATEMENT
             .value(
@@ -90,10 +93,16 @@ pub fn claims() -> Vec<Claim> {
                 "pin.crank-angle",
                 "150",
                 "°",
-                "the given crank angle from the direction OB, confirmed by the angle at B and the direction of v_P",
+                "the given crank angle from the direction OB, confirmed by the angle at B and the printed r",
             )
             .by(OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver"))
-            .by(OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),
+            .by(OtherPlaceInSource, || {
+                // The angle at B from the three sides.
+                let (radius, side) = (printed("pin.crank-radius"), printed("pin.radius"));
+                let distance = 2f64.sqrt() * radius;
+                let cosine = (radius * radius + distance * distance - side * side) / (2.0 * radius * distance);
+                180.0 - libm::acos(cosine).to_degrees()
+            }),
         signs::letter_f(),
     ]
 }

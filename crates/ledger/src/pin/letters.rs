@@ -157,7 +157,7 @@ fn four_slots_in_numbers() -> &'static [Moment] {
 /// the two ends of what its digits leave open, the sides differ in opposite senses. None if it cannot be read.
 pub fn makes_exact(tex: &str, (letter, value): (&str, f64)) -> Option<bool> {
     let digits = crate::numeric_tokens(tex).into_iter().find(|token| token.contains('.'))?;
-    let ends = digits.parse::<crate::Decimal>().ok()?.interval();
+    let ends = digits.parse::<Decimal>().ok()?.interval();
     let (left, right) = tex.split_once('=')?;
     let letters = Moment::default().with([(letter, value)]).letters().clone();
     let [low, high] = ends.map(|end| {

@@ -1,26 +1,29 @@
 //! The textbook problem: angular velocity of a four-slot wheel and velocity of the pin in its slot.
 //!
 //! The claims follow the order of the source, with a file for each stage: what is given, the position triangle, the
-//! velocity triangle. The instant itself, from the printed values, is [`Instant`].
+//! velocity triangle. The instant itself, from the printed values, is [`Instant`]. How the lost drawing can have shown it
+//! is in a file of its own.
 
 mod directions;
 mod given;
 mod letters;
+mod placement;
 mod position;
 mod signs;
 mod symbols;
 mod velocity;
 
-pub(crate) use signs::{only_arrow, turns};
+pub(crate) use placement::{Arrow, Placement, heading};
+pub(crate) use signs::turns;
 pub use symbols::SYMBOLS;
 
 use crate::agreement::vanishes;
-use crate::by_id::{interval, printed, rounds};
+use crate::by_id::{decimal, interval, printed, rounds};
 use crate::duals::{Crank, path, turned};
-use crate::{Claim, Consequence, Dimension, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
+use crate::{Claim, Consequence, Decimal, Dimension, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::Turn;
-use geneva_kinematics::pin_slot::PinSlot;
+use geneva_kinematics::pin_slot::{PinSlot, velocity_ratio};
 use geneva_kinematics::pin_triangle::{self, TriangleSolution};
 use geneva_kinematics::pin_vectors::{self, PinMotion};
 use geneva_kinematics::wheel::Wheel;
@@ -39,19 +42,27 @@ pub const ANSWERS: &[&str] = &["pin.follower-speed", "pin.sliding-speed", "pin.s
 pub struct Instant {
     /// Crank and slot, lengths in the printed unit.
     pub mechanism: PinSlot,
-    /// Crank angle φ from the direction O → B, counter-clockwise.
+    /// Crank angle from the direction O → B, counter-clockwise.
     pub crank: Turn<f64>,
     /// Angular velocity of the driver in rad/s, counter-clockwise positive.
     pub driver_speed: f64,
 }
 
 impl Instant {
-    /// Builds the instant from the printed values: the four-station wheel, scaled to the printed crank radius.
+    /// Builds the instant from the printed values: the four-station wheel, scaled to the printed crank radius. The crank's
+    /// angle is counted counter-clockwise, as the page that continues the problem lets us conclude.
     pub fn printed() -> Result<Self, KinematicsError> {
+        Self::placed(placement::drawn())
+    }
+
+    /// The printed values in a placement of the mechanism: a mirror image counts the crank's angle clockwise, and the
+    /// driver turns as before.
+    pub(crate) fn placed(placement: Placement) -> Result<Self, KinematicsError> {
         let wheel = Wheel::new(4)?;
+        let crank = Turn::from_degrees(printed("pin.crank-angle"));
         Ok(Self {
             mechanism: wheel.pin_and_slot(printed("pin.crank-radius"))?,
-            crank: Turn::from_degrees(printed("pin.crank-angle")),
+            crank: if placement.mirrored { crank.reversed() } else { crank },
             driver_speed: printed("pin.driver-speed"),
         })
     }
@@ -91,9 +102,9 @@ pub fn claims() -> Vec<Claim> {
     [given::claims(), position::claims(), velocity::claims()].concat()
 }
 
-/// A quantity of the triangle at the printed instant.
+/// A quantity of the triangle at the printed instant, whose sides and angles its mirror image has too.
 fn triangle(quantity: fn(&TriangleSolution) -> f64) -> f64 {
-    Instant::printed().map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
+    Instant::placed(placement::BY_THE_PAGE).map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
 }
 
 /// A quantity of the vectors at the printed instant.
@@ -111,11 +122,6 @@ fn at_the_instant(find: impl Fn(&Instant, &PinMotion<f64>) -> Finding) -> Findin
 fn from_duals(find: impl Fn(&Crank) -> Finding) -> Finding {
     let found = Instant::printed().map(|instant| find(&instant.by_duals()));
     found.unwrap_or_else(|_| Finding::new(false, "there is no such position"))
-}
-
-/// The direction of a vector in degrees, counter-clockwise from the right, from 0° to 360°.
-fn heading(vector: &Vector2<f64>) -> f64 {
-    Turn { cos: vector.x, sin: vector.y }.degrees().rem_euclid(360.0)
 }
 
 /// The sine of an angle in degrees.

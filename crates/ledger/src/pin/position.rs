@@ -1,6 +1,7 @@
 //! The position triangle OPB: law of cosines, law of sines.
 
 use super::letters::{AT_THIRTY, SPEEDS, makes_exact};
+use super::signs::between;
 use super::*;
 use crate::vocabulary::filled;
 
@@ -52,7 +53,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Vectors, || {
                 Instant::printed().map_or(f64::NAN, |instant| {
                     let (to_pin, to_pivot) = (instant.crank.direction(), Vector2::new(-1.0, 0.0));
-                    Turn { cos: to_pin.dot(&to_pivot), sin: to_pin.perp(&to_pivot) }.degrees()
+                    between(&to_pin, &to_pivot)
                 })
             }),
         COSINES
@@ -88,7 +89,7 @@ pub fn claims() -> Vec<Claim> {
                 "sine of the angle at O, from the rounded r/R",
             )
             .evaluated(Vectors, |tex| {
-                let angle = vectors(|motion| libm::atan2(motion.position.y, motion.position.x));
+                let angle = vectors(|motion| libm::atan2(motion.position.y.abs(), motion.position.x));
                 Finding::of_reading(makes_exact(tex, ("b", angle)))
             })
             .read(ClosedForm, |tex| {
@@ -99,7 +100,7 @@ pub fn claims() -> Vec<Claim> {
         SINES
             .value("pin.angle-at-pivot", "42.4", "°", "angle of the slot at O from the line of centres")
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
-            .by(Vectors, || vectors(|motion| Turn { cos: motion.position.x, sin: motion.position.y }.degrees()))
+            .by(Vectors, || vectors(|motion| Turn { cos: motion.position.x, sin: motion.position.y.abs() }.degrees()))
             .rounded(|| {
                 let sine = sine(printed("pin.angle-at-driver")) / printed("pin.radius-ratio");
                 Turn { cos: (1.0 - sine * sine).sqrt(), sin: sine }.degrees()

@@ -2,23 +2,25 @@
 //!
 //! Greek letters have become Latin ones, and arrows have become letters. If a letter, with its index if it has one,
 //! names one thing in all its places, then nothing is wrong with it, and the claim says what it names. A letter in
-//! place of an arrow says nothing. One rule holds for all the arrows: the rest of the text tells what an arrow was if,
-//! of all the arrows that could be there, only one makes the printed numbers right.
+//! place of an arrow says nothing. One rule holds for all the arrows: an arrow is known if it is the same in all
+//! placements of the lost drawing that fit the text, or else in all those that fit the page that continues the problem.
 
+use super::placement::{AS_ON_THE_PAGE, fitting, left_by_the_page};
 use super::*;
 use crate::by_id::characters;
 
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
     id: "pin.mark-f",
-    reason: "The copy we had shows the letters d, f and i in place of three arrows. The text settles each of them \
-             without the drawing, because it gives the sense of the driver and the angle of the crank, and all other \
-             senses follow from these. An arrow before an angle points up or down and to the left or to the right, \
-             and its angle is measured from the horizontal or from the vertical. That makes eight possible arrows, \
-             and only one of them fits the printed angles.",
-    witness: "The angles of the crank and of the slot alone give the same directions. A public page that continues the \
-              problem prints the arrows of the sliding velocity and of the wheel, and they are the same arrows. \
-              However, it prints no velocity of the slot's point.",
+    reason: "The copy we had shows the letters d, f and i in place of three arrows. The text settles the sense of the \
+             wheel, because it says in which sense the driver turns, and the wheel turns in the opposite sense wherever \
+             the axes are drawn. But the text does not settle the two arrows before angles. An arrow before an angle \
+             points up or down and to the left or to the right, and its angle is measured from the horizontal or from \
+             the vertical. The printed angles fit eight ways of drawing the mechanism, each with its own pair of arrows. \
+             A public page that continues the problem prints the first of the two arrows, and only one of the eight ways \
+             has this arrow. So the page, together with the printed angles, settles the second arrow too.",
+    witness: "The angles of the crank and of the slot alone give the same directions in each placement, and the page prints \
+              the arrows of the sliding velocity and of the wheel. However, it prints no velocity of the slot's point.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",
@@ -149,18 +151,27 @@ pub fn mark_d() -> Claim {
             "the arrow before the angles of the pin's velocity and of its sliding velocity, which says what these \
              angles are measured from",
         )
-        .by(Jet, |stated| {
-            at_the_instant(|_, motion| {
-                only_arrow(&TWO, [heading(&motion.pin_velocity), heading(&motion.sliding_velocity)], stated)
-            })
-        })
-        .by(ClosedForm, |stated| {
-            // Across the crank, and from the pin to O.
-            let slot = triangle(|t| t.angle_at_pivot).to_degrees();
-            let found = only_arrow(&TWO, [printed("pin.crank-angle") + 90.0, slot + 180.0], stated);
-            Finding::new(found.holds && is_on_the_page(stated, "wild.holooly.sliding-direction"), found.how)
-        })
+        .by(Jet, |stated| left_by_the_page(&fitting(by_vectors), |[first, _]| first, stated))
+        .by(ClosedForm, |stated| left_by_the_page(&fitting(by_angles), |[first, _]| first, stated))
+        .read_as(AS_ON_THE_PAGE)
         .corrected("an arrow down and to the left, with the angle from the horizontal", ARROWS)
+}
+
+/// The directions of the pin's velocity, of the sliding velocity and of the slot point's velocity, by vectors.
+pub(super) fn by_vectors(placement: Placement) -> [f64; 3] {
+    let velocities: [fn(&PinMotion<f64>) -> f64; 3] = [
+        |motion| heading(&motion.pin_velocity),
+        |motion| heading(&motion.sliding_velocity),
+        |motion| heading(&motion.slot_point_velocity),
+    ];
+    velocities.map(|velocity| placement.heading(placement.by_vectors(|_, motion| velocity(motion))))
+}
+
+/// Directions of the three velocities by the angles of the triangle: across the crank, from the pin to O, and across the
+/// slot.
+fn by_angles(placement: Placement) -> [f64; 3] {
+    let slot = triangle(|t| t.angle_at_pivot).to_degrees();
+    [printed("pin.crank-angle") + 90.0, slot + 180.0, slot + 270.0].map(|angle| placement.heading_of_velocity(angle))
 }
 
 /// Whether the public page that continues the problem prints these characters in a claim. The page is another copy of
@@ -168,10 +179,6 @@ pub fn mark_d() -> Claim {
 fn is_on_the_page(stated: Stated, id: &str) -> bool {
     stated.characters() == characters(id)
 }
-
-/// The claims whose angles have the first arrow before them, and the second.
-const TWO: [&str; 2] = ["pin.pin-velocity-direction", "pin.sliding-velocity-direction"];
-const ONE: [&str; 1] = ["pin.slot-point-velocity-direction"];
 
 pub fn mark_f() -> Claim {
     at("Solution, components of the velocity")
@@ -181,80 +188,63 @@ pub fn mark_f() -> Claim {
             "the arrow before the angle of the slot point's velocity, showing the direction from which the angle is \
              measured",
         )
-        .by(Jet, |stated| at_the_instant(|_, motion| only_arrow(&ONE, [heading(&motion.slot_point_velocity)], stated)))
-        .by(ClosedForm, |stated| {
-            // Across the slot, clockwise about O.
-            only_arrow(&ONE, [270.0 + triangle(|t| t.angle_at_pivot).to_degrees()], stated)
-        })
+        .by(Jet, |stated| left_by_the_page(&fitting(by_vectors), |[_, second]| second, stated))
+        .by(ClosedForm, |stated| left_by_the_page(&fitting(by_angles), |[_, second]| second, stated))
+        .read_as(AS_ON_THE_PAGE)
         .corrected("an arrow down and to the right, with the angle from the vertical", ARROWS)
+}
+
+/// The sense in which the driver turns, which the page that continues the problem confirms.
+pub fn driver_sense() -> Claim {
+    let speed = |stated: Stated| stated.pick(1.0, -1.0) * printed("pin.driver-speed");
+    at("Problem, 1st paragraph")
+        .statement("pin.driver-sense", "counterclockwise", "the driver turns counterclockwise")
+        .by(Jet, move |stated| {
+            as_on_the_page(move |placement| {
+                let at = Instant { driver_speed: speed(stated), ..Instant::placed(placement).ok()? };
+                Some(at.by_vectors()?.follower_speed)
+            })
+        })
+        .by(ClosedForm, move |stated| {
+            // Against the driver by the velocity ratio, which is positive in opposite senses.
+            as_on_the_page(move |_| {
+                let crank = Turn::from_degrees(printed("pin.angle-at-driver"));
+                Some(-speed(stated) * velocity_ratio(&2f64.sqrt(), &crank))
+            })
+        })
+        .but_not("the driver turns clockwise")
+        .read_as(
+            "In the copy, nothing else shows the sense of the driver. We confirm it by the page that continues the problem: \
+             this page prints an arrow for the sense of the wheel.",
+        )
+}
+
+/// Whether the wheel turns in the sense that the page prints, wherever the mechanism is drawn.
+fn as_on_the_page(speed: impl Fn(Placement) -> Option<f64>) -> Finding {
+    let page = Stated::right(characters("wild.holooly.sense"));
+    let found = Placement::all().map(|at| turns(speed(at).unwrap_or(f64::NAN), page)).collect::<Vec<_>>();
+    Finding::of_cases(found.iter().all(|found| found.holds), &found)
 }
 
 pub fn follower_sense() -> Claim {
     at("Solution, angular velocity of the wheel")
         .statement("pin.follower-sense", "i", "the arrow that says in which sense the wheel turns")
-        .by(Jet, |stated| at_the_instant(|_, motion| turns(motion.follower_speed, stated)))
+        .by(Jet, |stated| {
+            let found: Vec<_> = Placement::all()
+                .map(|placement| turns(placement.by_vectors(|_, motion| motion.follower_speed), stated))
+                .collect();
+            Finding::of_cases(found.iter().all(|found| found.holds), &found)
+        })
         .by(OtherPlaceInSource, |stated| {
-            // The pin goes round O in the sense in which its velocity is across OP, by the printed angles.
-            let velocity = printed("pin.crank-angle") + 90.0;
-            let found = turns(sine(velocity - printed("pin.angle-at-pivot")), stated);
-            Finding::new(found.holds && is_on_the_page(stated, "wild.holooly.sense"), found.how)
+            // The pin goes round O in the sense in which its velocity is across OP, by the printed angles; in the mirror
+            // image both directions are mirrored and the velocity is reversed.
+            let (velocity, slot) = (printed("pin.crank-angle") + 90.0, printed("pin.angle-at-pivot"));
+            let [found, mirrored] = [[velocity, slot], [180.0 - velocity, -slot]]
+                .map(|[velocity, slot]| turns(sine(velocity - slot), stated));
+            let holds = found.holds && mirrored.holds && is_on_the_page(stated, "wild.holooly.sense");
+            Finding::of_cases(holds, &[found, mirrored])
         })
         .corrected("an arrow that turns clockwise", ARROWS)
-}
-
-/// An arrow before an angle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Arrow {
-    up: bool,
-    right: bool,
-    from_the_horizontal: bool,
-}
-
-impl Arrow {
-    /// Reads the arrow that the words describe; none if they describe none, as a letter does.
-    fn read(words: &str) -> Option<Self> {
-        let either = |one: &str, other: &str| match (words.contains(one), words.contains(other)) {
-            (true, false) => Some(true),
-            (false, true) => Some(false),
-            _ => None,
-        };
-        Some(Self {
-            up: either("up", "down")?,
-            right: either("right", "left")?,
-            from_the_horizontal: either("horizontal", "vertical")?,
-        })
-    }
-
-    /// All eight.
-    fn all() -> impl Iterator<Item = Self> {
-        (0..8).map(|k| Self { up: k & 1 == 1, right: k & 2 == 2, from_the_horizontal: k & 4 == 4 })
-    }
-
-    /// The angle that is printed behind the arrow for a direction in degrees, counter-clockwise from the right; outside of
-    /// 0° to 90° if the arrow points elsewhere.
-    fn angle(self, heading: f64) -> f64 {
-        // Turned over so that the arrow points up and to the right.
-        let heading = if self.right { heading } else { 180.0 - heading };
-        let heading = if self.up { heading } else { -heading }.rem_euclid(360.0);
-        if self.from_the_horizontal { heading } else { 90.0 - heading }
-    }
-
-    /// Whether the arrow makes all these printed angles right, for these directions.
-    fn fits(self, ids: &[&str], headings: &[f64]) -> bool {
-        ids.iter().zip(headings).all(|(id, heading)| rounds(id, self.angle(*heading)))
-    }
-}
-
-/// Whether the arrow in the statement fits the printed angles of these claims and no other arrow does.
-pub(crate) fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], stated: Stated) -> Finding {
-    let fitting: Vec<Arrow> = Arrow::all().filter(|arrow| arrow.fits(ids, &headings)).collect();
-    let pointing = headings.map(|heading| format!("{heading:.1}°")).join(" and ");
-    let Some(arrow) = Arrow::read(stated.characters()) else {
-        return Finding::new(false, "a letter is printed, which points nowhere");
-    };
-    let holds = fitting == [arrow];
-    let count = fitting.len();
-    Finding::new(holds, format!("{count} of eight arrows fits {pointing}, counted counter-clockwise from the right"))
 }
 
 /// Whether the wheel turns in the stated sense, by an angular velocity that is positive counter-clockwise.
@@ -265,11 +255,11 @@ pub(crate) fn turns(speed: f64, stated: Stated) -> Finding {
         (false, _) => return Finding::new(false, "a letter is printed, which shows no sense of turning"),
     };
     let found = if speed > 0.0 { "counter-clockwise" } else { "clockwise" };
-    Finding::new((speed > 0.0) == said, format!("the pin goes round the axis of the wheel {found}"))
+    Finding::new(!speed.is_nan() && (speed > 0.0) == said, format!("the pin goes round the axis of the wheel {found}"))
 }
 
 /// The angle between two vectors in degrees, from 0° to 180°.
-fn between(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
+pub(super) fn between(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
     Turn { cos: a.dot(b), sin: a.perp(b).abs() }.degrees()
 }
 
@@ -288,7 +278,7 @@ pub fn dimension(id: &str) -> Option<Dimension> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Erratum, Verdict, judge};
+    use crate::{Erratum, judge};
 
     #[test]
     fn every_other_arrow_is_refused() {

@@ -1,6 +1,7 @@
 //! The velocity triangle: v_P = v_P′ + v_{P/S}.
 
 use super::letters::{SPEEDS, VELOCITIES};
+use super::placement::{AS_ON_THE_PAGE, drawn};
 use super::*;
 use crate::vocabulary::filled;
 use nalgebra::Vector2;
@@ -33,7 +34,8 @@ fn pin_speed() -> Vec<Claim> {
             .by(Jet, || vectors(|motion| motion.pin_velocity.norm())),
         PIN.value("pin.pin-velocity-direction", "60", "°", "angle of the pin's velocity from the horizontal")
             .by(ClosedForm, || 90.0 - printed("pin.angle-at-driver"))
-            .by(Jet, || vectors(|motion| from_horizontal(&motion.pin_velocity))),
+            .by(Jet, || vectors(|motion| from_horizontal(&motion.pin_velocity)))
+            .read_as(AS_ON_THE_PAGE),
         signs::mark_d(),
     ]
 }
@@ -50,6 +52,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
         directions::across_the_slot(),
         directions::along_the_slot(),
         directions::velocity_figure(),
+        TRIANGLE.lost_drawing("pin.triangle-drawings", "we draw", "the drawings of the two triangles"),
         signs::letter_g(),
         ANGLE
             .equation(
@@ -91,7 +94,8 @@ fn components() -> Vec<Claim> {
                 "angle of the slot point's velocity, from the vertical",
             )
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
-            .by(Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity))),
+            .by(Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity)))
+            .read_as(AS_ON_THE_PAGE),
         COMPONENTS
             .equation("pin.sliding-equation", r"v_{P/S}=v_{P} \cos g", "component of the pin's velocity along the slot")
             .in_letters(SPEEDS),
@@ -103,7 +107,8 @@ fn components() -> Vec<Claim> {
         COMPONENTS
             .value("pin.sliding-velocity-direction", "42.4", "°", "angle of the sliding velocity from the horizontal")
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
-            .by(Jet, || vectors(|motion| from_horizontal(&motion.sliding_velocity))),
+            .by(Jet, || vectors(|motion| from_horizontal(&motion.sliding_velocity)))
+            .read_as(AS_ON_THE_PAGE),
     ]
 }
 
@@ -143,11 +148,12 @@ const OF_A_DISK: &str = "The letter v with the index D or S means the angular ve
 
 /// The acute angle between a direction and the horizontal, in degrees.
 fn from_horizontal(direction: &Vector2<f64>) -> f64 {
-    Turn { cos: direction.x.abs(), sin: direction.y.abs() }.degrees()
+    let turn = Turn::from_degrees(drawn().heading(heading(direction)));
+    Turn { cos: turn.cos.abs(), sin: turn.sin.abs() }.degrees()
 }
 
-/// The angle between the pin's velocity and the direction to the follower's pivot, in degrees.
+/// The acute angle between the pin's velocity and the line of the slot, in degrees.
 fn angle_to_slot(motion: &PinMotion<f64>) -> f64 {
-    let inward = -motion.position;
-    Turn { cos: motion.pin_velocity.dot(&inward), sin: motion.pin_velocity.perp(&inward).abs() }.degrees()
+    let (along, across) = (motion.pin_velocity.dot(&motion.position), motion.pin_velocity.perp(&motion.position));
+    Turn { cos: along.abs(), sin: across.abs() }.degrees()
 }

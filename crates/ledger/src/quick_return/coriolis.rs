@@ -69,7 +69,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, |stated| {
                 in_both_drawings(|instant| Some(points(instant.by_series()?.angular_velocity, stated)))
             })
-            .but_not("the angular velocity is directed into the page"),
+            .but_not("the lever turns clockwise"),
         SENSE
             .statement(
                 "quick-return.sense-of-sliding",

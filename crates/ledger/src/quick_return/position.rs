@@ -154,7 +154,7 @@ pub fn claims() -> Vec<Claim> {
                 "°",
                 "γ, the angle at the crank's axis between crank and ground",
             )
-            .by(Vectors, || 180.0 - position_of(|position| position.crank.degrees()))
+            .by(Vectors, || 180.0 - position_of(|position| position.crank.degrees().abs()))
             .by(ClosedForm, || {
                 let sine_at_pin = printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
                     / printed("quick-return.crank");
@@ -178,7 +178,7 @@ pub fn claims() -> Vec<Claim> {
                 "°",
                 "the crank's angle from the line of centres, extended beyond the crank's axis",
             )
-            .by(Vectors, || position_of(|position| position.crank.degrees()))
+            .by(Vectors, || position_of(|position| position.crank.degrees().abs()))
             .by(ClosedForm, || {
                 let sine_at_pin = printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
                     / printed("quick-return.crank");

@@ -8,9 +8,12 @@ pub const STEPS: Slip = Slip {
     reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The \
              angular velocity of the crank is printed with three digits, the pin's distance from the lever's pivot \
              with two and the speeds along and across the lever with three, but the results that are computed from \
-             these numbers are printed with three or four. No single rounding reproduces all of these results. But \
-             rounding the crank's angular velocity alone is enough for the printed speed of the pin, and rounding \
-             only the pin's distance from the pivot is enough for the printed angular velocity of the lever.",
+             these numbers are printed with three or four. No single rounding reproduces all of these \
+             results. Rounding the crank's angular velocity alone is enough for four of them: speed and acceleration of \
+             the pin, and angular velocity and normal acceleration of the lever. Rounding only the pin's distance from \
+             the pivot is enough for these two numbers of the lever as well, and also for the Coriolis acceleration. So \
+             either rounding alone spoils the lever's angular velocity. For the last three results, we need at least \
+             two roundings together.",
     witness: "Differentiating the loop closure with power series gives the corrected digits, too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
@@ -20,61 +23,106 @@ pub const STEPS: Slip = Slip {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::by_id::decimal;
     use crate::{claims, verdict};
 
-    /// Results of the solution's steps, unrounded, from a rate of the crank and a length of the lever.
-    fn steps(rate: f64, length: f64) -> [(&'static str, f64); 8] {
-        let (radius, beta) = (printed("quick-return.crank"), position_of(Position::angle_at_pin));
-        let (pin_speed, pin_normal) = (rate * radius, rate * rate * radius);
-        let lever_speed = pin_speed * beta.cos() / length;
-        let (lever_normal, coriolis) = (lever_speed * lever_speed * length, 2.0 * lever_speed * pin_speed * beta.sin());
-        let [sliding, tangential] = [pin_normal * beta.cos() - lever_normal, pin_normal * beta.sin() - coriolis];
-        [
-            ("quick-return.pin-speed", pin_speed),
-            ("quick-return.lever-speed", lever_speed),
-            ("quick-return.pin-normal", pin_normal),
-            ("quick-return.lever-normal", lever_normal),
-            ("quick-return.coriolis", coriolis),
-            ("quick-return.sliding-acceleration", sliding),
-            ("quick-return.lever-tangential", tangential),
-            ("quick-return.lever-acceleration", tangential / length),
-        ]
+    /// The results that come out wrong.
+    const SPOILED: [&str; 8] = [
+        "pin-speed",
+        "lever-speed",
+        "pin-normal",
+        "lever-normal",
+        "coriolis",
+        "sliding-acceleration",
+        "lever-tangential",
+        "lever-acceleration",
+    ];
+
+    /// What the solution computes, in its order.
+    const ALL: [&str; 13] = [
+        "driver-rate",
+        "angle-at-pin",
+        "lever-length",
+        "pin-speed",
+        "lever-point-speed",
+        "sliding-speed",
+        "lever-speed",
+        "pin-normal",
+        "lever-normal",
+        "coriolis",
+        "sliding-acceleration",
+        "lever-tangential",
+        "lever-acceleration",
+    ];
+
+    /// Where a result is in the order.
+    fn place(name: &str) -> usize {
+        ALL.iter().position(|other| *other == name).expect("a result")
     }
 
-    /// Which of the printed results come from a rate and a length.
-    fn come_from(rate: f64, length: f64) -> Vec<&'static str> {
-        steps(rate, length).into_iter().filter(|(id, value)| rounds(id, *value)).map(|(id, _)| id).collect()
+    fn id(name: &str) -> String {
+        format!("quick-return.{name}")
     }
 
-    fn rate() -> f64 {
-        Instant::printed().expect("a mechanism").drive.speed
+    /// What the solution computes if it rounds these results, each to its printed places.
+    fn rounded(results: &[&str]) -> [f64; 13] {
+        let keep = |name: &str, value: f64| match decimal(&id(name)) {
+            Some(printed) if results.contains(&name) => printed.like(value).parse().expect("a number"),
+            _ => value,
+        };
+        let (crank, ground) = (printed("quick-return.crank"), printed("quick-return.ground"));
+        let lever = printed("quick-return.lever-angle");
+        let rate = keep("driver-rate", printed("quick-return.driver-speed") * PI / 30.0);
+        let beta = keep("angle-at-pin", angle_at_pin(lever));
+        let length = keep("lever-length", ground * cosine(lever) + crank * cosine(beta));
+        let speed = keep("pin-speed", rate * crank);
+        let point = keep("lever-point-speed", speed * cosine(beta));
+        let sliding = keep("sliding-speed", speed * sine(beta));
+        let turning = keep("lever-speed", point / length);
+        let normal = keep("pin-normal", rate * rate * crank);
+        let inwards = keep("lever-normal", turning * turning * length);
+        let coriolis = keep("coriolis", 2.0 * turning * sliding);
+        let along = keep("sliding-acceleration", normal * cosine(beta) - inwards);
+        let across = keep("lever-tangential", normal * sine(beta) - coriolis);
+        let last = keep("lever-acceleration", across / length);
+        [rate, beta, length, speed, point, sliding, turning, normal, inwards, coriolis, along, across, last]
     }
 
-    fn length() -> f64 {
-        position_of(|position| position.pin_distance)
+    /// Whether these roundings are enough for the printed digits of a result.
+    fn are_enough(roundings: &[&str], name: &str) -> bool {
+        rounds(&id(name), rounded(roundings)[place(name)])
     }
 
     #[test]
-    fn the_slip_reaches_what_the_steps_compute() {
+    fn the_slip_reaches_these_results_and_no_others() {
         let reached = claims().iter().filter(|claim| claim.erratum.is_some_and(|erratum| erratum.slip == STEPS));
-        let mut reached: Vec<_> = reached.map(|claim| claim.id).collect();
-        let mut computed: Vec<_> = steps(rate(), length()).into_iter().map(|(id, _)| id).collect();
+        let mut reached: Vec<_> = reached.map(|claim| claim.id.to_owned()).collect();
+        let mut spoiled = SPOILED.map(id);
         reached.sort_unstable();
-        computed.sort_unstable();
-        assert_eq!(reached, computed);
-        // And without a rounding none of these is right as printed.
-        assert!(come_from(rate(), length()).is_empty());
+        spoiled.sort_unstable();
+        assert_eq!(reached, spoiled);
     }
 
     #[test]
-    fn no_rounding_alone_gives_all_and_two_of_them_do_not_either() {
-        let [rounded_rate, rounded_length] = ["quick-return.driver-rate", "quick-return.lever-length"].map(printed);
-        let by_rate = come_from(rounded_rate, length());
-        assert!(["quick-return.pin-speed", "quick-return.pin-normal"].iter().all(|id| by_rate.contains(id)));
-        let by_length = come_from(rate(), rounded_length);
-        assert!(by_length.contains(&"quick-return.lever-speed"));
-        for found in [by_rate, by_length, come_from(rounded_rate, rounded_length)] {
-            assert!(found.len() < 8, "{found:?}");
+    fn the_reason_says_which_roundings_are_enough() {
+        // For each result, the roundings before it of which each alone is enough.
+        let alone = SPOILED.map(|name| {
+            let before = ALL[..place(name)].iter().copied();
+            before.filter(|rounding| are_enough(&[rounding], name)).collect::<Vec<_>>()
+        });
+        let [rate, both] = [vec!["driver-rate"], vec!["driver-rate", "lever-length"]];
+        let normal = vec!["driver-rate", "lever-length", "lever-point-speed", "lever-speed"];
+        let coriolis = vec!["lever-length"];
+        assert_eq!(alone, [rate.clone(), both, rate, normal, coriolis, vec![], vec![], vec![]]);
+        for name in SPOILED {
+            // None without a rounding, and each with all of them.
+            assert!(!are_enough(&[], name) && are_enough(&ALL, name), "{name}");
+        }
+        // The last three need two, and some two are enough for each.
+        for name in &SPOILED[5..] {
+            let before = &ALL[..place(name)];
+            let two = before.iter().flat_map(|one| before.iter().map(move |other| [*one, *other]));
+            assert!(two.into_iter().any(|two| are_enough(&two, name)), "{name}");
         }
     }
 

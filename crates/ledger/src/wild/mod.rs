@@ -20,7 +20,7 @@ mod steps;
 mod textbook;
 mod turning;
 
-pub use pages::TAKEN_WHOLE;
+pub use pages::{CONTENTS, TAKEN_WHOLE};
 pub use ratios::ratio;
 
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
@@ -79,6 +79,12 @@ pub fn is_taken_whole(address: &str) -> bool {
     TAKEN_WHOLE.iter().filter_map(|place| read(place.locator())).any(|(known, _)| known == address)
 }
 
+/// The identifier of what was read at this address, if it is part of a repository that was at hand.
+pub fn content(address: &str) -> Option<&'static str> {
+    let of = |(place, _): &&(Place, &str)| read(place.locator()).is_some_and(|(known, _)| known == address);
+    CONTENTS.iter().find(of).map(|(_, content)| *content)
+}
+
 /// The slip of a claim that is found in the page's own formula or number.
 const fn slip(reason: &'static str, witness: &'static str, changes: &'static str) -> Slip {
     Slip { id: "", reason, witness, origin: Origin::Concept, consequence: Consequence::Result, changes }
@@ -86,6 +92,7 @@ const fn slip(reason: &'static str, witness: &'static str, changes: &'static str
 
 #[cfg(test)]
 mod tests {
+    use super::fit::ANY;
     use super::*;
     use crate::{Truth, verdicts_of};
     use std::collections::BTreeSet;
@@ -98,6 +105,39 @@ mod tests {
             let digits = day.split('-').map(str::len).collect::<Vec<_>>();
             assert!(digits == [4, 2, 2] && day.starts_with("20"), "{}: {day}", claim.id);
         }
+    }
+
+    fn is_hash(text: &str) -> bool {
+        text.len() == 40 && text.chars().all(|c| c.is_ascii_digit() || ('a'..='f').contains(&c))
+    }
+
+    #[test]
+    fn evidence_in_a_repository_does_not_move() {
+        // Files that were read one by one, without the repository that tells what identifies them.
+        const ALONE: [&str; 4] = ["FreeCAD/", "MHSGhali/", "cool-japan/", "edtechd/"];
+        let addresses: BTreeSet<_> = claims().iter().filter_map(|claim| Some(read(claim.locator)?.0)).collect();
+        let mut files = 0;
+        for address in addresses {
+            assert!(!address.contains("/HEAD/"), "{address}: name the commit");
+            let Some(path) = address.strip_prefix("https://github.com/") else {
+                assert_eq!(content(address), None, "{address}");
+                continue;
+            };
+            if path.contains("/pull/") {
+                continue;
+            }
+            let commit = path.split('/').nth(3).unwrap_or_default();
+            assert!(is_hash(commit), "{address}: `{commit}` is no commit");
+            let found = content(address).and_then(|content| {
+                let (kind, hash) = content.strip_prefix("swh:1:")?.split_once(':')?;
+                (["cnt", "dir"].contains(&kind) && is_hash(hash)).then_some(kind)
+            });
+            let alone = ALONE.iter().any(|owner| path.starts_with(owner));
+            assert_eq!(found.is_none(), alone, "{address}");
+            assert_eq!(found == Some("dir"), path.contains("/tree/"), "{address}");
+            files += 1;
+        }
+        assert_eq!(CONTENTS.len() + 7, files);
     }
 
     #[test]
@@ -161,13 +201,42 @@ mod tests {
             assert_eq!(judged.corrected().as_deref(), Some(right), "{id}");
         }
         // Other tests than four slots, as the chapter says.
-        for (slots, degrees) in [(3, 60.0), (6, 120.0)] {
+        for (slots, degrees) in [(5, 108.0), (8, 135.0)] {
             assert!((Fit::by_vectors(slots).moving.to_degrees() - degrees).abs() < 1e-9, "{slots} slots");
         }
         // Too far apart up to five slots, too close from six on.
-        for slots in fit::ANY {
+        for slots in ANY {
             let wheel = Fit::by_vectors(slots);
             assert_eq!(root(wheel.slots) > wheel.centres / wheel.crank, slots < 6, "{slots} slots");
+        }
+    }
+
+    /// For which numbers of slots a wrong formula or example is right, as its check counts them; none if it does not count.
+    fn right_for(judged: &crate::Judged) -> Option<Vec<u32>> {
+        let (_, finding) = judged.findings.iter().find(|(form, _)| *form == "as printed")?;
+        let (_, counted) =
+            finding.how.split_once(&format!("from {} to {}, and it is right ", ANY.start(), ANY.end()))?;
+        let words = counted.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
+        Some(words.collect())
+    }
+
+    #[test]
+    fn five_and_eight_slots_refute_every_wrong_formula() {
+        let wrong = verdicts_of(Work::Wild).into_iter().filter(|judged| judged.truth() == Truth::Wrong);
+        let counted: Vec<_> = wrong.filter_map(|judged| Some((judged.claim.id, right_for(judged)?))).collect();
+        assert!(counted.len() >= 12, "{counted:?}");
+        for (id, slots) in &counted {
+            assert!(!slots.contains(&5) && !slots.contains(&8), "{id} is right for {slots:?}");
+        }
+        // Three and six refute neither ratio of teeth.
+        let teeth = |(id, _): &&(&str, Vec<u32>)| id.ends_with(".gears");
+        let teeth: Vec<_> = counted.iter().filter(teeth).map(|(_, slots)| slots.clone()).collect();
+        assert_eq!(teeth, [vec![3, 4, 6], vec![3, 4, 6]]);
+        // The classes of the chapter: at four slots alone, at three, four and six, and at none.
+        let equations =
+            counted.iter().filter(|(id, _)| crate::claim(id).is_some_and(|claim| claim.kind == crate::Kind::Equation));
+        for (id, slots) in equations {
+            assert!([&[][..], &[4], &[3, 4, 6]].contains(&&slots[..]), "{id} is right for {slots:?}");
         }
     }
 }

@@ -6,8 +6,8 @@
 
 use super::*;
 use crate::Evidence::OtherPlaceInSource;
-use crate::by_id::printed;
-use crate::pin::{Instant, only_arrow, turns};
+use crate::by_id::{decimal, named, printed};
+use crate::pin::{Arrow, Instant, Placement, heading, turns};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_triangle::TriangleSolution;
 use geneva_kinematics::pin_vectors::PinMotion;
@@ -54,15 +54,26 @@ pub fn claims() -> Vec<Claim> {
                 "direction of the pin's velocity along the slot",
             )
             .by(ClosedForm, |stated| {
-                // Along the slot, towards the wheel's axis, which is down to the left of the pin.
-                slides_at(180.0 + by_triangle(|t| t.angle_at_pivot).to_degrees(), stated)
+                // Along the slot, towards the wheel's axis, and from the pin towards the driver's axis.
+                let (slot, crank) = (by_triangle(|t| t.angle_at_pivot).to_degrees(), printed("pin.crank-angle"));
+                slides(
+                    |at| at.heading(if at.mirrored { -crank } else { crank } + 180.0),
+                    |at| at.heading_of_velocity(180.0 + slot),
+                    stated,
+                )
             })
             .by(Vectors, |stated| {
-                let x = by_vectors(|motion| motion.sliding_velocity.x);
-                let y = by_vectors(|motion| motion.sliding_velocity.y);
-                slides_at(libm::atan2(y, x).to_degrees(), stated)
+                slides(
+                    |at| at.heading(at.by_vectors(|at, motion| heading(&to_the_axis(at, motion)))),
+                    |at| at.heading(at.by_vectors(|_, motion| heading(&motion.sliding_velocity))),
+                    stated,
+                )
             })
-            .but_not("the pin slides up and to the right"),
+            .but_not("the pin slides up and to the right")
+            .read_as(
+                "The stored page has no drawing. We take the mechanism as the page's arrow before the pin's acceleration \
+                 has it, which points down and to the right. Of eight ways of drawing it, only one fits that arrow.",
+            ),
         value(
             "wild.holooly.radius",
             "37.1",
@@ -111,13 +122,13 @@ pub fn claims() -> Vec<Claim> {
             )
             .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))
             .by(Vectors, || {
-                // Towards the driver's axis.
-                let axis = Instant::printed().map_or(f64::NAN, |instant| instant.mechanism.centre_distance());
-                let x = by_vectors(|motion| motion.position.x);
-                let y = by_vectors(|motion| motion.position.y);
-                let towards = Vector2::new(axis - x, -y);
-                -Turn { cos: towards.x / towards.norm(), sin: towards.y / towards.norm() }.degrees()
+                let found = Instant::printed().ok().and_then(|at| Some(to_the_axis(&at, &at.by_vectors()?).normalize()));
+                found.map_or(f64::NAN, |towards| -Turn { cos: towards.x, sin: towards.y }.degrees())
             })
+            .read_as(
+                "The stored page has no drawing. We take the mechanism as the page's arrow before the sliding velocity \
+                 has it, which points down and to the left. Of eight ways of drawing it, only one fits that arrow.",
+            )
             .corrected(
                 "30",
                 Slip {
@@ -159,10 +170,29 @@ fn by_vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
     Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 
-/// Whether the arrow that is told of, and no other, has the printed angle for this direction in degrees; or for the opposite
-/// one.
-fn slides_at(heading: f64, stated: Stated) -> Finding {
-    only_arrow(&["wild.holooly.angle"], [(heading + stated.pick(0.0, 180.0)).rem_euclid(360.0)], stated)
+/// The vector from the pin to the driver's axis, along which a steady driver accelerates the pin.
+fn to_the_axis(at: &Instant, motion: &PinMotion<f64>) -> Vector2<f64> {
+    Vector2::new(at.mechanism.centre_distance(), 0.0) - motion.position
+}
+
+/// Whether the arrow in the statement, or the opposite one, is the sliding velocity's in the only placement in which the
+/// page's mark fits the pin's acceleration: this many degrees below the horizontal, to the right.
+fn slides(acceleration: impl Fn(Placement) -> f64, sliding: impl Fn(Placement) -> f64, stated: Stated) -> Finding {
+    let mark = Arrow { up: false, right: true, from_the_horizontal: true };
+    let below = named("wild.holooly.direction").right_characters().parse().ok();
+    let (Some(below), Some(slot)) = (below, decimal("wild.holooly.angle")) else {
+        return Finding::not_evaluated("an angle is no number");
+    };
+    let left: Vec<_> =
+        Placement::all().filter(|at| Arrow::fitting([&below], [acceleration(*at)]) == Some(mark)).collect();
+    let said = Arrow::read(stated.characters());
+    let opposite = stated.pick(0.0, 180.0);
+    let fits = |at: &Placement| {
+        let found = Arrow::fitting([&slot], [(sliding(*at) + opposite).rem_euclid(360.0)]);
+        found.is_some() && found == said
+    };
+    let how = format!("the mark of the acceleration fits {} of eight placements of the drawing", left.len());
+    Finding::new(left.len() == 1 && left.iter().all(fits), how)
 }
 
 #[cfg(test)]
@@ -172,11 +202,14 @@ mod tests {
 
     #[test]
     fn another_arrow_is_refused() {
-        let sliding =
-            |words| slides_at(180.0 + by_triangle(|t| t.angle_at_pivot).to_degrees(), Stated::right(words)).holds;
-        assert!(sliding(characters("wild.holooly.sliding-direction")));
-        assert!(!sliding("an arrow down and to the left, with the angle from the vertical"));
-        assert!(!sliding("an arrow up and to the right, with the angle from the horizontal"));
+        let judged = |words: &'static str| {
+            let claim = crate::claim("wild.holooly.sliding-direction").expect("a claim");
+            crate::judge(Box::leak(Box::new(Claim { printed: words, ..claim.clone() }))).holds()
+        };
+        assert!(judged(characters("wild.holooly.sliding-direction")));
+        assert!(!judged("an arrow down and to the left, with the angle from the vertical"));
+        assert!(!judged("an arrow up and to the right, with the angle from the horizontal"));
+        assert!(!judged("an arrow down and to the right, with the angle from the vertical"));
         let turning = |words| turns(by_vectors(|motion| motion.follower_speed), Stated::right(words)).holds;
         assert!(turning(characters("wild.holooly.sense")));
         assert!(!turning("an arrow that turns counterclockwise"));
@@ -197,5 +230,7 @@ mod tests {
         ] {
             assert_eq!(characters(id), characters(there), "{id}");
         }
+        // The crank radius has a zero too many.
+        assert_eq!(characters("wild.holooly.crank"), format!("{}0", characters("pin.crank-radius")));
     }
 }

@@ -6,7 +6,7 @@ use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
-    ("escapement.engagements", || over(&numbers(rows().iter(), "engagements_to_settle")?, 0)),
+    ("escapement.engagements", || over(&numbers(rows().iter(), "entry_speed_rise_engagements")?, 0)),
     ("escapement.hand-overs", || over(&numbers(rows().iter(), "hand_over_rate")?, 0)),
     ("escapement.friction-a-day", || minutes("friction_rate_s_a_day")),
     ("escapement.torque-a-day", || minutes("torque_rate_s_a_day")),

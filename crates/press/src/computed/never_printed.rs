@@ -16,6 +16,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("never-printed.three.minima", || range(Mechanism::THREE_PIN, Column::Minimum)),
     ("never-printed.three.periods", || range(Mechanism::THREE_PIN, Column::Period)),
     ("never-printed.four.peaks", || range(Mechanism::FOUR_PIN, Column::Peak)),
+    ("never-printed.four.averages", || Ok(rows_of(rows(), Mechanism::FOUR_PIN).len().to_string())),
+    ("never-printed.four.averages.near", averages_near),
     ("never-printed.three-over-four.printed", || quotients(|row| Ok(row.number(Column::Peak)))),
     ("never-printed.three-over-four", || quotients(|row| right(row, Column::Peak))),
 ];
@@ -49,4 +51,16 @@ fn quotients(peak: impl Fn(&Row) -> anyhow::Result<f64>) -> anyhow::Result<Strin
     });
     let [least, greatest] = ends(pairs.map(|(three, four)| Ok(peak(three)? / peak(four)?)))?;
     Ok(format!("{least:.2} to {greatest:.2}"))
+}
+
+/// How many means of a printed peak and a printed minimum are within a unit of the tables of the mechanism's own, with four
+/// pins.
+fn averages_near() -> anyhow::Result<String> {
+    let off = |row: &Row| {
+        let own = [right(row, Column::Peak)?, right(row, Column::Minimum)?];
+        let printed = [Column::Peak, Column::Minimum].map(|column| row.number(column));
+        Ok((f64::midpoint(own[0], own[1]) - f64::midpoint(printed[0], printed[1])).abs())
+    };
+    let off = rows_of(rows(), Mechanism::FOUR_PIN).iter().map(off).collect::<anyhow::Result<Vec<f64>>>()?;
+    Ok(off.iter().filter(|off| **off <= Column::Peak.unit()).count().to_string())
 }

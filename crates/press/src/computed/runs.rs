@@ -73,7 +73,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     }),
     ("rise.tried", || Ok(explained().len().to_string())),
     ("rise.most", || Ok(most_explained(|_| true).to_string())),
-    ("rise.most.own-part", || Ok(most_explained(|tried| tried.part == Some(MISSING)).to_string())),
+    ("rise.most.own-part", || Ok(most_explained(is_to_one_per_cent).to_string())),
     ("rise.chance", || rounded("rise.chance")),
     ("rise.by-chance.most", || greatest(shuffled(Shuffled::InTables))),
     ("rise.by-chance.usual", || rounded("rise.by-chance.usual")),
@@ -129,10 +129,15 @@ fn most_explained(wanted: fn(&Tried) -> bool) -> usize {
     own.map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max().unwrap_or(0)
 }
 
+/// Whether a definition lets the thesis's own part be missing, of its own quantity or of the average terminal velocity.
+fn is_to_one_per_cent(tried: &Tried) -> bool {
+    tried.near.is_some_and(|near| near.is_part_of_a_velocity(MISSING))
+}
+
 /// A reading of the thesis's own definition of the rise: until the velocity is steady at every angle, or the average of peak
 /// and minimum.
 pub(super) fn own_reading(reading: usize) -> anyhow::Result<&'static Tried> {
-    let is_it = |tried: &&Tried| tried.name == OF_A_PART[reading].name && tried.part == Some(MISSING);
+    let is_it = |tried: &&Tried| tried.name == OF_A_PART[reading].name && tried.is_to_a_part_of_itself(MISSING);
     explained().iter().find(is_it).context("a definition that was not tried")
 }
 

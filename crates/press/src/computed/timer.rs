@@ -37,10 +37,15 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.reported.verge", || Ok(REPORTED[1].to_owned())),
     ("timer.reported.pendulum", || Ok(REPORTED[2].to_owned())),
     ("timer.reported.chronometer", || Ok(REPORTED[3].to_owned())),
-    ("timer.settling.least", || Ok(fixed(1e3 * least(&settling_times()?), 0))),
-    ("timer.settling.most", || Ok(format!("{}&nbsp;ms", fixed(1e3 * most(&settling_times()?), 0)))),
-    ("timer.lighter.gain", || Ok(format!("{}&nbsp;%", fixed(100.0 * (1.0 - least(&lighter_times()?)), 0)))),
-    ("timer.lighter.cost", || Ok(fixed(most(&lighter_times()?), 1))),
+    ("timer.lighter.of", || Ok(weakest(rows()).count().to_string())),
+    ("timer.lighter.profile.example", || example_times(PROFILE)),
+    ("timer.lighter.profile.shorter", || shortened(PROFILE)),
+    ("timer.lighter.profile.gain", || gain(PROFILE)),
+    ("timer.lighter.profile.cost", || cost(PROFILE)),
+    ("timer.lighter.average.example", || example_times(AVERAGE)),
+    ("timer.lighter.average.shorter", || shortened(AVERAGE)),
+    ("timer.lighter.average.gain", || gain(AVERAGE)),
+    ("timer.lighter.average.cost", || cost(AVERAGE)),
     ("timer.friction.six", || friction_a_day(Mechanism::SIX_PIN)),
     ("timer.friction.four", || friction_a_day(Mechanism::FOUR_PIN)),
     ("timer.friction.three", || friction_a_day(Mechanism::THREE_PIN)),
@@ -111,17 +116,38 @@ fn friction_a_day(mechanism: Mechanism) -> anyhow::Result<String> {
     over(&lost_by(weakest(rows()).filter(|row| row.mechanism == mechanism))?, 1)
 }
 
-/// How long each of the compared followers takes to settle, in seconds.
-fn settling_times() -> anyhow::Result<Vec<f64>> {
-    PARTS.iter().map(|part| lighter(example()?, *part, TO_SETTLE)).collect()
+/// The rise times by the two measures of the thesis.
+const PROFILE: &str = "profile_rise_time";
+const AVERAGE: &str = "average_rise_time";
+
+/// The least and the greatest rise time of the example with the compared followers.
+fn example_times(measure: &str) -> anyhow::Result<String> {
+    let times = PARTS.iter().map(|part| lighter(example()?, *part, measure)).collect::<anyhow::Result<Vec<f64>>>()?;
+    Ok(format!("{} and {}&nbsp;ms", fixed(1e3 * least(&times), 0), fixed(1e3 * most(&times), 0)))
 }
 
-const TO_SETTLE: &str = "time_to_one_per_cent";
+/// The rise time with each of the lighter followers over the one as run, for every mechanism and friction.
+fn lighter_times(measure: &str) -> anyhow::Result<Vec<Vec<f64>>> {
+    let of = |row| {
+        let own = number(row, measure)?;
+        PARTS[1..].iter().map(|part| Ok(lighter(row, *part, measure)? / own)).collect()
+    };
+    weakest(rows()).map(of).collect()
+}
 
-/// How long each of the lighter followers takes to settle over the one as run, with every mechanism and friction.
-fn lighter_times() -> anyhow::Result<Vec<f64>> {
-    let of = |row| PARTS[1..].iter().map(move |part| Ok(lighter(row, *part, TO_SETTLE)? / number(row, TO_SETTLE)?));
-    weakest(rows()).flat_map(of).collect()
+/// For how many mechanisms and frictions some lighter follower makes the rise shorter.
+fn shortened(measure: &str) -> anyhow::Result<String> {
+    Ok(lighter_times(measure)?.iter().filter(|own| least(own) < 1.0).count().to_string())
+}
+
+/// What a lighter follower saves at best.
+fn gain(measure: &str) -> anyhow::Result<String> {
+    Ok(format!("{}&nbsp;%", fixed(100.0 * (1.0 - least(&lighter_times(measure)?.concat())), 0)))
+}
+
+/// How many times as long a lighter follower makes the rise at worst.
+fn cost(measure: &str) -> anyhow::Result<String> {
+    Ok(fixed(most(&lighter_times(measure)?.concat()), 1))
 }
 
 /// The pin that a measurement leaves out, in crank radii.

@@ -55,10 +55,18 @@ pub fn addresses() -> anyhow::Result<Table> {
     let count = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
     let rows = all.into_iter().map(|(address, counts)| {
         let taken = if wild::is_taken_whole(address) { "every formula" } else { "single statements" };
-        Ok([vec![linked_page(address), taken.to_owned()], counts.map(count).into()].concat())
+        let content = wild::content(address).map_or_else(|| "–".to_owned(), identifier);
+        Ok([vec![linked_page(address), taken.to_owned(), content], counts.map(count).into()].concat())
     });
-    let head = ["Page or program", "Taken from it", "Right", "Wrong", "Examples right", "Examples wrong"];
+    let head = ["Page or program", "Taken from it", "Content", "Right", "Wrong", "Examples right", "Examples wrong"];
     table("Where it was read", Cells::Wide, &head, rows)
+}
+
+/// An identifier of a content, which may be broken behind every eighth character of its number.
+fn identifier(content: &str) -> String {
+    let (kind, number) = content.rsplit_once(':').unwrap_or(("", content));
+    let parts: Vec<&str> = (0..number.len()).step_by(8).map(|at| &number[at..number.len().min(at + 8)]).collect();
+    format!("<small>{}:<wbr>{}</small>", escape(kind), parts.join("<wbr>"))
 }
 
 /// Every statement and example that is wrong in a fold, by what it is about. The ledger has the others.
@@ -145,7 +153,7 @@ mod tests {
             ("https://www.a.org", "a.org"),
             ("https://a.org/b.html", "a.org/b.html"),
             ("http://a.org/b/c/d/", "a.org/…/d"),
-            ("https://github.com/a/b/blob/HEAD/c/d.py", "a/b/…/d.py"),
+            ("https://github.com/a/b/blob/0123/c/d.py", "a/b/…/d.py"),
             ("https://github.com/a/b/pull/7", "a/b, request 7"),
         ] {
             assert_eq!(crate::html::plain(&linked_page(address)), name);
@@ -153,7 +161,7 @@ mod tests {
         for (address, name) in [
             ("https://www.a.org", "a.org"),
             ("http://a.org/b/", "a.org"),
-            ("https://github.com/a/b/blob/HEAD/c/d.py", "a/b"),
+            ("https://github.com/a/b/blob/0123/c/d.py", "a/b"),
         ] {
             assert_eq!(whose(address), name);
         }

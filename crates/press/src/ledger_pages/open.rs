@@ -23,20 +23,33 @@ const GROUPS: [Group; 5] = [
     Group {
         name: "rise-times",
         title: "What is a rise time?",
-        ids: &["meyer.app-e.*.rise", "meyer.fig-8.rise", "meyer.fig-10.rise-axis", "meyer.less-friction"],
+        ids: &[
+            "meyer.app-e.*.rise",
+            "meyer.fig-8.rise",
+            "meyer.fig-10.rise-axis",
+            "meyer.more-torque",
+            "meyer.less-friction",
+        ],
     },
     Group {
         name: "drawings",
         title: "Drawings that are not in our copies",
         ids: &[
+            "pin.problem-figure",
+            "pin.triangle-drawings",
             "quick-return.figure",
             "quick-return.sense-of-sliding",
             "quick-return.lever-acceleration-sense",
-            "jazar.fig-5.28-sense",
+            "jazar.fig-5.28-drawing",
+            "jazar.fig-5.29-drawing",
             "jazar.fig-5.30",
+            "jazar.fig-5.31-drawing",
             "meyer.fig-1",
             "meyer.fig-2",
             "meyer.fig-3",
+            "meyer.fig-4",
+            "meyer.fig-5",
+            "meyer.triangle-drawing",
             "meyer.fig-6",
             "meyer.fig-7",
             "meyer.fig-8",
@@ -69,7 +82,7 @@ const GROUPS: [Group; 5] = [
     Group {
         name: "pages-and-sizes",
         title: "Page numbers and sizes that are not given",
-        ids: &["meyer.contents", "meyer.list-of-figures", "meyer.app-c.turns"],
+        ids: &["meyer.contents", "meyer.list-of-figures", "meyer.page-of-definition", "meyer.app-c.turns"],
     },
 ];
 
@@ -183,6 +196,23 @@ mod tests {
             assert!(section.contains(&format!("{{{{open:{}}}}}", group.name)), "{}", group.title);
         }
         assert_eq!(PAGE.matches("\n## ").count(), GROUPS.len());
+    }
+
+    #[test]
+    fn the_preface_names_what_each_group_lacks() {
+        let preface = include_str!("../../../../book/src/preface.md").split_whitespace().collect::<Vec<_>>().join(" ");
+        let (_, rest) = preface.split_once("claims are rise times. For the others, ").expect("the sentence");
+        let sentence = rest.split_once(" is missing.").map_or("", |(sentence, _)| sentence);
+        for group in &GROUPS[1..] {
+            let word = match group.name {
+                "drawings" => "drawing",
+                "mimic-of-1973" => "manual",
+                "words" => "the meaning of a word",
+                "pages-and-sizes" => "value",
+                other => panic!("say in the preface what the claims of `{other}` lack"),
+            };
+            assert!(sentence.contains(word), "{}: {sentence}", group.name);
+        }
     }
 
     #[test]

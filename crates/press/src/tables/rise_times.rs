@@ -2,18 +2,28 @@
 
 use crate::html::{Cells, Table, escape, table};
 use crate::numbers::fixed;
-use geneva_case1973::rise_times::{EVENTS, Misread, OF_A_PART, Tried, groups as all_groups, parts};
+use geneva_case1973::rise_times::{
+    EVENTS, Misread, Near, OF_A_PART, Target, Tried, Whole, groups as all_groups, parts,
+};
 use geneva_ledger::claims;
 use geneva_ledger::meyer::runs::study::explained;
 use geneva_ledger::meyer::runs::table::rows;
 use geneva_ledger::meyer::terms::{MISSING, TERMS};
 
-/// How many rows each definition explains, with each part of the velocity that may be missing.
+/// How many rows each definition explains, with each part of a velocity that may be missing.
 pub fn definitions() -> anyhow::Result<Table> {
-    let rows = OF_A_PART.iter().map(|definition| {
-        let own: Vec<&Tried> = explained().iter().filter(|tried| tried.name == definition.name).collect();
-        let ideal = own.iter().find(|tried| tried.part == Some(MISSING));
-        let mut row = vec![escape(definition.name)];
+    let ways = OF_A_PART.iter().flat_map(|definition| {
+        let own = move || explained().iter().filter(move |tried| tried.name == definition.name);
+        let first = parts(MISSING)[0];
+        own().filter(move |tried| tried.near.is_some_and(|near| near.part == first)).map(move |tried| {
+            let way = tried.near.map(|near| (near.target, near.whole));
+            own().filter(|tried| tried.near.map(|near| (near.target, near.whole)) == way).collect::<Vec<_>>()
+        })
+    });
+    let rows = ways.map(|own: Vec<&Tried>| {
+        let ideal = own.iter().find(|tried| tried.near.is_some_and(|near| near.part == MISSING));
+        let (name, of) = (own.first().map_or("", |tried| tried.name), own.first().and_then(|tried| tried.near));
+        let mut row = vec![escape(name) + of.map_or("", whole)];
         row.extend(own.iter().map(|tried| tried.as_run.rows().to_string()));
         row.push(fixed(own.iter().map(|tried| tried.as_run.by_chance).fold(0.0, f64::max), 0));
         row.push(ideal.map_or_else(String::new, |tried| tried.ideal.rows().to_string()));
@@ -27,9 +37,23 @@ pub fn definitions() -> anyhow::Result<Table> {
     head.extend(["by chance, <br>at most", &ideal]);
     let caption = "How many of the 49 printed rise times each definition explains, to within one unit of the last \
                    place. The columns headed by a percentage are for the program's runs, and the percentage says how \
-                   far the quantity may still be from its steady value. The last two columns give the largest number \
-                   that is expected by chance, and the number for the real mechanisms";
+                   far the quantity may still be from its steady value, as a part of this value unless the row names \
+                   something else. One per cent of 100 rad/s is a unit of the tables. A printed value is the peak, the minimum or their \
+                   mean as the table has them. The last two columns give the largest number that is expected by \
+                   chance, and the number for the real mechanisms";
     table(caption, Cells::NamedNumbers, &head, rows)
+}
+
+/// What the difference is a part of, and from which value it is taken.
+fn whole(near: Near) -> &'static str {
+    match (near.target, near.whole) {
+        (Target::Computed, Whole::Itself) => "",
+        (Target::Computed, Whole::TerminalVelocity) => " (a part of the average terminal velocity)",
+        (Target::Computed, Whole::Units) => " (a part of 100 rad/s)",
+        (Target::Printed, Whole::Itself) => " (from its printed value)",
+        (Target::Printed, Whole::TerminalVelocity) => " (from its printed value, a part of the printed average)",
+        (Target::Printed, Whole::Units) => " (from its printed value, a part of 100 rad/s)",
+    }
 }
 
 /// How many rows each other event of a start explains.

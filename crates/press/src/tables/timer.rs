@@ -15,7 +15,7 @@ pub fn lighter(row: &Row, part: f64, key: &str) -> anyhow::Result<f64> {
     number_with(row, &format!("--follower-inertia {}", own / part), key)
 }
 
-/// How fast four pins settle, with followers of another size, down to a part.
+/// How soon four pins come to the steady motion, with followers of another size, by three measures.
 pub fn settling() -> anyhow::Result<Table> {
     let row = example()?;
     let rows = PARTS.map(|part| {
@@ -25,9 +25,11 @@ pub fn settling() -> anyhow::Result<Table> {
             name,
             format!("{:.2}", of("inertia_ratio")?),
             format!("{:.3}", of("multiplier")?),
-            format!("{:.1}", of("engagements_to_one_per_cent")?),
+            format!("{:.1}", of("small_difference_engagements")?),
             format!("{:.1}", 1e3 * of("period")?),
-            format!("{:.1}", 1e3 * of("time_to_one_per_cent")?),
+            format!("{:.1}", 1e3 * of("small_difference_rise_time")?),
+            format!("{:.1}", 1e3 * of("profile_rise_time")?),
+            format!("{:.1}", 1e3 * of("average_rise_time")?),
         ])
     });
     let head = [
@@ -37,11 +39,14 @@ pub fn settling() -> anyhow::Result<Table> {
         "engagements <br>to 1 %",
         "period, <small>ms</small>",
         "time to 1 %, <small>ms</small>",
+        "rise time, <br>profile, <small>ms</small>",
+        "rise time, <br>average, <small>ms</small>",
     ];
     let caption = format!(
-        "Settling with a lighter follower: {}, with only the follower's inertia changed. The multiplier is the \
+        "The rise with a lighter follower: {}, with only the follower's inertia changed. The multiplier is the \
          fraction of a small difference in the squared speed that is left after one engagement. The columns “to 1 %” \
-         give the number of engagements and the time in which this difference falls to one per cent",
+         give the number of engagements and the time in which this difference falls to one per cent. The last two \
+         columns give the rise time from rest, by the profile and by the average",
         with_torque(row).replace("&nbsp;", " ") + " in lb"
     );
     table(&caption, Cells::NamedNumbers, &head, rows)

@@ -19,6 +19,10 @@ use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
+/// How the sentences on engagements that follow one another are read.
+const BETWEEN_PINS: &str = "For the reset we take the angle between two pins, because the printed 90° is a claim of its \
+                            own. At that reset one pin leaves its slot as the next one enters, as the text says.";
+
 const AFTER: Place = at("Appendix B, paragraphs after the program");
 
 pub fn claims() -> Vec<Claim> {
@@ -179,9 +183,7 @@ fn angle() -> Vec<Claim> {
                 })
             })
             .but_not("all engagements have the same initial conditions, because each begins from rest")
-            .read_as(
-                "For the reset we take the angle between two pins, because the printed 90° is a claim of its own.",
-            ),
+            .read_as(BETWEEN_PINS),
         AFTER
             .statement(
                 "meyer.app-b.hand-over",
@@ -220,7 +222,8 @@ fn angle() -> Vec<Claim> {
                     "we used the same speed and acceleration of the driver for both pins, in coordinates",
                 )
             })
-            .but_not("it also starts with the follower's acceleration from the end of the one before"),
+            .but_not("it also starts with the follower's acceleration from the end of the one before")
+            .read_as(BETWEEN_PINS),
         AFTER
             .statement(
                 "meyer.app-b.one-pin-at-a-time",
@@ -256,7 +259,8 @@ fn angle() -> Vec<Claim> {
                     "we counted the pins within the follower's rim",
                 )
             })
-            .but_not("a sequence of engagements of two pins each"),
+            .but_not("a sequence of engagements of two pins each")
+            .read_as(BETWEEN_PINS),
     ]
 }
 

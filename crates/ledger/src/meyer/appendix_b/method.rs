@@ -338,9 +338,9 @@ fn with_step(tex: &str, length: f64) -> Option<f64> {
 /// Whether the difference of the two results is nearly all of the full step's error: two half steps have 2/32 of it, so
 /// that 15/16 are left.
 fn fifteen_sixteenths(step: impl Fn(f64, f64) -> f64, exact: f64, stated: Stated) -> Finding {
-    let [halves, full] = stated.numbers()[..] else { return Finding::new(false, "steps of two lengths") };
+    let [halves, half, full] = stated.numbers()[..] else { return Finding::new(false, "steps of two lengths") };
     let taken = |steps: f64, length: f64| (0..steps as u32).fold(1.0, |y, _| step(y, length));
-    let (halves, full) = (taken(halves - stated.pick(0.0, 1.0), STEP / 2.0), taken(full, STEP));
+    let (halves, full) = (taken(halves - stated.pick(0.0, 1.0), STEP * half), taken(full, STEP));
     let part = (halves - full) / (exact - full);
     Finding::new(
         (part - 15.0 / 16.0).abs() < 1.0 / 16.0,

@@ -3,6 +3,7 @@
 mod after;
 mod cards;
 mod contact;
+mod counts;
 mod example;
 pub mod listing;
 mod listing_start;
@@ -24,6 +25,7 @@ pub fn claims() -> Vec<Claim> {
     [
         example::claims(),
         method::claims(),
+        counts::claims(),
         contact::claims(),
         listing::claims(),
         listing_start::claims(),

@@ -119,7 +119,7 @@ fn output() -> Claim {
             "the cards after FIN print and plot, and they take no part in computing the motion",
         )
         .by(ByProgram, |stated| {
-            let kinds = [&OUTPUT[..], stated.pick(&[], &["FIN"])].concat();
+            let kinds = stated.pick(&OUTPUT[..], &["FIN"]).to_vec();
             Finding::for_all(
                 kinds,
                 |kind| prints_alone(kind) == Some(true),
