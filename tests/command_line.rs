@@ -9,6 +9,7 @@ mod documents_command;
 mod escapement_command;
 mod limits_command;
 mod mimic_command;
+mod pipes_command;
 mod quick_return_command;
 mod sweep_command;
 mod terminal_command;
@@ -21,7 +22,7 @@ use insta_cmd::assert_cmd_snapshot;
 use serde_json::{Map, Value};
 use std::ffi::OsString;
 use std::fs;
-use std::io::{BufRead, BufReader, Write};
+use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
@@ -540,65 +541,6 @@ fn piped_into(mut command: Command, input: &str) -> Output {
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
     child.stdin.take().expect("a pipe").write_all(input.as_bytes()).expect("it reads");
     child.wait_with_output().expect("it ends")
-}
-
-#[test]
-fn nothing_but_text_goes_into_a_pipe() {
-    let Answer { stdout, stderr, code } = errata();
-    assert!(!stdout.contains('\u{1b}') && stderr.is_empty() && *code == 0, "{stderr}");
-    for arguments in [
-        &["claims", "--source", "jazar"][..],
-        &["errata", "--source", "jazar", "--all"],
-        &["coverage"],
-        &["--help"],
-        &["claims", "--source", "pim"],
-        &["wheel", "--stations", "6"],
-        &["wheel", "--stations", "2"],
-    ] {
-        for no_color in [None, Some("1")] {
-            let mut command = geneva(arguments);
-            command.envs(no_color.map(|value| ("NO_COLOR", value)));
-            let output = command.output().expect("the program runs");
-            let escapes = [&output.stdout, &output.stderr].into_iter().flatten().filter(|byte| **byte == 0x1b);
-            assert_eq!(escapes.count(), 0, "{arguments:?}");
-            assert_eq!(output.stderr.is_empty(), output.status.success(), "{arguments:?}");
-        }
-    }
-}
-
-#[test]
-fn colour_is_shown_when_asked_for_and_no_color_wins() {
-    let coloured = |variables: &[(&str, &str)]| {
-        let output =
-            geneva(&["claims", "--source", "pin"]).envs(variables.iter().copied()).output().expect("the program runs");
-        output.stdout.contains(&0x1b)
-    };
-    assert!(coloured(&[("CLICOLOR_FORCE", "1")]));
-    assert!(!coloured(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]));
-}
-
-#[test]
-fn a_reader_that_has_seen_enough_is_no_error() {
-    let jazar = ["claims", "--source", "jazar"];
-    for arguments in [
-        &jazar[..],
-        &[&jazar[..], &["--format", "json"]].concat(),
-        &["mimic", "run", "escapement"],
-        &["completions", "zsh"],
-    ] {
-        let mut child =
-            geneva(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
-        let mut line = String::new();
-        // The reader is dropped, and the pipe with it, after one line.
-        BufReader::new(child.stdout.take().expect("a pipe")).read_line(&mut line).expect("a line");
-        let output = child.wait_with_output().expect("it ends");
-        assert!(output.status.success() && output.stderr.is_empty(), "{arguments:?}: {output:?}");
-    }
-    // Closed before the first character.
-    let mut child = geneva(&jazar).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
-    drop(child.stdout.take());
-    let output = child.wait_with_output().expect("it ends");
-    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
 }
 
 #[test]

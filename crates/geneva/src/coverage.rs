@@ -174,7 +174,7 @@ mod tests {
                     changed[at] = put.to_owned();
                     let sentence = format!("So it says {} of them.\n", changed.join(" of the "));
                     let copy = "\n".repeat(line.number as usize - 1) + &sentence;
-                    let (page, _) = compare(std::slice::from_ref(line), &copy);
+                    let (page, _) = compared(std::slice::from_ref(line), &copy);
                     assert!(page.contains("DIFFERENT NUMBERS"), "{work}, line {}: {number}, {put}", line.number);
                 }
             }
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn a_number_word_that_is_changed_gone_or_too_many_is_said_as_a_number_in_digits_is() {
         let inventory = [line(1, "In one of four slots, 1.5 times."), line(2, "Nothing."), line(3, "Three-Quarters")];
-        let (page, outcome) = compare(&inventory, "one FOUR 1.5\n\nof three quarters\n");
+        let (page, outcome) = compared(&inventory, "one FOUR 1.5\n\nof three quarters\n");
         assert_eq!(outcome, Outcome::AsRecorded, "{page}");
         assert!(page.ends_with("all numbers, in digits and in words, match the ledger\n"), "{page}");
         for (copy, found) in [
@@ -194,7 +194,7 @@ mod tests {
             ("one of four 1.5\nboth\nthree quarters\n", "both"),
             ("one of four 1.5\n\ntwo-thirds\n", "two thirds"),
         ] {
-            let (page, outcome) = compare(&inventory, copy);
+            let (page, outcome) = compared(&inventory, copy);
             assert_eq!(outcome, Outcome::Differs, "{copy}");
             assert!(page.contains(&format!("in your copy:   {found}\n")), "{page}");
             assert!(page.ends_with("1 with numbers that differ from the ledger\n"), "{page}");

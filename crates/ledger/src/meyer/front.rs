@@ -2,9 +2,7 @@
 
 use super::hand_over::Drawn;
 use super::*;
-use crate::agreement::joined;
 use crate::number_words::number_in_word;
-use crate::stated::in_words;
 
 const CONTENTS: Place = at("Table of contents");
 const FIGURES: Place = at("List of figures");
