@@ -207,8 +207,11 @@ fn every_conclusion_of_the_thesis_is_in_the_table_of_its_conclusions() {
     let lines = || chapter.lines().filter(|line| line.starts_with("| "));
     let of_thesis = |judged: &&geneva_ledger::Judged| judged.claim.work == geneva_ledger::Work::Meyer1973;
     let concluded = geneva_ledger::Work::Meyer1973.conclusions();
+    // How many there are is no conclusion.
+    let is_count = |id: &str| id == "meyer.three-conclusions";
     let is_conclusion = |judged: &&geneva_ledger::Judged| {
-        judged.claim.locator.starts_with("Conclusion") || concluded.iter().any(|(id, _)| *id == judged.claim.id)
+        let id = judged.claim.id;
+        judged.claim.locator.starts_with("Conclusion") && !is_count(id) || concluded.iter().any(|(of, _)| *of == id)
     };
     let mut count = 0;
     for judged in verdicts().iter().filter(of_thesis).filter(is_conclusion) {

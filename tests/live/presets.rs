@@ -9,9 +9,9 @@ use serde_json::Value;
 /// The choice of a mechanism, by the number of its pins.
 const PINS: [f64; 3] = [6.0, 4.0, 3.0];
 
-/// The numbers that a preset's name says, in words or in digits.
+/// The numbers that a preset's name says, in words or in digits, but for a half, which is a ratio.
 fn said(name: &str) -> Vec<f64> {
-    numbers_in(name).into_iter().map(|(_, number)| number).collect()
+    numbers_in(name).into_iter().filter(|(at, _)| &name[at.clone()] != "half").map(|(_, number)| number).collect()
 }
 
 /// What a preset sets: names, and values as they are written.

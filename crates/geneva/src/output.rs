@@ -141,7 +141,7 @@ pub fn complain(error: &anyhow::Error, streams: &mut dyn Streams) {
 /// Answers what asks for help or for the version, and says what is wrong with a command line.
 pub fn explain(error: &clap::Error, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     if error.kind() == ErrorKind::DisplayVersion {
-        streams.print(&version::page())?;
+        streams.print(&streams.layout().folded(&version::page()))?;
         return Ok(Outcome::AsRecorded);
     }
     let text = error.render().ansi().to_string();
