@@ -9,9 +9,10 @@ use serde_json::Value;
 /// The choice of a mechanism, by the number of its pins.
 const PINS: [f64; 3] = [6.0, 4.0, 3.0];
 
-/// The numbers that a preset's name says, in words or in digits, but for a half, which is a ratio.
+/// The numbers that a preset's name says, in words or in digits, but for ratios.
 fn said(name: &str) -> Vec<f64> {
-    numbers_in(name).into_iter().filter(|(at, _)| &name[at.clone()] != "half").map(|(_, number)| number).collect()
+    let is_ratio = |word: &str| ["half", "twice"].contains(&word);
+    numbers_in(name).into_iter().filter(|(at, _)| !is_ratio(&name[at.clone()])).map(|(_, number)| number).collect()
 }
 
 /// What a preset sets: names, and values as they are written.
