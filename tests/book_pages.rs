@@ -11,8 +11,8 @@ use tempfile::TempDir;
 /// What a page may weigh with everything that it loads, and a figure on it, in bytes; and what moves figures, which comes on
 /// top where there are some.
 const HEAVIEST_PAGE: usize = 385_000;
-/// The page of all claims is ten pages in one. It is looked up in and not read through, it weighs 56 kilobytes when a server
-/// packs it, and a browser lays out only the rows on the screen. What a reader asks for comes on top.
+/// The page of all claims is ten pages in one. It is looked up in and not read through, it weighs about 60 kilobytes when a
+/// server packs it, and a browser lays out only the rows on the screen. What a reader asks for comes on top.
 const HEAVIEST_LEDGER: usize = 746_000;
 /// The whole book in one, for those who print it.
 const HEAVIEST_TO_PRINT: usize = 1_800_000;

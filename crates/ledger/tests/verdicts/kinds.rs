@@ -126,8 +126,8 @@ fn an_equation_that_a_reading_names_is_one_that_the_check_uses() {
         };
         for equation in equations_named(reading) {
             let used = one.union(&other).copied().chain([claim.id]);
-            let locators = used.filter_map(|id| geneva_ledger::claim(id)).map(|claim| claim.locator);
-            let is_used = locators.into_iter().any(|locator| equations_named(locator).contains(&equation));
+            let mut locators = used.filter_map(geneva_ledger::claim).map(|claim| claim.locator);
+            let is_used = locators.any(|locator| equations_named(locator).contains(&equation));
             if !is_used && !NAMED_ONLY.contains(&(claim.id, equation)) {
                 elsewhere.push(format!("{}: ({equation})", claim.id));
             }
