@@ -211,6 +211,30 @@ pub fn written() -> anyhow::Result<Vec<(String, String)>> {
     Ok(written)
 }
 
+/// Numbers pages in the order of the contents, as mdBook does.
+#[derive(Default)]
+pub struct Numbering {
+    chapter: usize,
+    below: usize,
+}
+
+impl Numbering {
+    /// The number of the next page, with a point behind it; empty for a page that has none.
+    pub fn next(&mut self, place: Place) -> String {
+        match place {
+            Place::In(_) => {
+                (self.chapter, self.below) = (self.chapter + 1, 0);
+                format!("{}.", self.chapter)
+            }
+            Place::Below => {
+                self.below += 1;
+                format!("{}.{}.", self.chapter, self.below)
+            }
+            Place::Before | Place::Behind => String::new(),
+        }
+    }
+}
+
 fn table_of_contents() -> String {
     let mut out = "# Summary\n\n".to_owned();
     let mut part = "";

@@ -17,7 +17,7 @@ use crate::citing::{AUTHORS, SUBTITLE, TITLE};
 use crate::edition::Edition;
 use crate::html::escape;
 use crate::live;
-use crate::pages::{PAGES, Place};
+use crate::pages::{Numbering, PAGES, Place};
 use anyhow::Context;
 use html5ever::tokenizer::states::RawKind;
 use html5ever::tokenizer::{
@@ -58,7 +58,7 @@ struct Chapter {
 pub fn write(book: &Path, edition: &Edition, address: Option<&Address>) -> anyhow::Result<()> {
     let mut styles = String::new();
     let mut chapters = Vec::new();
-    let (mut count, mut below, mut part) = (0, 0, "");
+    let (mut numbering, mut part) = (Numbering::default(), "");
     for page in PAGES.iter().filter(|page| is_printed(page.name, page.place)) {
         let path = book.join(format!("{}.html", page.name));
         if !path.is_file() {
@@ -71,20 +71,13 @@ pub fn write(book: &Path, edition: &Edition, address: Option<&Address>) -> anyho
             let is_style = |line: &&str| line.contains("rel=\"stylesheet\"") && !line.contains("highlight");
             styles = head.lines().map(str::trim).filter(is_style).collect::<Vec<_>>().join("\n");
         }
-        let (number, begins) = match page.place {
-            Place::In(of) => {
-                (count, below) = (count + 1, 0);
-                (format!("{count}."), (std::mem::replace(&mut part, of) != of).then_some(of))
-            }
-            Place::Below => {
-                below += 1;
-                (format!("{count}.{below}."), None)
-            }
-            Place::Behind => {
-                (String::new(), (std::mem::replace(&mut part, "Appendices") != "Appendices").then_some("Appendices"))
-            }
-            Place::Before => (String::new(), None),
+        let number = numbering.next(page.place);
+        let of = match page.place {
+            Place::In(of) => of,
+            Place::Behind => "Appendices",
+            Place::Before | Place::Below => part,
         };
+        let begins = (std::mem::replace(&mut part, of) != of).then_some(of);
         let (html, sections) = reset(main, page.name, &number, address);
         chapters.push(Chapter { name: page.name, number, title: page.title.clone(), part: begins, html, sections });
     }

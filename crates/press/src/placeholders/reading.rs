@@ -3,7 +3,7 @@
 use super::{Numbered, Page, Placeholder, Put, Shown, placeholders, shown, text};
 use crate::edition::Edition;
 use crate::html::plain;
-use crate::pages::{PAGES, Place};
+use crate::pages::{Numbering, PAGES};
 use anyhow::Context;
 use std::fs;
 use std::path::Path;
@@ -20,19 +20,9 @@ const BEFORE: usize = 40;
 /// `chapters` is the folder with the Markdown of the pages.
 pub fn readings(chapters: &Path) -> anyhow::Result<Vec<(&'static str, String)>> {
     let (mut pages, mut all) = (Vec::new(), Vec::new());
-    let (mut chapter, mut below) = (0, 0);
+    let mut numbering = Numbering::default();
     for page in PAGES.iter() {
-        let number = match page.place {
-            Place::In(_) => {
-                (chapter, below) = (chapter + 1, 0);
-                format!("{chapter}.")
-            }
-            Place::Below => {
-                below += 1;
-                format!("{chapter}.{below}.")
-            }
-            Place::Before | Place::Behind => String::new(),
-        };
+        let number = numbering.next(page.place);
         let file = chapters.join(page.name).with_extension("md");
         let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
         all.extend(shown(&text, Page { name: page.name, number: &number, edition: &Edition::NONE, written: &text }));
