@@ -177,7 +177,7 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
 /// Whether a side can be evaluated under some reading, and whether it is a printed number.
 pub(crate) fn evaluated(side: &[Token], bindings: Option<&Bindings>) -> Evaluated<Value> {
     let mut first = None;
-    for reading in [Reading::USUAL, Reading::DEGREES, Reading::ONE_BELOW, Reading::NUMBERS] {
+    for reading in [Reading::USUAL, Reading::DEGREES, Reading::ONE_BELOW, Reading::POUNDS, Reading::NUMBERS] {
         match Evaluator::new(Mode::Point, reading, bindings).side(side) {
             Ok(value) => return Ok(value),
             // Other readings change neither letters nor words.

@@ -150,6 +150,7 @@ fn a_quantity_in_two_units_has_as_many_parts_as_its_unit() {
         ("min", "s", 60),
         ("hr", "min", 60),
         ("ft", "in", 12),
+        ("lb", "oz", 16),
         ("kg", "g", 1000),
         ("m", "cm", 100),
         ("km", "m", 1000),
@@ -175,4 +176,51 @@ fn a_mass_counts_as_its_weight_by_three_values_of_gravity() {
 fn a_result_in_brackets_is_the_same_in_another_unit_within_a_fiftieth() {
     let tex = |centimetres: &str| format!(r"2.000\,\text{{in}} ({centimetres}\,\text{{cm}}) = 5.08\,\text{{cm}}");
     judged(&[(&tex("5.17"), "consistent"), (&tex("5.19"), "units")]);
+}
+
+#[test]
+fn a_share_in_brackets_is_its_number_within_a_fiftieth() {
+    judged(&[
+        (r"12.00/24.00\,(1 - 49.1\%) = 0.500", "consistent"),
+        (r"12.00/24.00\,(1 - 48.9\%) = 0.500", "inconsistent"),
+        (r"12.00/24.00\,(1 - 50.9\%) = 0.500", "consistent"),
+        (r"12.00/24.00\,(1 - 51.1\%) = 0.500", "inconsistent"),
+    ]);
+}
+
+#[test]
+fn a_ratio_is_its_level_within_a_fiftieth() {
+    judged(&[
+        (r"10.00 \cdot 10.00 = 20.40\,\text{dB}", "doubtful"),
+        (r"10.00 \cdot 10.00 = 20.42\,\text{dB}", "inconsistent"),
+        (r"10.00 \cdot 10.00 = 19.61\,\text{dB}", "doubtful"),
+        (r"10.00 \cdot 10.00 = 19.60\,\text{dB}", "inconsistent"),
+    ]);
+}
+
+/// The verdict on the only pair of a text.
+fn only(text: &str) -> Option<&'static str> {
+    let found = report(text, Format::Markdown).findings;
+    assert!(found.len() <= 1, "{text}");
+    found.first().map(|of| of.verdict.name())
+}
+
+#[test]
+fn what_is_said_of_a_formula_is_said_within_160_bytes_of_it() {
+    // With the word and two spaces there are 160 bytes, or one more.
+    let before = |between: usize| format!(r"The scale {} $1.00\,\text{{cm}} = 5.00\,\text{{km}}$", "x".repeat(between));
+    let behind = |between: usize| format!(r"$1.00\,\text{{cm}} = 5.00\,\text{{km}}$ {} scale", "x".repeat(between));
+    let verdicts = [before(153), before(154), behind(153), behind(154)].map(|text| only(&text));
+    let [doubtful, inconsistent] = [Some("doubtful"), Some("inconsistent")];
+    assert_eq!(verdicts, [doubtful, inconsistent, doubtful, inconsistent]);
+}
+
+#[test]
+fn rows_are_compared_that_at_most_two_line_ends_and_short_words_are_between() {
+    let rows = |between: &str| only(&format!(r"$v = 3.0 \cdot 4.0${between}$v = 13.0$"));
+    for (between, beyond) in [("\n\n", "\n\n\n"), (" or", " then"), (" \u{2192}", "."), ("  ", ";"), (" ", ":")] {
+        assert_eq!((rows(between), rows(beyond)), (Some("inconsistent"), None), "{between:?} and {beyond:?}");
+    }
+    // With the signs of both formulas and the second name there are 400 bytes.
+    assert_eq!((rows(&" ".repeat(393)), rows(&" ".repeat(395))), (Some("inconsistent"), None));
 }
