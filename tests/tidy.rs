@@ -2,6 +2,7 @@
 
 mod examples;
 mod paths;
+mod spelling;
 mod units;
 mod waits;
 mod words;
