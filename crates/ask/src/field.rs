@@ -1,6 +1,6 @@
 //! The fields of an answer: values under keys, with units, names and meanings; and rows of values, which are data without them.
 
-use crate::written::{angle, number};
+use crate::written::{angle, no_greater, number, to_digits};
 use serde::ser::{Serialize, Serializer};
 use std::borrow::Cow;
 
@@ -52,6 +52,8 @@ pub enum Rounding {
     Decimals(usize),
     /// To so many digits after the point, in per cent.
     Percent(usize),
+    /// To so many digits that count, and never up: a limit holds as it is written.
+    Limit(usize),
 }
 
 impl Field {
@@ -97,8 +99,11 @@ impl Field {
     pub fn on_a_sheet(&self) -> String {
         match (self.line.as_ref().map(|line| &line.shows), &self.value) {
             (Some(Shows::Size(size, _)), _) => number(*size),
-            (Some(Shows::Value), Value::Number(degrees)) if self.unit == "°" => angle(*degrees),
-            (Some(Shows::Value), Value::Number(value)) => number(*value),
+            (Some(Shows::Value), Value::Number(value)) => match self.rounding {
+                Rounding::Limit(digits) => to_digits(no_greater(*value, digits), digits),
+                _ if self.unit == "°" => angle(*value),
+                _ => number(*value),
+            },
             (Some(Shows::Value), Value::Count(count)) => count.to_string(),
             _ => String::new(),
         }

@@ -8,21 +8,28 @@ pub fn as_typed(value: f64) -> String {
 
 /// A computed limit in a message, to six significant digits: never below it, so that what is said of it holds.
 pub fn rounded_up(limit: f64) -> String {
-    six_digits(limit, 1.0)
+    as_typed(to_one_side(limit, 1.0, 6))
 }
 
 /// A computed limit in a message, to six significant digits: never above it, so that a number up to it is accepted.
 pub fn rounded_down(limit: f64) -> String {
-    six_digits(limit, -1.0)
+    as_typed(to_one_side(limit, -1.0, 6))
 }
 
-/// `limit` to six significant digits, never on the other side of it than `side`, which is 1 or −1.
-fn six_digits(limit: f64, side: f64) -> String {
-    let nearest: f64 = format!("{limit:.5e}").parse().unwrap_or(limit);
+/// The greatest number of so many significant digits, one or more, that is no greater than `limit`, up to what is lost in
+/// computing, the difference of two lengths a thousand times as great: what is 0.04 to twelve digits is 0.04.
+pub fn no_greater(limit: f64, digits: usize) -> f64 {
+    to_one_side(format!("{limit:.11e}").parse().unwrap_or(limit), -1.0, digits)
+}
+
+/// `limit` to so many significant digits, never on the other side of it than `side`, which is 1 or −1.
+fn to_one_side(limit: f64, side: f64, digits: usize) -> f64 {
+    let behind = digits.max(1) - 1;
+    let nearest: f64 = format!("{limit:.behind$e}").parse().unwrap_or(limit);
     let exponent = format!("{limit:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    let half: f64 = format!("5e{}", exponent.unwrap_or(0) - 6).parse().unwrap_or(0.0);
+    let half: f64 = format!("5e{}", exponent.unwrap_or(0) - 1 - behind as i32).parse().unwrap_or(0.0);
     let is_safe = (nearest - limit) * side >= 0.0;
-    as_typed(if is_safe { nearest } else { format!("{:.5e}", limit + side * half).parse().unwrap_or(limit) })
+    if is_safe { nearest } else { format!("{:.behind$e}", limit + side * half).parse().unwrap_or(limit) }
 }
 
 /// The number that a reader would have typed: rounded to fifteen digits, which any number between typed ones may need.
@@ -39,9 +46,15 @@ const NO_ANGLE: f64 = 1e-9;
 /// `value` with four significant digits and a true minus sign: trailing zeros kept, and no more zeros than a reader
 /// counts.
 pub fn number(value: f64) -> String {
-    let scientific = format!("{value:.*e}", DIGITS - 1);
+    to_digits(value, DIGITS)
+}
+
+/// `value` as by [`number`], with other than four significant digits, one or more.
+pub fn to_digits(value: f64, digits: usize) -> String {
+    let behind = digits.max(1) - 1;
+    let scientific = format!("{value:.behind$e}");
     let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
-    let number = match usize::try_from(DIGITS as i32 - 1 - exponent) {
+    let number = match usize::try_from(behind as i32 - exponent) {
         _ if value == 0.0 => "0".to_owned(),
         Ok(decimals) if decimals < 2 * DIGITS => format!("{value:.decimals$}"),
         Err(_) if exponent < 2 * DIGITS as i32 => format!("{value:.0}"),
@@ -85,5 +98,10 @@ mod tests {
         assert_eq!(limits, ["0.424957", "0.424957", "2", "1.6e-16", "1"]);
         let limits = [19.471_220_634_490_69, 25.714_285_714_285_715, 90.0, 13.846_153_846_153_847].map(rounded_down);
         assert_eq!(limits, ["19.4712", "25.7142", "90", "13.8461"]);
+        // On a sheet with two digits; what is lost in computing is no part of a limit.
+        let limits =
+            [0.034_99, 0.035_01, 0.04 * (1.0 - 1e-13), 0.04 * (1.0 - 1e-11), 127.0].map(|limit| no_greater(limit, 2));
+        assert_eq!(limits, [0.034, 0.035, 0.04, 0.039, 120.0]);
+        assert_eq!(to_digits(no_greater(0.010_04, 2), 2), "0.010");
     }
 }

@@ -1,6 +1,7 @@
 //! What a figure answers.
 
 use crate::control::Quantity;
+use geneva_ask::written::no_greater;
 use geneva_ask::{Field, Rounding};
 use geneva_figures::{Figure, with_minus_sign};
 
@@ -123,6 +124,9 @@ impl Number {
             Rounding::Significant(digits) => Self::significant(name, value, digits, field.unit),
             Rounding::Decimals(digits) => Self::new(name, value, digits, field.unit),
             Rounding::Percent(digits) => Self::new(name, 100.0 * value, digits, "%"),
+            Rounding::Limit(digits) => {
+                Self { value, ..Self::significant(name, no_greater(value, digits), digits, field.unit) }
+            }
         })
     }
 }
@@ -138,5 +142,7 @@ mod tests {
         assert_eq!(Number::new("a", -0.0, 0, "").value.to_bits(), 0);
         assert_eq!(Number::significant("a", 0.012_345, 3, "").text, "0.0123");
         assert_eq!(Number::significant("a", 1234.5, 3, "ms").text, "1234 ms");
+        let most = Number::of("a", &Field::in_unit("a", 0.0349, "mm").rounded(Rounding::Limit(2))).expect("a number");
+        assert_eq!((most.value, most.text.as_str()), (0.0349, "0.034 mm"));
     }
 }

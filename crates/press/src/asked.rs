@@ -4,6 +4,7 @@ use crate::lookup::{claim, unknown};
 use crate::numbers::{fixed, significant};
 use anyhow::Context;
 use geneva_ask::wheel::{Design, Question};
+use geneva_ask::written::no_greater;
 use geneva_ask::{Answer, Field, Rounding};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -172,6 +173,7 @@ fn rounded(value: f64, digits: &str, field: &Field) -> anyhow::Result<String> {
         Rounding::Decimals(_) if digits.is_empty() => as_drawn(value, field),
         Rounding::Decimals(decimals) => fixed(value, decimals) + &unit(field),
         Rounding::Significant(digits) => significant(value, digits) + &unit(field),
+        Rounding::Limit(digits) => significant(no_greater(value, digits), digits) + &unit(field),
     })
 }
 
@@ -217,8 +219,10 @@ mod tests {
         let length = Field::in_unit("length_mm", 0.0, "mm");
         let factor = Field::new("factor", 0.0);
         let share = Field::new("share", 0.0).rounded(Rounding::Percent(1));
+        let most = Field::in_unit("most", 0.0, "mm").rounded(Rounding::Limit(3));
         for (field, digits, [(below, under), (above, over)]) in [
             // A limit is rounded to the side on which it is kept.
+            (&most, "", [(0.424_999, "0.424&nbsp;mm"), (0.425_001, "0.425&nbsp;mm")]),
             (&length, "limit", [(0.424_999, "0.424&nbsp;mm"), (0.425_001, "0.425&nbsp;mm")]),
             (&length, "limit", [(0.424_001, "0.424&nbsp;mm"), (0.423_999, "0.423&nbsp;mm")]),
             (&length, "limit", [(-0.424_001, "−0.425&nbsp;mm"), (-0.423_999, "−0.424&nbsp;mm")]),

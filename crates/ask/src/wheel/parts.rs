@@ -17,6 +17,10 @@ fn nearest_words(design: &Design, nearest: &Nearest) -> String {
     format!("over a whole turn: {parts}, {place}")
 }
 
+/// Limits as a sheet has them. One that is sought over a turn is known to about a hundredth of the lesser gap.
+const LIMIT: Rounding = Rounding::Limit(4);
+const SOUGHT: Rounding = Rounding::Limit(2);
+
 fn mm(key: &'static str, length: Option<f64>) -> Field {
     Field::in_unit(key, length, "mm")
 }
@@ -69,7 +73,8 @@ pub fn parts(design: &Design) -> Vec<Field> {
             ),
         ),
         mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit))
-            .line("wheel shaft limit", "the shaft must be thinner"),
+            .line("wheel shaft limit", "the shaft must be thinner")
+            .rounded(LIMIT),
         mm("wheel_bore_mm", shaft(Sizes::wheel_bore)).line("wheel bore", "diameter: shaft plus bore play"),
         mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft)).line(
             "driver shaft",
@@ -80,7 +85,8 @@ pub fn parts(design: &Design) -> Vec<Field> {
             ),
         ),
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
-            .line("driver shaft limit", "the shaft must be thinner"),
+            .line("driver shaft limit", "the shaft must be thinner")
+            .rounded(LIMIT),
         mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft plus bore play"),
         mm("disc_web_mm", sizes.and_then(Sizes::disc_web))
             .line("web of the disc", "least thickness between crescent and bore"),
@@ -112,10 +118,10 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
         .line("least clearance", least.map_or_else(String::new, |least| nearest_words(design, &least)));
     let nearer = mm("centres_nearer_mm", tolerance.map(|tolerance| tolerance.nearer))
         .line("axes nearer", "at most, or parts touch; loose shafts bring the axes nearer by the bore play")
-        .rounded(Rounding::Significant(4));
+        .rounded(SOUGHT);
     let farther = mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
         .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch")
-        .rounded(Rounding::Significant(4));
+        .rounded(SOUGHT);
     let play = sizes.and_then(Sizes::dwell_play);
     let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
     let at_greatest = play.map_or_else(String::new, |play| {
@@ -134,18 +140,24 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
         degrees("least_clearance_at_deg", least.map(|least| least.crank_angle)),
         not_found(nearer, "axes nearer", tolerance.is_some()),
         not_found(farther, "axes farther", tolerance.is_some()),
-        mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap)).line(
-            "gap at the bottom",
-            "the slot end may be this much too far out, with crank radius and centres as drawn",
-        ),
+        mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap))
+            .line(
+                "gap at the bottom",
+                "the slot end may be this much too far out, with crank radius and centres as drawn",
+            )
+            .rounded(LIMIT),
         mm("crank_radius_tolerance_mm", sizes.and_then(Sizes::crank_radius_tolerance))
-            .line("longer crank", "at most, or the pin sticks at entry or on the slot's bottom"),
-        mm("locking_gap_mm", sizes.and_then(Sizes::locking_gap)).line(
-            "gap of the disc",
-            "the disc radius may be this much too long, or arc radius and centre distance together too short",
-        ),
+            .line("longer crank", "at most, or the pin sticks at entry or on the slot's bottom")
+            .rounded(LIMIT),
+        mm("locking_gap_mm", sizes.and_then(Sizes::locking_gap))
+            .line(
+                "gap of the disc",
+                "the disc radius may be this much too long, or arc radius and centre distance together too short",
+            )
+            .rounded(LIMIT),
         degrees("slot_direction_tolerance_deg", sizes.and_then(Sizes::slot_direction_tolerance))
-            .line("slot direction", "a slot may be this far out of place between the locking arcs, to either side"),
+            .line("slot direction", "a slot may be this far out of place between the locking arcs, to either side")
+            .rounded(LIMIT),
         degrees("dwell_backlash_deg", play.map(|play| play.middle))
             .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
         Field::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
@@ -173,18 +185,27 @@ pub fn together(design: &Design) -> Result<Vec<Field>, Error> {
     let locking = match found {
         None => locking.words("disc and arc", "not found: the play is so small that the search would take too long"),
         Some(None) if has_disc => locking.words("disc and arc", "no room is known for errors in all sizes at once"),
-        Some(_) => locking.line("disc and arc", "disc radius larger, arc radius smaller, each at most"),
+        Some(_) => locking.line("disc and arc", "disc radius larger, arc radius smaller, each at most").rounded(SOUGHT),
     };
     let at_rim = limits.zip(radius).map(|(limit, radius)| limit.direction * radius);
     Ok(vec![
         locking,
-        mm("all_nearer_mm", of(|limit| limit.nearer)).line("axes nearer", "at most, besides the bore play"),
-        mm("all_farther_mm", of(|limit| limit.farther)).line("axes farther", "at most, besides the bore play"),
-        mm("all_crank_radius_mm", of(|limit| limit.crank)).line("crank radius", "longer or shorter at most"),
-        mm("all_width_mm", of(|limit| limit.width)).line("pin and slot", "pin thicker, slot narrower, each at most"),
+        mm("all_nearer_mm", of(|limit| limit.nearer))
+            .line("axes nearer", "at most, besides the bore play")
+            .rounded(SOUGHT),
+        mm("all_farther_mm", of(|limit| limit.farther))
+            .line("axes farther", "at most, besides the bore play")
+            .rounded(SOUGHT),
+        mm("all_crank_radius_mm", of(|limit| limit.crank))
+            .line("crank radius", "longer or shorter at most")
+            .rounded(SOUGHT),
+        mm("all_width_mm", of(|limit| limit.width))
+            .line("pin and slot", "pin thicker, slot narrower, each at most")
+            .rounded(SOUGHT),
         mm("all_slot_direction_at_rim_mm", at_rim)
-            .line("slot direction", "at the wheel radius, to either side at most"),
-        mm("all_slot_end_mm", of(|limit| limit.slot_end)).line("slot end", "farther out at most"),
+            .line("slot direction", "at the wheel radius, to either side at most")
+            .rounded(SOUGHT),
+        mm("all_slot_end_mm", of(|limit| limit.slot_end)).line("slot end", "farther out at most").rounded(SOUGHT),
     ])
 }
 
