@@ -3,7 +3,7 @@
 use super::*;
 use approx::assert_relative_eq;
 use geneva_dynamics::Error;
-use geneva_dynamics::joints::Passage;
+use geneva_dynamics::joints::{Passage, effects};
 
 fn samples() -> Vec<Escapement> {
     let sizes = [
@@ -112,4 +112,24 @@ fn a_drag_torque_that_is_too_great_stalls_the_driver() {
     assert!(error.to_string().contains("give more torque"), "{error}");
     let rest = escapement(&parameters, Joints::IDEAL).passage(0.0, 512).expect_err("from rest");
     assert!(matches!(rest, Error::Stalls { .. }), "{rest}");
+}
+
+#[test]
+fn a_tolerance_ten_times_finer_gives_the_same_effects() {
+    for mechanism in Mechanism::ALL {
+        let parameters = like_the_thesis(mechanism);
+        for joints in [Joints::journals(0.1, 0.1), Joints { pin_radius: 0.1, ..Joints::journals(0.1, 0.2) }] {
+            let listed = effects(&parameters, [(0.0, joints)]).expect("they run").remove(0).state;
+            let finer = escapement(&parameters, joints).steady_state(1e-10).expect("a steady state").state;
+            for (listed, finer) in [
+                (listed.mean_speed, finer.mean_speed),
+                (listed.multiplier, finer.multiplier),
+                (listed.peak.speed, finer.peak.speed),
+                (listed.minimum.speed, finer.minimum.speed),
+            ] {
+                // Six digits are more than the book prints.
+                assert_relative_eq!(listed, finer, max_relative = 1e-7);
+            }
+        }
+    }
 }

@@ -22,7 +22,7 @@ const COLUMNS: u32 = 56;
 const ROWS: u32 = 56;
 const CLEAR: f64 = 1.002;
 /// Relative error of what is computed for it.
-const TOLERANCE: f64 = 1e-6;
+const TOLERANCE: f64 = 1e-8;
 /// The part of a difference that is left when the motion has risen.
 const LEFT: f64 = 0.01;
 /// Values that may have a line, and every how many points of a line is a row of the series.
@@ -59,12 +59,17 @@ type Line = (f64, Vec<(f64, f64)>);
 ///
 /// [`FigureError`] if a design cannot be shown.
 pub fn map(mechanism: Mechanism, designs: &[Design]) -> Result<Figure, FigureError> {
+    map_within(TOLERANCE, mechanism, designs)
+}
+
+/// The map, from steady motions to this relative tolerance.
+fn map_within(tolerance: f64, mechanism: Mechanism, designs: &[Design]) -> Result<Figure, FigureError> {
     let own: Vec<&Design> = designs.iter().filter(|design| design.mechanism == mechanism).collect();
     for design in &own {
         shown("I_D / I_f", design.inertia_ratio, INERTIAS)?;
         shown("the friction", design.friction, FRICTIONS)?;
     }
-    let grids = grids(mechanism)?;
+    let grids = grids(tolerance, mechanism)?;
     let lines = [0, 1].map(|k| lines(&grids[k], k));
     let panels = [0, 1].map(|k| panel(mechanism, &own, &grids[k], &lines[k], k));
     let rows = lines.iter().enumerate().flat_map(|(k, lines)| {
@@ -140,13 +145,13 @@ fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: 
 }
 
 /// The steady motion of a design with a torque and an inertia of the follower of one.
-fn steady(mechanism: Mechanism, inertia: f64, friction: f64) -> Option<SteadyState> {
+fn steady(tolerance: f64, mechanism: Mechanism, inertia: f64, friction: f64) -> Option<SteadyState> {
     let parameters = Parameters::new(mechanism, Inertias::new(inertia, 1.0).ok()?, 1.0, friction).ok()?;
-    Engagement::with_tolerance(&parameters, TOLERANCE).ok()?.steady_state().ok()
+    Engagement::with_tolerance(&parameters, tolerance).ok()?.steady_state().ok()
 }
 
 /// Logarithms of both values over μ and the logarithm of I_D / I_f: each column begins where there is one solution.
-fn grids(mechanism: Mechanism) -> Result<[Grid; 2], FigureError> {
+fn grids(tolerance: f64, mechanism: Mechanism) -> Result<[Grid; 2], FigureError> {
     let (mut columns, mut heights) = (Vec::new(), Vec::new());
     let mut values = [Vec::new(), Vec::new()];
     // Without friction there is no steady motion: the first column has little, and the next ones are close.
@@ -156,7 +161,7 @@ fn grids(mechanism: Mechanism) -> Result<[Grid; 2], FigureError> {
         let low = libm::log((CLEAR * critical_inertia_ratio(mechanism, friction)?).max(INERTIAS.start));
         let height = |row: u32| low + (libm::log(INERTIAS.end) - low) * f64::from(row) / f64::from(ROWS);
         let nodes: Vec<f64> = (0..=ROWS).map(height).collect();
-        let states: Vec<_> = nodes.iter().map(|log| steady(mechanism, libm::exp(*log), friction)).collect();
+        let states: Vec<_> = nodes.iter().map(|log| steady(tolerance, mechanism, libm::exp(*log), friction)).collect();
         for (values, value) in values.iter_mut().zip(VALUES) {
             let log =
                 |steady: &Option<SteadyState>| steady.as_ref().map_or(f64::NAN, |steady| libm::log(value(steady)));
@@ -185,7 +190,7 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
     let pins = mechanism.pins();
     let name = count_word(pins);
     let said = own.iter().filter_map(|design| {
-        let steady = steady(mechanism, design.inertia_ratio, design.friction)?;
+        let steady = steady(TOLERANCE, mechanism, design.inertia_ratio, design.friction)?;
         let [speed, rise] = VALUES.map(|value| significant(value(&steady), 3));
         let (friction, inertia) = (trimmed(design.friction, 4), trimmed(design.inertia_ratio, 4));
         Some(format!("at μ = {friction}, I_D / I_f = {inertia}: mean speed {speed}, rise {rise}"))
@@ -224,6 +229,15 @@ mod tests {
     }
 
     #[test]
+    fn a_tolerance_ten_times_finer_gives_the_same_digits() {
+        for mechanism in Mechanism::ALL {
+            let [usual, finer] = [TOLERANCE, TOLERANCE / 10.0]
+                .map(|tolerance| map_within(tolerance, mechanism, &[]).expect("drawn").series.to_text());
+            assert_eq!(usual, finer, "{mechanism:?}");
+        }
+    }
+
+    #[test]
     fn the_value_is_the_same_along_a_line() {
         for mechanism in Mechanism::ALL {
             let designs = [design(mechanism, 0.5, 0.125), design(mechanism, 0.25, 0.25)];
@@ -231,7 +245,7 @@ mod tests {
             sound(&figure);
             let rows = columns(&figure.series, ["panel", "value", "mu", "I_D/I_f"]);
             for row @ [panel, level, friction, inertia_ratio] in &rows {
-                let state = steady(mechanism, *inertia_ratio, *friction).expect("sound");
+                let state = steady(TOLERANCE, mechanism, *inertia_ratio, *friction).expect("sound");
                 let value = VALUES[*panel as usize - 1](&state);
                 // The grid is straight between its nodes.
                 assert!((value / level - 1.0).abs() < 0.04, "{mechanism:?} {row:?} {value}");
@@ -247,7 +261,7 @@ mod tests {
     #[test]
     fn what_the_words_say_of_friction_and_inertia_holds() {
         for mechanism in Mechanism::ALL {
-            let [speed, rise] = grids(mechanism).expect("grids");
+            let [speed, rise] = grids(TOLERANCE, mechanism).expect("grids");
             let falls = |pair: [f64; 2]| pair.iter().any(|value| value.is_nan()) || pair[1] < pair[0];
             for (column, values) in rise.values.iter().enumerate() {
                 assert!(values.windows(2).all(|pair| falls([pair[1], pair[0]])), "{mechanism:?} {column}");
@@ -257,7 +271,8 @@ mod tests {
             let ridge = speed.ridge();
             assert!(ridge.len() > 50, "{mechanism:?}: {}", ridge.len());
             for (friction, log) in ridge.iter().step_by(8) {
-                let mean = |log: f64| steady(mechanism, libm::exp(log), *friction).expect("sound").mean_speed;
+                let mean =
+                    |log: f64| steady(TOLERANCE, mechanism, libm::exp(log), *friction).expect("sound").mean_speed;
                 assert!(
                     [-0.2, 0.2].iter().all(|aside| mean(log + aside) < mean(*log)),
                     "{mechanism:?} {friction} {log}"

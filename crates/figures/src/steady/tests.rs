@@ -95,7 +95,7 @@ fn the_surface_of_a_pin_slides_more_slowly_than_its_centre_moves() {
         for pin_radius in [0.05, 0.1] {
             let joints = Joints { pin_radius, ..Joints::IDEAL };
             let one = Escapement::new(&parameters(mechanism, 0.125), joints).expect("it runs");
-            let steady = one.steady_state(1e-9).expect("steady").state;
+            let steady = one.steady_state(contact::TOLERANCE).expect("steady").state;
             let instants = [(-0.7 * half, steady.entry_speed), (steady.peak.angle, steady.peak.speed)];
             let figure = at_instants(&one, instants).expect("drawn");
             sound(&figure);
