@@ -3,6 +3,7 @@
 use crate::program::Printout;
 use crate::{Column, EXPLAINED};
 use geneva_dynamics::steady::Printed;
+use geneva_kinematics::bisection::bisect_times;
 
 /// What a run gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,10 +76,6 @@ fn passing(lines: &[Printed], turned: f64) -> Option<f64> {
         rest * rest * ((1.0 + 2.0 * s) * a.turned + s * step * a.speed)
             + s * s * ((1.0 + 2.0 * rest) * b.turned - rest * step * b.speed)
     };
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..50 {
-        let middle = f64::midpoint(low, high);
-        *(if at(middle) < turned { &mut low } else { &mut high }) = middle;
-    }
-    Some(a.time + low * step)
+    let [part, _] = bisect_times(50, [0.0, 1.0], |part| at(part) < turned);
+    Some(a.time + part * step)
 }

@@ -27,6 +27,7 @@
 use crate::error::{not_negative, positive};
 use crate::{Error, Pose, equation};
 use geneva_kinematics::Mechanism;
+use geneva_kinematics::bisection::{bisect, bisect_times};
 
 /// The least friction at which the equation of motion fails to have one solution, and where that happens.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +83,7 @@ pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<Cri
     let half = Half::new(mechanism);
     // All over 1 + i, so that no inertia ratio is too great.
     let (part, rest) = (inertia / (1.0 + inertia), 1.0 / (1.0 + inertia));
-    let h = bisect(0.0, half.ratio - 1.0, |h| half.falling(part, rest, h));
+    let h = bisect([0.0, half.ratio - 1.0], |h| half.falling(part, rest, h))[1];
     let square = half.radius_squared(h);
     let friction = (inertia * (square * (square / h)) + h) / half.cross_squared(h).sqrt();
     Ok(CriticalFriction { friction, angle: half.angle(h) })
@@ -114,11 +115,7 @@ pub fn surely_below_critical(mechanism: Mechanism, inertia_ratio: f64, friction:
     if friction * (whole + 2.0 * root) < 2.0 * half.shape.sqrt() * root {
         return true;
     }
-    let (mut low, mut high) = (0.0, half.ratio - 1.0);
-    for _ in 0..BISECTIONS {
-        let middle = f64::midpoint(low, high);
-        *(if half.falling(inertia, 1.0, middle) { &mut low } else { &mut high }) = middle;
-    }
+    let [low, high] = bisect_times(BISECTIONS, [0.0, half.ratio - 1.0], |h| half.falling(inertia, 1.0, h));
     let c = f64::midpoint(low, high);
     let (square, across) = (half.radius_squared(c), half.cross_squared(c).sqrt());
     let numerator = inertia * square * (square / c) + c;
@@ -195,7 +192,7 @@ fn worst(mechanism: Mechanism, friction: f64) -> (f64, f64) {
         let from_friction = (g2 - h * h - h) * square + 4.0 * g2 * h;
         sin * from_friction - cos * 2.0 * h * g * (square + 2.0 * h) > 0.0
     };
-    let h = bisect(0.0, end, rising);
+    let h = bisect([0.0, end], rising)[1];
     let square = half.radius_squared(h);
     (h * (friction * half.cross_squared(h).sqrt() - h) / (square * square), half.angle(h))
 }
@@ -234,20 +231,5 @@ impl Half {
 
     fn angle(&self, h: f64) -> f64 {
         libm::atan2(self.cross_squared(h).max(0.0).sqrt(), 1.0 + h)
-    }
-}
-
-/// Where `before` turns from true to false between `low` and `high`, to the last places.
-pub(crate) fn bisect(mut low: f64, mut high: f64, before: impl Fn(f64) -> bool) -> f64 {
-    loop {
-        let middle = low + (high - low) / 2.0;
-        if middle <= low || middle >= high {
-            return high;
-        }
-        if before(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
     }
 }

@@ -18,6 +18,7 @@
 use crate::error::{Error, not_negative, positive};
 use crate::steady::quadrature::rule;
 use geneva_kinematics::KinematicsError;
+use geneva_kinematics::bisection::bisect;
 use geneva_kinematics::indexing::Indexing;
 use std::f64::consts::TAU;
 
@@ -303,12 +304,6 @@ fn root(rate: impl Fn(f64) -> f64, from: f64, until: f64) -> f64 {
     if rate(until - inside) >= 0.0 {
         return until;
     }
-    let (mut low, mut high) = (from + inside, until - inside);
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return middle;
-        }
-        if rate(middle) > 0.0 { low = middle } else { high = middle }
-    }
+    let [low, high] = bisect([from + inside, until - inside], |angle| rate(angle) > 0.0);
+    f64::midpoint(low, high)
 }

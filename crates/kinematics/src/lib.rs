@@ -68,6 +68,7 @@ mod error;
 mod proofs;
 mod scalars;
 
+pub mod bisection;
 pub mod cam;
 pub mod escapement;
 pub mod indexing;

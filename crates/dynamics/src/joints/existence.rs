@@ -11,9 +11,9 @@
 
 use super::contact::Reach;
 use super::equation::Escapement;
-use crate::existence::bisect;
 use crate::{Error, Parameters, Sign};
 use geneva_kinematics::Mechanism;
+use geneva_kinematics::bisection::bisect;
 
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ pub(super) fn reversal(parameters: &Parameters, pin: f64) -> f64 {
         return 0.0;
     }
     let inward = |angle| Reach::of_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
-    bisect(0.0, parameters.mechanism().engagement_half_angle(), inward)
+    bisect([0.0, parameters.mechanism().engagement_half_angle()], inward)[1]
 }
 
 impl Escapement {

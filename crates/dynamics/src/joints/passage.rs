@@ -10,6 +10,7 @@ use super::equation::{Escapement, Motion, Power};
 use crate::Error;
 use crate::Sign;
 use crate::steady::Extreme;
+use geneva_kinematics::bisection::bisect_times;
 use geneva_mimic::runge_kutta_step;
 use nalgebra::SVector;
 use std::ops::RangeInclusive;
@@ -305,10 +306,6 @@ fn level(from: &Node, to: &Node) -> f64 {
         let rest = 1.0 - part;
         first * rest * (1.0 - 3.0 * part) + last * part * (3.0 * part - 2.0) + 6.0 * chord * part * rest
     };
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..60 {
-        let middle = f64::midpoint(low, high);
-        if (slope(middle) < 0.0) == (first < 0.0) { low = middle } else { high = middle }
-    }
+    let [low, high] = bisect_times(60, [0.0, 1.0], |part| (slope(part) < 0.0) == (first < 0.0));
     f64::midpoint(low, high)
 }

@@ -9,6 +9,7 @@ use super::passage::{ContactMode, Passage, Traversal};
 use super::quadrature::dot;
 use super::steady_state::SteadyState;
 use crate::Error;
+use geneva_kinematics::bisection::bisect_times;
 
 /// One engagement of a start from rest. Times are from the start, speeds the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -378,12 +379,9 @@ impl Passage<'_> {
                     later = Some((number, s));
                     continue;
                 }
-                let mut ends = [s, later.map_or(s, |(at, later)| if at == number { later } else { s })];
-                for _ in 0..HALVINGS {
-                    let middle = f64::midpoint(ends[0], ends[1]);
-                    ends[usize::from(!departs(middle))] = middle;
-                }
-                let (_, since) = self.within(number, traversal.nodes.at(ends[0]));
+                let ends = [s, later.map_or(s, |(at, later)| if at == number { later } else { s })];
+                let [last, _] = bisect_times(HALVINGS, ends, &departs);
+                let (_, since) = self.within(number, traversal.nodes.at(last));
                 let before: f64 = self.traversals[..number].iter().map(|traversal| traversal.duration).sum();
                 return Some((before + since) / self.engagement.unit);
             }

@@ -9,6 +9,7 @@
 use crate::error::positive;
 use crate::steady::Engagement;
 use crate::{Error, Parameters};
+use geneva_kinematics::bisection::bisect_times;
 use geneva_kinematics::{Turn, pin_slot};
 
 /// The free flight of the pin from one flank to the other, and the blow at its end.
@@ -80,11 +81,7 @@ impl Crossing {
             return Ok(None);
         }
         // The gap grows all the while, because the driver's pin falls behind ever faster.
-        let (mut low, mut high) = (0.0, exit);
-        for _ in 0..HALVINGS {
-            let middle = (low + high) / 2.0;
-            if flight.gap(middle) < play { low = middle } else { high = middle }
-        }
+        let [low, high] = bisect_times(HALVINGS, [0.0, exit], |time| flight.gap(time) < play);
         let duration = (low + high) / 2.0;
         let (closing_speed, energy) = flight.blow(duration);
         let work = parameters.torque() * 2.0 * parameters.mechanism().engagement_half_angle();

@@ -11,6 +11,7 @@ pub use crossing::{Crossing, EntryBlow};
 
 use crate::steady::Engagement;
 use crate::{Error, Inertias, Parameters};
+use geneva_kinematics::bisection::try_bisect_times;
 
 /// The greatest value of a quantity, by its size, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -219,16 +220,14 @@ pub fn apparent_friction(parameters: &Parameters, ratio: f64) -> Result<f64, Err
     /// The least friction, as a part of its own, and halvings of the interval.
     const LEAST: f64 = 0.01;
     const HALVINGS: u32 = 50;
-    let (mut low, mut high) = (LEAST * parameters.friction(), parameters.friction());
-    let most = 1.0 + speed_change(parameters, low)?;
+    let ends = [LEAST * parameters.friction(), parameters.friction()];
+    let most = 1.0 + speed_change(parameters, ends[0])?;
     if !(1.0..=most).contains(&ratio) {
         return Err(Error::OutOfRange { name: "mean speed over its own", asked: ratio, least: 1.0, most });
     }
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(low, high);
-        // The less friction, the faster.
-        if 1.0 + speed_change(parameters, middle)? > ratio { low = middle } else { high = middle }
-    }
+    // The less friction, the faster.
+    let faster = |friction| Ok::<_, Error>(1.0 + speed_change(parameters, friction)? > ratio);
+    let [low, high] = try_bisect_times(HALVINGS, ends, faster)?;
     Ok(f64::midpoint(low, high))
 }
 

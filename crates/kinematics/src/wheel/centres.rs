@@ -7,6 +7,7 @@ use super::clearance::{Assembly, Nearest};
 use super::play::EntryContact;
 use super::sizes::Sizes;
 use crate::KinematicsError;
+use crate::bisection::bisect_times;
 use crate::indexing::Indexing;
 
 /// How far the axes may be from their right distance, each way, until no clearance is left.
@@ -124,12 +125,7 @@ fn last(all: f64, holds: impl Fn(f64) -> bool) -> f64 {
     if holds(all) {
         return all;
     }
-    let (mut low, mut high) = (0.0, all);
-    for _ in 0..STEPS {
-        let middle = (low + high) / 2.0;
-        if holds(middle) { low = middle } else { high = middle }
-    }
-    low
+    bisect_times(STEPS, [0.0, all], holds)[0]
 }
 
 impl Assembly<'_> {

@@ -17,6 +17,7 @@
 //! Backwards it is the mirror image: the same at the crank angle as far past the pin's leaving.
 
 use super::sizes::Sizes;
+use crate::bisection::try_bisect_times;
 use crate::indexing::Indexing;
 
 /// How far the wheel turns loosely in the dwell.
@@ -61,12 +62,11 @@ impl Sizes {
         let whole = self.dwell_angle()?;
         let (tip, middle) = (self.disc_reach()?, self.forward_play(whole / 2.0)?);
         // The play forwards grows with τ as far as the pin that comes is what limits it, and falls with τ elsewhere.
-        let (mut low, mut high) = (0.0, whole);
-        for _ in 0..STEPS {
-            let between = (low + high) / 2.0;
-            let others = self.disc_limit(between)?.min(self.leaving_limit(whole - between));
-            if self.coming_limit(between) < others { low = between } else { high = between }
-        }
+        let by_coming = |between: f64| {
+            let others = self.disc_limit(between).ok_or(())?.min(self.leaving_limit(whole - between));
+            Ok::<_, ()>(self.coming_limit(between) < others)
+        };
+        let [low, high] = try_bisect_times(STEPS, [0.0, whole], by_coming).ok()?;
         let greatest = self.forward_play(high)?.max(self.forward_play(low)?);
         let outside = self.until_beside();
         let can_miss = outside < whole && self.disc_limit(outside)? >= self.corner_angle() + self.pin_place(outside).1;

@@ -5,6 +5,7 @@
 
 use super::sizes::Sizes;
 use crate::KinematicsError;
+use crate::bisection::bisect_times;
 use crate::indexing::Indexing;
 use nalgebra::Vector2;
 
@@ -78,11 +79,7 @@ impl Sizes {
         let on_wall =
             |drift: f64| self.entry_of_drifted(drift).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
         let centred = speed(0.0)?;
-        let (mut low, mut high) = (0.0, play.greatest);
-        for _ in 0..HALVINGS {
-            let middle = (low + high) / 2.0;
-            if on_wall(middle) { low = middle } else { high = middle }
-        }
+        let [low, _] = bisect_times(HALVINGS, [0.0, play.greatest], on_wall);
         let most = |from: f64, to: f64| {
             let at = |k: u32| speed(from + (to - from) * f64::from(k) / f64::from(PLACES));
             let passing = Some(low).filter(|low| (from..=to).contains(low)).and_then(speed);

@@ -4,6 +4,7 @@ use super::letters::{FASTEST, PARTS};
 use super::peak::{number, rounds_to_the_speed};
 use super::*;
 use super::{dwell, text};
+use crate::duals::halved;
 use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove};
@@ -282,7 +283,7 @@ fn fastest_of_a_grid(wheel: &Wheel) -> f64 {
 fn zero_of_acceleration() -> f64 {
     let Ok(wheel) = example() else { return f64::NAN };
     let end = wheel.engagement_half_angle();
-    let (_, high) = halved(-end, end, |t| by_series(&wheel, t)[2] > 0.0);
+    let [_, high] = halved([-end, end], |t| by_series(&wheel, t)[2] > 0.0);
     if high.abs() < 1e-15 { 0.0 } else { high }
 }
 

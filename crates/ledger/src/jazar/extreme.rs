@@ -3,6 +3,7 @@
 use super::letters::PEAK_ANGLE;
 use super::peak::{both_roots, left_side, six_pair};
 use super::*;
+use crate::duals::halved;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::acceleration_ratio;
 use geneva_kinematics::{Expression, Field, Identity, Rational, prove, rational};
@@ -182,7 +183,7 @@ fn sign_of_the_angle() -> Claim {
             for_all_stations(
                 |wheel| {
                     // The extreme before the line of centres, looked for by itself. The roots' product is −2.
-                    let before = halved(-wheel.engagement_half_angle(), 0.0, |t| by_series(wheel, t)[3] > 0.0).0;
+                    let before = halved([-wheel.engagement_half_angle(), 0.0], |t| by_series(wheel, t)[3] > 0.0)[0];
                     let after = libm::cos(peak_by_series(wheel).0);
                     vanishes(libm::cos(before) - stated.pick(after, -2.0 / after))
                 },

@@ -3,6 +3,7 @@
 use super::letters::SIZES_OF_FOUR;
 use super::text::{SIMPLE, VARIETIES};
 use super::*;
+use crate::duals::halved;
 use crate::vocabulary::equal_to;
 use geneva_kinematics::indexing::Indexing;
 use nalgebra::Vector2;
@@ -221,7 +222,7 @@ fn on_a_journal(axis: f64, journal: f64, angle: f64) -> Vector2<f64> {
 /// The angle at the driver's axis from the line of centres to where the journal comes out of the wheel.
 fn end_of_the_arc(wheel: &Wheel, journal: f64) -> f64 {
     let (axis, rim) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
-    halved(0.0, PI, |angle| on_a_journal(axis, journal, angle).norm() < rim).0
+    halved([0.0, PI], |angle| on_a_journal(axis, journal, angle).norm() < rim)[0]
 }
 
 #[cfg(test)]

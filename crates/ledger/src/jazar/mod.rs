@@ -23,6 +23,7 @@ pub use symbols::SYMBOLS;
 
 use crate::agreement::{agrees, same, vanishes};
 use crate::by_id::{characters, decimal, printed, right_side, rounds};
+use crate::duals::halved;
 use crate::tex::{by_name, value};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::KinematicsError;
@@ -232,34 +233,13 @@ fn turned_clockwise(wheel: &Wheel, angle: f64) -> nalgebra::Vector2<f64> {
     nalgebra::Vector2::new(wheel.centre_distance_ratio() + libm::cos(PI - angle), libm::sin(PI - angle))
 }
 
-/// The interval in which a condition that holds at its lower end ceases to hold, halved until nothing is left of it.
-fn halved(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
-    for _ in 0..HALVINGS {
-        let middle = (low + high) / 2.0;
-        // Between neighbouring numbers there is none, and nothing changes any more.
-        let last = middle == low || middle == high;
-        if holds(middle) {
-            low = middle
-        } else {
-            high = middle
-        }
-        if last {
-            break;
-        }
-    }
-    (low, high)
-}
-
-/// Enough to bring an interval around zero below what any comparison can see, and any other to neighbouring numbers.
-const HALVINGS: usize = 80;
-
 /// What is found once for each number of stations.
 type OfWheels<T> = [OnceLock<T>; *STATIONS.end() as usize + 1];
 
 /// Crank angle between entry and exit, from where the wheel of the power series is at rest.
 fn entry_crank(wheel: &Wheel) -> f64 {
     static FOUND: OfWheels<f64> = [const { OnceLock::new() }; _];
-    let find = || 2.0 * halved(0.0, PI / 2.0, |t| by_series(wheel, t)[1] > 0.0).0;
+    let find = || 2.0 * halved([0.0, PI / 2.0], |t| by_series(wheel, t)[1] > 0.0)[0];
     *FOUND[wheel.stations() as usize].get_or_init(find)
 }
 
@@ -267,7 +247,7 @@ fn entry_crank(wheel: &Wheel) -> f64 {
 fn peak_by_series(wheel: &Wheel) -> (f64, f64) {
     static FOUND: OfWheels<(f64, f64)> = [const { OnceLock::new() }; _];
     *FOUND[wheel.stations() as usize].get_or_init(|| {
-        let (angle, _) = halved(0.0, wheel.engagement_half_angle(), |t| by_series(wheel, t)[3] < 0.0);
+        let [angle, _] = halved([0.0, wheel.engagement_half_angle()], |t| by_series(wheel, t)[3] < 0.0);
         (angle, by_series(wheel, angle)[2].abs())
     })
 }

@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::Vocabulary;
+use crate::duals::halved;
 use crate::meyer::hand_over_letters::RATIO as FOOT;
 use crate::meyer::letters::{factors, mechanism, start_of_program};
 use crate::meyer::reading::{self, Letters, Moment};
@@ -141,14 +142,11 @@ fn rests() -> &'static [Moment] {
             let asked = |angular_acceleration: f64| {
                 letters["A"] * angular_acceleration + (letters["D"] * angular_acceleration).abs()
             };
-            let (mut low, mut high) = (0.0, 1.0);
+            let mut high = 1.0;
             while asked(high) < letters["E"] {
                 high *= 2.0;
             }
-            for _ in 0..200 {
-                let middle = f64::midpoint(low, high);
-                *(if asked(middle) < letters["E"] { &mut low } else { &mut high }) = middle;
-            }
+            let [low, _] = halved([0.0, high], |value| asked(value) < letters["E"]);
             letters.insert("2DX".to_owned(), low);
             Moment::of(letters)
         };
