@@ -60,3 +60,14 @@ fn asked(question: &str) -> Result<String, String> {
         None => live.answer(&arguments).map(|answer| answer.to_json()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_question_has_so_many_bytes_at_most() {
+        let of = |bytes: usize| answer(&"x".repeat(bytes));
+        assert!(of(MOST_BYTES).contains("no figure") && of(MOST_BYTES + 1).contains("65537 bytes: give 65536"));
+    }
+}

@@ -104,3 +104,27 @@ fn tolerance(sizes: &Sizes) -> f64 {
     let play = sizes.play.slot;
     if play > 0.0 { OF_PLAY * play } else { OF_CENTRE_DISTANCE * sizes.centre_distance }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wheel::Question;
+
+    #[test]
+    fn corners_are_as_many_as_a_mesh_has() {
+        for (stations, thickness) in [(4, 6.0), (6, 10.0), (11, 3.0)] {
+            let question = Question {
+                stations: Some(stations),
+                crank_radius: Some(40.0),
+                thickness: Some(thickness),
+                ..Question::default()
+            };
+            let design = Design::new(question).expect("a wheel");
+            let sizes = design.sizes.expect("sizes");
+            let triangles = design.stl().expect("meshes").matches("facet normal").count();
+            // Four for each corner of a face: two on its wall, one on either side.
+            let counted = 4.0 * corners(&sizes, tolerance(&sizes));
+            assert!((counted / triangles as f64 - 1.0).abs() < 0.1, "{stations}: {counted} and {triangles}");
+        }
+    }
+}
