@@ -159,6 +159,24 @@ mod tests {
     }
 
     #[test]
+    fn a_claim_gets_two_lines_where_one_would_leave_its_printed_characters_too_little() {
+        let claim = Place::new(Work::Pin, "Nowhere, line 1")
+            .value("pin.made-up-with-a-name-of-thirty-eight", "2.33", "mm", "seven thirds")
+            .by(Evidence::ClosedForm, || 7.0 / 3.0)
+            .by(Evidence::LimitCase, || 7.0 / 3.0);
+        let judged = judge(Box::leak(Box::new(claim)));
+        let verdict = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().expect("verdicts");
+        // Mark, id, printed characters, "computed" and verdict, with two blanks between.
+        let needed = 2 + judged.claim.id.len() + 2 + LEAST_PRINTED + 2 + "computed".len() + 2 + verdict;
+        assert!((61..=100).contains(&needed), "{needed}");
+        let has_one = |columns: usize| {
+            let page = table(&[&judged], TextLayout::for_columns(columns));
+            page.lines().any(|line| line.contains(judged.claim.id) && line.contains("2.33"))
+        };
+        assert!(has_one(needed) && !has_one(needed - 1), "{needed}");
+    }
+
+    #[test]
     fn every_source_and_every_verdict_select_their_claims() {
         for work in Work::ALL {
             for verdict in Verdict::ALL {

@@ -137,3 +137,27 @@ fn words(lever: &str, direction: f64) -> anyhow::Result<String> {
     }
     Ok("neither along nor across".to_owned())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sense_is_told_in_each_direction() {
+        let lever = question("lever").expect("a question");
+        let of = |key: &str, degrees: f64| {
+            words(&lever, value(&lever, key).expect("an angle") + degrees).expect("words").replace('’', "'")
+        };
+        for (key, name, centre) in
+            [("lever_angle_deg", "lever", "the lever's pivot"), ("crank_angle_deg", "crank", "the crank's axis")]
+        {
+            assert_eq!(of(key, 0.0), format!("along the {name}, away from {centre}"));
+            for turned in [180.0, -180.0, 540.0] {
+                assert_eq!(of(key, turned), format!("along the {name}, towards {centre}"));
+            }
+            assert_eq!(of(key, 90.0), format!("across the {name}, counter-clockwise"));
+            assert_eq!(of(key, 270.0), format!("across the {name}, clockwise"));
+        }
+        assert_eq!(of("lever_angle_deg", 45.0), "neither along nor across");
+    }
+}
