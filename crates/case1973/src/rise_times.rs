@@ -332,8 +332,9 @@ pub fn explained(rows: &[Row], missing: f64) -> Vec<Tried> {
 }
 
 /// The greatest relative change, dimensionless and without its sign, of the time until the velocity is the steady one at every angle, but for a
-/// part `missing`, by so many times the friction or one of the inertias of a row as a mechanism. None if there is no such motion.
-pub fn change(row: &Row, missing: f64, times: f64) -> Option<f64> {
+/// part `missing`, if the friction or one of the inertias of a row as a mechanism is greater or less by the dimensionless `part` of itself,
+/// above zero and below one. None if there is no such motion.
+pub fn change(row: &Row, missing: f64, part: f64) -> Option<f64> {
     let own = Hypothesis::IDEAL.parameters(row)?;
     let until = |friction: f64, driver: f64, follower: f64| {
         let inertias = Inertias::new(own.inertias().driver() * driver, own.inertias().follower() * follower).ok()?;
@@ -341,8 +342,13 @@ pub fn change(row: &Row, missing: f64, times: f64) -> Option<f64> {
         Engagement::new(&of).ok()?.until_profile(missing).ok()
     };
     let before = until(1.0, 1.0, 1.0)?;
-    let changed = [until(times, 1.0, 1.0)?, until(1.0, times, 1.0)?, until(1.0, 1.0, times)?];
-    changed.map(|after| (after / before - 1.0).abs()).into_iter().reduce(f64::max)
+    let mut most = 0.0;
+    for times in [1.0 + part, 1.0 - part] {
+        for after in [until(times, 1.0, 1.0)?, until(1.0, times, 1.0)?, until(1.0, 1.0, times)?] {
+            most = f64::max(most, (after / before - 1.0).abs());
+        }
+    }
+    Some(most)
 }
 
 /// Whether a row's first minimum as a mechanism, its first peak and all later extremes and entry speeds are within a unit of the

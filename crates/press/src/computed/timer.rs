@@ -171,9 +171,9 @@ fn longest_rise(reading: usize) -> anyhow::Result<f64> {
 const PER_CENT: f64 = 0.01;
 
 /// The greatest relative change of the rise time, until the velocity is the steady one at each angle, by one per cent more
-/// of friction or of an inertia, for each mechanism and friction.
+/// or less of friction or of an inertia, for each mechanism and friction.
 fn rise_changes() -> anyhow::Result<Vec<f64>> {
-    weakest(rows()).map(|row| change(row, MISSING, 1.0 + PER_CENT).context(NONE)).collect()
+    weakest(rows()).map(|row| change(row, MISSING, PER_CENT).context(NONE)).collect()
 }
 
 /// The greatest force on the pin over that of the spring at the crank radius.
