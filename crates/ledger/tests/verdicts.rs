@@ -3,7 +3,7 @@
 use geneva_ledger::meyer::runs::data::inputs;
 use geneva_ledger::{
     Check, Choice, Claim, Decimal, Decision, Erratum, Evidence, Finding, Judged, Kind, Number, Place, Reading, Route,
-    Stated, Test, Verdict, Work, another, claim, claims, judge, looked_up_by, numbers_in, slips, verdicts,
+    Stated, Test, Truth, Verdict, Work, another, claim, claims, judge, looked_up_by, numbers_in, slips, verdicts,
 };
 use std::collections::{BTreeSet, HashSet};
 use std::sync::{Arc, Mutex, OnceLock};

@@ -136,3 +136,38 @@ fn an_equation_that_a_reading_names_is_one_that_the_check_uses() {
     }
     assert!(elsewhere.is_empty(), "{} of {named} are not used:\n{}", elsewhere.len(), elsewhere.join("\n"));
 }
+
+/// What a reading or a reason says of another place of its source: the words, that place's claim, and the answer that they rely on.
+const RELIED_ON: [(&str, &str, Truth); 4] = [
+    ("it is open whether as a need or as a choice", "meyer.always-engaged", Truth::Open),
+    ("printed 90° is a claim of its own", "meyer.app-b.fold", Truth::Wrong),
+    (
+        "the printed reset, which gives that X for four pins only, is a claim of its own",
+        "meyer.app-b.fold",
+        Truth::Wrong,
+    ),
+    ("the minus sign that it has lost in the copy", "jazar.eq-5.29", Truth::Wrong),
+];
+
+#[test]
+fn a_reading_that_relies_on_another_place_agrees_with_that_places_claim() {
+    let texts = || {
+        let of = |claim: &'static Claim| {
+            let missing = if let Check::Missing { reason } = claim.check { Some(reason) } else { None };
+            [claim.reading, missing].into_iter().flatten().map(|text| (claim.id, text))
+        };
+        claims().iter().flat_map(of)
+    };
+    for (words, id, answer) in RELIED_ON {
+        let judged = geneva_ledger::verdict(id).unwrap_or_else(|| panic!("no claim {id}"));
+        assert_eq!(judged.truth(), answer, "{id}, of which a reading says: {words}");
+        assert!(texts().any(|(_, text)| text.contains(words)), "no reading says: {words}");
+    }
+    // Whoever says such a thing of another place is listed.
+    for (id, text) in texts() {
+        for mark in ["it is open", "a claim of its own", "lost in the copy", "is wrong there", "is right there"] {
+            let is_listed = RELIED_ON.iter().any(|(words, ..)| words.contains(mark) && text.contains(words));
+            assert!(!text.contains(mark) || is_listed, "{id} relies on another place and is not listed: {text}");
+        }
+    }
+}
