@@ -24,13 +24,21 @@ fn angulated() -> Claim {
             let indexed = |stations: u32| {
                 ANGLES.iter().all(|angle| indexes(stations, angle.to_radians(), stated.pick(false, true)))
             };
-            let failing = STATIONS.clone().find(|stations| !indexed(*stations));
-            let but = failing.map_or(String::new(), |stations| format!(", but not with {stations} stations"));
+            let failing = STATIONS.clone().filter(|stations| !indexed(*stations)).count();
+            let of = match failing {
+                0 => "each number of stations".to_owned(),
+                _ => format!(
+                    "{} of {} numbers of stations",
+                    STATIONS.clone().count() - failing,
+                    STATIONS.clone().count()
+                ),
+            };
             Finding::new(
-                failing.is_none(),
+                failing == 0,
                 format!(
-                    "with shafts at {} degrees the pin enters and leaves along meridians one station apart{but}",
-                    joined(ANGLES)
+                    "with shafts at {} degrees and {of}, the pin enters and leaves along meridians one station apart{}",
+                    joined(ANGLES),
+                    stated.pick("", ", half a turn of the driver after each other")
                 ),
             )
         })

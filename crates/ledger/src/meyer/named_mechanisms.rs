@@ -68,6 +68,10 @@ fn figures_of_rise_times() -> Vec<Claim> {
             .figure(id, printed, meaning)
             .by(OtherPlaceInSource, move |stated| {
                 let mut drawn = figure.map(characters);
+                let how = format!(
+                    "the figure gives the inertias {} of the driver and {} of the follower",
+                    drawn[0], drawn[1]
+                );
                 let at = with_pins(stated.pick(stated.count(), other));
                 let headed = at.map(|at| {
                     let mut headed = ["driver", "follower"]
@@ -76,7 +80,6 @@ fn figures_of_rise_times() -> Vec<Claim> {
                     headed
                 });
                 drawn.sort_unstable();
-                let how = format!("the figure gives the inertias {} and {}", drawn[0], drawn[1]);
                 Finding::new(headed == Some(drawn), format!("{how}, which we compared with the table's heading"))
             })
             .by(Quadrature, move |stated| {

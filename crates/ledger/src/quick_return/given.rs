@@ -105,8 +105,8 @@ pub fn components_of_all(place: Place, id: &'static str, printed: &'static str) 
 }
 
 /// How we count terms.
-const COUNTED: &str = "We count the terms in a motion in which none of them happens to be zero, because the crank \
-                       speeds up and the slot is curved.";
+const COUNTED: &str = "We count the terms in an imagined motion, in which the crank speeds up and the slot is curved, so \
+                       that none of them is zero.";
 
 /// The instant with the crank turning counter-clockwise; or clockwise.
 fn driven(instant: &Instant, stated: Stated) -> Instant {

@@ -55,7 +55,8 @@ pub fn claims() -> Vec<Claim> {
             .by(OtherPlaceInSource, || {
                 printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
                     / sine(printed("quick-return.angle-at-pin"))
-            }),
+            })
+            .read_as("Our copy has lost the drawing that gives this length. The printed results need it."),
         SINES
             .equation(
                 "quick-return.law-of-sines",

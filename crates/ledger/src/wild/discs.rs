@@ -166,7 +166,7 @@ impl Drawn {
 
     fn clears(depth: f64) -> Finding {
         let how = if depth < 0.0 {
-            format!("the tips of the horns pass the disc with {:.2} mm to spare", -depth)
+            format!("the tips of the horns pass the edge of the cut with {:.2} mm to spare", -depth)
         } else {
             format!("the tips of the horns run into the disc by {depth:.2} mm")
         };

@@ -74,7 +74,7 @@ const WINDOW_BOX: Boxed = ([25.0, 25.0 * 1.732_050_807_568_877_2], SHIPPED);
 const WORKBENCH_BOX: Boxed = ([15.0, 15.0], WORKBENCH_SHIPPED);
 
 const ALONG: &str = "We read it as how far the slot extends along its centre line, from the rim to the deepest place \
-                     of the pin's centre. The next line of the same list gives the width from side to side.";
+                     of the pin's centre. The width is another length of the same list.";
 
 fn pin_diameter() -> Claim {
     MACRO

@@ -13,8 +13,8 @@ use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use nalgebra::Vector2;
 
 const TWICE: &str = "We used coordinates to compare the pin's velocity with the slot's direction.";
-const EXAMPLE: &str = "We take the sizes as an example of a wheel whose pin enters along the slot, although the page \
-                       does not say that it does.";
+const EXAMPLE: &str = "We take the sizes as an example of a wheel whose pin meets its slot and enters along it, although \
+                       the page does not say that it does.";
 
 /// A wheel as it is drawn, lengths in one unit.
 #[derive(Clone, Copy)]
@@ -322,7 +322,7 @@ fn pitter_crank() -> Claim {
             "wild.cherry-pitter.crank",
             "30",
             "mm",
-            "distance of the pin from the driver's axis, for axes 60 mm apart",
+            "distance of the pin from the driver's axis, for six slots and axes 60 mm apart",
         )
         .by(ClosedForm, || 60.0 * libm::sin(PI / 6.0))
         .by(Vectors, || {

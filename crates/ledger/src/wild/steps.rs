@@ -32,7 +32,7 @@ pub fn claims() -> Vec<Claim> {
                 "3 to 18 steps per turn of the wheel",
                 Slip {
                     consequence: Consequence::Remark,
-                    origin: Origin::Misprint,
+                    origin: Origin::Concept,
                     ..slip(
                         "In each turn of the driver, one pin moves the wheel once, by one slot. So the 3 to 18 steps \
                          are per turn of the wheel. A turn of the driver makes one step for each pin. At most six pins \

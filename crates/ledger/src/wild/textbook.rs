@@ -72,7 +72,9 @@ pub fn claims() -> Vec<Claim> {
             .but_not("the pin slides up and to the right")
             .read_as(
                 "The stored page has no drawing. We take the mechanism as the page's arrow before the pin's acceleration \
-                 has it, which points down and to the right. Of eight ways of drawing it, only one fits that arrow.",
+                 has it. This arrow points down and to the right, and two of eight ways of drawing the mechanism fit it. In \
+                 both, the pin slides down and to the left, but only in one of them at the printed angle from the \
+                 horizontal.",
             ),
         value(
             "wild.holooly.radius",
@@ -127,7 +129,8 @@ pub fn claims() -> Vec<Claim> {
             })
             .read_as(
                 "The stored page has no drawing. We take the mechanism as the page's arrow before the sliding velocity \
-                 has it, which points down and to the left. Of eight ways of drawing it, only one fits that arrow.",
+                 has it. This arrow points down and to the left, and only one of eight ways of drawing the mechanism has it \
+                 with the printed angle from the horizontal.",
             )
             .corrected(
                 "30",

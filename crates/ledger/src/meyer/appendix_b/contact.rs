@@ -81,7 +81,8 @@ fn solved() -> Vec<Claim> {
 
 /// Why it is open what a program had to do about the loop of acceleration and sign.
 const IMPLICIT: &str = "Languages like MIMIC have an implicit function, IMP, which finds the value that satisfies a \
-                        given equation. The thesis does not say whether the MIMIC of 1973 had it. With IMP, the \
+                        given equation. The thesis says that the computer cannot solve simultaneous equations, but \
+                        does not mention IMP, and we do not know whether the MIMIC of 1973 had it. With IMP, the \
                         absolute-value bars can stay, and the friction's sign can come from the same instant. Without \
                         IMP, the lines for acceleration and sign form a loop that cannot be sorted";
 

@@ -77,9 +77,9 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
 /// Why a rise time cannot be checked.
 const NO_DEFINITION: &str = "The rise lasts until the terminal velocity is reached to within one per cent. But the \
                              thesis does not say which velocity is meant, or at which instant of an engagement the \
-                             rise ends. For example, you get one rise time if the velocity at each angle is meant, and \
+                             rise ends. (For one run, it says that the rise ends by the first minimum.) For example, you get one rise time if the velocity at each angle is meant, and \
                              another if the average of peak and minimum is meant. No definition that we tried \
-                             reproduces even half of this column";
+                             reproduces even half of the 49 rise times";
 
 /// The results of all rows, each run made once.
 type Results<const N: usize> = OnceLock<Vec<[f64; N]>>;
