@@ -59,13 +59,16 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
     let rows = peaks
         .iter()
         .map(|peak| [(peak.number + 1) as f64, peak.actual.time, peak.actual.speed, peak.printed.0, peak.printed.1]);
+    // The first engagement from which on all true peaks have the digits of the last.
+    let other = peaks.iter().rposition(|peak| fixed(peak.actual.speed, 1) != fixed(actual, 1));
+    let settled = other.map_or(1, |at| at + 2);
     let words = Words::new(
         "runs-aliasing",
         "Peaks of the speed, true and as printed",
         format!(
             "Above, the driver's speed about five successive peaks: the curve is the same each time, but the printed \
-             points, {} ms apart, lie elsewhere on it. Below, for each of {} engagements, the true peak, steady at {} \
-             rad/s after the first, and the greatest printed speed, which swings between {} and {} rad/s.",
+             points, {} ms apart, lie elsewhere on it. Below, for each of {} engagements, the true peak, {} rad/s from \
+             engagement {settled} on, and the greatest printed speed, which swings between {} and {} rad/s.",
             trimmed(1000.0 * interval, 3),
             peaks.len(),
             significant(actual, 4),
@@ -73,8 +76,8 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
             significant(most, 4)
         ),
         format!(
-            "The driver's speed around five peaks of one run, and the lines of its print-out. After the first \
-             engagement all true peaks are {} rad/s, but the printed peaks swing between {} and {} rad/s, because \
+            "The driver's speed around five peaks of one run, and the lines of its print-out. From engagement {settled} on, \
+             all true peaks are {} rad/s, but the printed peaks swing between {} and {} rad/s, because \
              the print-out seldom has a line at the peak. {} Torque K = {} in lb.",
             fixed(actual, 1),
             fixed(least, 1),

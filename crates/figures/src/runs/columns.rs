@@ -15,7 +15,7 @@ const PITCH: f64 = 0.25;
 /// What a hypothesis gives of one column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
-    /// Cells right to the printed digit.
+    /// Cells that agree to the printed digit.
     pub exact: usize,
     /// Cells within one unit of the last printed place.
     pub within_one: usize,
@@ -23,7 +23,7 @@ pub struct Count {
 
 /// How many cells of each column are right, a row for each hypothesis: peaks, minima and periods.
 ///
-/// A line goes from the cells right to the printed digit to those within one unit, where its mark is. `of` is how many a
+/// A line goes from the cells that agree to the printed digit to those within one unit, where its mark is. `of` is how many a
 /// column has. Series: the number of the hypothesis, then exact and within one for each column.
 pub fn columns(hypotheses: &[[Count; 3]], of: usize) -> Figure {
     let count = hypotheses.len().max(1);
@@ -61,7 +61,7 @@ pub fn columns(hypotheses: &[[Count; 3]], of: usize) -> Figure {
         format!(
             "Each column of the printed tables by itself. A mark shows how many of the column's {of} cells a \
              hypothesis gives to within one unit of the last digit. The line to the mark begins at the number of cells \
-             that are right to the printed digit. The hypotheses are numbered as in the table; all three mechanisms \
+             that agree to the printed digit. The hypotheses are numbered as in the table; all three mechanisms \
              are counted together."
         ),
     );

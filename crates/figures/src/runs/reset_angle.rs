@@ -46,7 +46,7 @@ pub fn reset_angle(scans: &[Scan]) -> Figure {
         ),
         format!(
             "How many peaks, minima and periods of Appendix E are reproduced to within one unit if the program \
-             resets at another angle? The greatest counts: {}. Computed with the true peaks and, for 6 pins, the \
+             resets at another angle, in steps of half a degree? The greatest counts: {}. Computed with the true peaks and, for 6 pins, the \
              inertias of the thesis's Fig. 11.",
             best.join("; ")
         ),

@@ -67,7 +67,10 @@ pub fn settling(own: &Parameters, parts: &[f64], run: &str) -> Result<Figure, Fi
         format!(
             "With a lighter follower each engagement is shorter, but a small difference from the steady motion needs \
              more of them to die away. So in this example the time in which a small difference in the square of the \
-             speed falls to one per cent hardly changes. Shown: {run}, with only the follower's inertia changed."
+             speed falls to one per cent stays between {} and {} ms. Shown: {run}, with only the follower's inertia \
+             changed.",
+            significant(quickest, 3),
+            significant(slowest, 3)
         ),
     );
     let columns = [("part of I_f", "1"), ("engagements", "1"), ("period", "ms"), ("time to 1 %", "ms")];

@@ -222,8 +222,10 @@ fn beside_the_hand_over(
     let with_dip = id == "meyer.peaks-at-exit";
     PEAKS
         .statement(id, printed, meaning)
-        .by(Quadrature, move |stated| peaks(stated, all_peaks(), with_dip))
-        .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
+        .by(Quadrature, move |stated| peaks(stated, all_peaks(), with_dip, "runs"))
+        .by(RungeKutta, move |stated| {
+            peaks(stated, all_peaks_in_steps(), with_dip, "runs with the strongest spring at each friction value")
+        })
         .read_as(
             "We test the sentence against the steady motion of every run. A peak counts as being at entry or exit if \
              the driver's speed there is within 1 rad/s (the unit of the tables) of the peak speed.",
@@ -290,7 +292,7 @@ fn numbers_of(found: &[Peak], with_dip: bool) -> Vec<f64> {
 
 /// Whether the peaks are at the hand-over; or, with the ratios of inertias that are stated, at it with six pins and as far
 /// before it as is stated with four and three.
-fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
+fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool, runs: &str) -> Finding {
     let lost = |six: bool| {
         let own = found.iter().filter(|peak| (peak.mechanism == Mechanism::SIX_PIN) == six);
         range(own.map(|peak| peak.lost))
@@ -305,9 +307,9 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
     Finding::new(
         holds,
         format!(
-            "the driver's speed at entry is below its peak by at most {six_most:.2} rad/s in the runs with six pins, \
-             and by {least:.0} to {most:.0} rad/s in the runs with four and three pins, where the peak is {:.2} to \
-             {:.2}° before the hand-over",
+            "in the {runs}, the driver's speed at entry is below its peak by at most {six_most:.2} rad/s with six pins, \
+             and by {least:.0} to {most:.0} rad/s with four and three pins, where the peak is {:.2} to {:.2}° before the \
+             hand-over",
             before[0], before[1]
         ),
     )

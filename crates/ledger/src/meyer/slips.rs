@@ -168,7 +168,7 @@ pub const SAMPLED_PEAKS: Slip = Slip {
              more of its height the lines miss. In the steady motion of a run, the true peaks are all equal, and with \
              more torque all of them grow as its square root.",
     witness: "If the program prints far more often, with everything else as in the listing, the peaks that it prints \
-              are equal.",
+              in the steady motion are equal to within one unit of the tables.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The thesis wants these oscillations investigated, but they are not in the mechanism: they disappear if \

@@ -5,6 +5,7 @@ use crate::lookup::judged;
 use crate::numbers::{fixed, significant};
 use crate::rows::score;
 use anyhow::Context;
+use geneva_ask::written::no_greater;
 use geneva_case1973::chance::Shuffled;
 use geneva_case1973::fitted::Freed;
 use geneva_case1973::rise_times::{Group, OF_A_PART, Tried, groups};
@@ -17,7 +18,7 @@ use geneva_ledger::meyer::runs::statistics::{LITTLE, shuffled, statistic};
 use geneva_ledger::meyer::runs::study::{explained, scores};
 use geneva_ledger::meyer::runs::table::rows;
 use geneva_ledger::meyer::terms::MISSING;
-use geneva_ledger::{Decimal, Judged, Verdict};
+use geneva_ledger::{Decimal, Judged, Verdict, numbers_in};
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -69,7 +70,14 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.frictions.read", || found("friction", Verdict::ReadOff)),
     ("runs.frictions.most-off", || {
         let off = |judged: &&Judged| Some((judged.computed? - judged.printed_number()?).abs());
-        Ok(fixed(data("friction")?.iter().filter_map(off).fold(0.0, f64::max), 3))
+        let most = data("friction")?.iter().filter_map(off).fold(0.0, f64::max);
+        // None is farther off: rounded up.
+        Ok(fixed((1e3 * most).ceil() / 1e3, 3))
+    }),
+    ("rise.longer", || {
+        let said = numbers_in(judged("meyer.abstract.fifty")?.claim.printed);
+        let (_, most) = said.first().context("the abstract's number is lost")?;
+        Ok(rows().iter().filter(|row| 1e3 * row.number(Column::Rise) > *most).count().to_string())
     }),
     ("rise.tried", || Ok(explained().len().to_string())),
     ("rise.most", || Ok(most_explained(|_| true).to_string())),
@@ -185,14 +193,15 @@ fn least_spread() -> f64 {
     scores().iter().flat_map(|score| &score.fits).flat_map(spreads).fold(f64::INFINITY, f64::min)
 }
 
-/// How many times as likely, for a difference of ln L: in words to two digits, or a power of ten.
+/// How many times as likely at least, for a difference of ln L: rounded down, to two digits, in millions, or to a power of ten.
 fn odds(difference: f64) -> String {
     let decades = difference / std::f64::consts::LN_10;
+    let times = difference.exp();
     match decades {
         _ if decades >= 9.0 => format!("10<sup>{}</sup>", decades.floor()),
-        _ if decades >= 6.0 => format!("{:.0} million", difference.exp() / 1e6),
-        _ if decades >= 1.0 => significant(difference.exp(), 2),
-        _ => fixed(difference.exp(), 0),
+        _ if decades >= 6.0 => format!("{:.0} million", (times / 1e6).floor()),
+        _ if decades >= 1.0 => significant(no_greater(times, 2), 2),
+        _ => fixed(times.floor(), 0),
     }
 }
 
@@ -250,6 +259,7 @@ mod tests {
             ("runs.others", COUNTED),
             ("runs.groups", COUNTED),
             ("rise.tried", COUNTED),
+            ("rise.longer", COUNTED),
             ("rise.torque.", COUNTED),
             ("rise.friction.", COUNTED),
             ("rise.groups", COUNTED),
@@ -286,6 +296,6 @@ mod tests {
 
     #[test]
     fn odds_are_said_in_the_size_they_have() {
-        assert_eq!([7.0, 15.0, 300.0].map(odds), ["1100", "3 million", "10<sup>130</sup>"]);
+        assert_eq!([2.0, 6.969, 7.1, 15.0, 300.0].map(odds), ["7", "1000", "1200", "3 million", "10<sup>130</sup>"]);
     }
 }

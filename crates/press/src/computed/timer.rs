@@ -37,6 +37,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.reported.verge", || Ok(REPORTED[1].to_owned())),
     ("timer.reported.pendulum", || Ok(REPORTED[2].to_owned())),
     ("timer.reported.chronometer", || Ok(REPORTED[3].to_owned())),
+    ("timer.lighter.factors", || Ok(parts().count().to_string())),
     ("timer.lighter.of", || Ok(weakest(rows()).count().to_string())),
     ("timer.lighter.profile.example", || example_times(PROFILE)),
     ("timer.lighter.profile.shorter", || shortened(PROFILE)),
@@ -120,9 +121,20 @@ fn friction_a_day(mechanism: Mechanism) -> anyhow::Result<String> {
 const PROFILE: &str = "profile_rise_time";
 const AVERAGE: &str = "average_rise_time";
 
+/// Steps of equal factors from each follower of the figure to the next.
+const BETWEEN: usize = 8;
+
+/// How many times lighter the followers are with which the chapter compares those of the runs.
+fn parts() -> impl Iterator<Item = f64> {
+    // The eighth root of two.
+    let factor = 2.0_f64.sqrt().sqrt().sqrt();
+    std::iter::successors(Some(factor), move |part| Some(part * factor)).take(BETWEEN * (PARTS.len() - 1))
+}
+
 /// The least and the greatest rise time of the example with the compared followers.
 fn example_times(measure: &str) -> anyhow::Result<String> {
-    let times = PARTS.iter().map(|part| lighter(example()?, *part, measure)).collect::<anyhow::Result<Vec<f64>>>()?;
+    let all = std::iter::once(1.0).chain(parts());
+    let times = all.map(|part| lighter(example()?, part, measure)).collect::<anyhow::Result<Vec<f64>>>()?;
     Ok(format!("{} and {}&nbsp;ms", fixed(1e3 * least(&times), 0), fixed(1e3 * most(&times), 0)))
 }
 
@@ -130,7 +142,7 @@ fn example_times(measure: &str) -> anyhow::Result<String> {
 fn lighter_times(measure: &str) -> anyhow::Result<Vec<Vec<f64>>> {
     let of = |row| {
         let own = number(row, measure)?;
-        PARTS[1..].iter().map(|part| Ok(lighter(row, *part, measure)? / own)).collect()
+        parts().map(|part| Ok(lighter(row, part, measure)? / own)).collect()
     };
     weakest(rows()).map(of).collect()
 }

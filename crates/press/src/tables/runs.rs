@@ -46,7 +46,7 @@ pub fn hypotheses() -> anyhow::Result<Table> {
         "Six-pin <br>inertias",
         "Peaks",
         "In addition",
-        "Right to one <br>unit, of 147",
+        "Within one <br>unit, of 147",
         "ln L, <br>normal",
         "ln L, <br>exponential",
     ];

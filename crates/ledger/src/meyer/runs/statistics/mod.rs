@@ -151,9 +151,9 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "runs.others.as-many",
         meaning: "share of the shuffles that explain as many cells as the mechanisms do, per cent",
         by: DEALS,
-        first: || as_many(chance::shuffles_of_cells(score(Hypothesis::IDEAL)?, &OTHERS, SHUFFLES)?),
-        second: || as_many(sampling::cells(score(Hypothesis::IDEAL)?, &OTHERS, SHUFFLES)?),
-        within: 3.0,
+        first: || as_many(chance::shuffles_of_cells(score(Hypothesis::IDEAL)?, &OTHERS, 10 * SHUFFLES)?),
+        second: || as_many(sampling::cells(score(Hypothesis::IDEAL)?, &OTHERS, 10 * SHUFFLES)?),
+        within: 0.5,
     },
     Statistic {
         name: "runs.reset",
