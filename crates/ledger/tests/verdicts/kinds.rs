@@ -171,3 +171,23 @@ fn a_reading_that_relies_on_another_place_agrees_with_that_places_claim() {
         }
     }
 }
+
+#[test]
+fn a_neighbour_says_what_no_claim_of_its_source_says() {
+    let plain = |text: &str| text.to_lowercase().split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut tried = 0;
+    for claim in claims() {
+        let Check::Statement { neighbour: Some(neighbour), .. } = claim.check else { continue };
+        let said = plain(neighbour);
+        for other in claims().iter().filter(|other| other.work == claim.work) {
+            assert!(
+                said != plain(other.meaning) && said != plain(other.printed),
+                "the near miss of {} is what {} says: {neighbour}",
+                claim.id,
+                other.id
+            );
+        }
+        tried += 1;
+    }
+    assert!(tried > 100, "only {tried} near misses");
+}
