@@ -13,13 +13,14 @@ mod displays;
 mod first_page;
 mod formula_font;
 mod live;
+mod meanings;
 mod mimic_decks;
 mod pin_over_the_engagement;
 mod printed;
 mod proofread_page;
 mod prose;
 mod records;
-mod rise_measures;
+
 mod scoped;
 mod snapshots;
 mod supply;

@@ -1,4 +1,5 @@
-//! Is each rise time called by its measure? The thesis leaves its own undefined, so the bare word says little.
+//! Does a word have one meaning in the whole book? Each rise is called by its measure (the thesis leaves its own undefined), and the
+//! book's terminal speed is not the thesis's terminal velocity.
 
 use geneva_dynamics::steady::RiseMeasure;
 use geneva_press::figures;
@@ -62,4 +63,38 @@ fn a_bare_word_is_noticed_and_one_with_its_measure_is_not() {
     assert!(!is_bare("By the profile, the rise time is 50 ms."));
     assert!(!is_bare("The thesis gives a rise time."));
     assert!(!is_bare("Both pieces rise."));
+}
+
+#[test]
+fn a_terminal_velocity_is_the_thesiss_and_a_terminal_speed_is_ours() {
+    // The thesis means several things by its word, and the book one by its own: the speed at entry.
+    let mut bare = Vec::new();
+    for (path, text) in crate::files("book/src", &["md"]) {
+        for paragraph in text.split("\n\n").filter(|part| !part.starts_with("```")) {
+            let says = paragraph.to_lowercase().replace('\n', " ");
+            if says.contains("terminal velocity")
+                && !OF_THE_THESIS.iter().chain(&["abstract", "figs."]).any(|word| says.contains(word))
+            {
+                bare.push(format!("{}: {paragraph}", path.display()));
+            }
+        }
+    }
+    assert!(bare.is_empty(), "{} paragraphs:\n{}", bare.len(), bare.join("\n\n"));
+}
+
+#[test]
+fn an_escapement_may_jam_and_is_never_said_to() {
+    // Where the equation of motion has no single solution, nothing says what a real mechanism does.
+    let mut said = 0;
+    for name in ["escapement", "joints", "timer", "terminal-speed", "never-printed", "mistake"] {
+        let text = std::fs::read_to_string(crate::path(&format!("book/src/{name}.md"))).expect("a chapter");
+        let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        for (at, word) in words.iter().enumerate().filter(|(_, word)| word.starts_with("jam")) {
+            let before = &words[at.saturating_sub(1)..at];
+            // `{{computed:built.jam.four}}` is a key.
+            assert!(matches!(before, ["may" | "against" | "built"]), "{name}: {} {word}", before.join(" "));
+            said += usize::from(before == ["may"]);
+        }
+    }
+    assert!(said >= 3, "only {said}");
 }
