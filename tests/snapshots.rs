@@ -53,3 +53,22 @@ fn how_each_form_was_found() {
     }
     in_area("ledger", || assert_snapshot!("findings", text));
 }
+
+#[test]
+fn the_controls_of_the_live_figures() {
+    let mut text = String::new();
+    for live in geneva_live::LIVE {
+        text.push_str(&format!("{}\n", live.name));
+        for of in live.controls {
+            let [least, most] = of.range;
+            text.push_str(&format!(
+                "    {}: {}, {}, {} to {} by {}, typed {least} to {most}, at first {}, {:?} {:?}\n",
+                of.name, of.label, of.unit, of.least, of.most, of.step, of.preset, of.kind, of.side
+            ));
+        }
+        for preset in live.presets {
+            text.push_str(&format!("    “{}”: {}\n", preset.name, preset.arguments));
+        }
+    }
+    in_area("live", || assert_snapshot!("controls", text));
+}

@@ -12,7 +12,7 @@ use std::process::Stdio;
 /// Widths that are tried. Answers are no narrower than the first and no wider than the last.
 const WIDTHS: [u16; 3] = [60, 80, 100];
 
-const LOADED: &str = "wheel --stations 6 --rpm 360 --crank-radius 25 --inertia 0.002 --friction-torque 0.1 --thickness 10 --density 8170 \
+const LOADED: &str = "wheel --stations 6 --rpm 360 --crank-radius 25 --inertia 0.002 --friction-torque 0.1 --thickness 10 --density 8860 \
                       --pin-material steel --wheel-material phosphor-bronze --at -20";
 
 /// Command lines, answered and refused; in `@` is a folder with files.

@@ -6,7 +6,8 @@
 use std::convert::Infallible;
 
 /// The ends of the interval in which `holds` turns from true, as at the first end, to false, as at the second: halved until no
-/// number lies between them. The first may be the greater one. Each midpoint is asked once, the ends never.
+/// number lies between them, in the unit of the given ends. The first may be the greater one. Each midpoint is asked once, the ends
+/// never.
 ///
 /// ```
 /// use geneva_kinematics::bisection::bisect;
@@ -18,13 +19,28 @@ pub fn bisect(ends: [f64; 2], holds: impl FnMut(f64) -> bool) -> [f64; 2] {
     bisect_times(u32::MAX, ends, holds)
 }
 
-/// The ends as by [`bisect`], from so many halvings at most: for a condition that costs much, or that need not be known so finely.
+/// The ends as by [`bisect`], in the unit of the given ends, from so many halvings at most: for a condition that costs much, or that need not be
+/// known so finely.
+///
+/// ```
+/// use geneva_kinematics::bisection::bisect_times;
+///
+/// assert_eq!(bisect_times(3, [0.0, 8.0], |x| x < 2.5), [2.0, 3.0]);
+/// ```
 pub fn bisect_times(halvings: u32, ends: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> [f64; 2] {
     let Ok(ends) = try_bisect_times(halvings, ends, |middle| Ok::<_, Infallible>(holds(middle)));
     ends
 }
 
-/// The ends as by [`bisect_times`], of a condition that may fail.
+/// The ends as by [`bisect_times`], in the unit of the given ends, of a condition that may fail.
+///
+/// ```
+/// use geneva_kinematics::bisection::try_bisect_times;
+///
+/// let below = |x: f64| if x > 0.0 { Ok(x.ln() < 0.0) } else { Err("no logarithm") };
+/// assert_eq!(try_bisect_times(60, [0.5, 2.0], below), Ok([1.0_f64.next_down(), 1.0]));
+/// assert_eq!(try_bisect_times(60, [-4.0, 2.0], below), Err("no logarithm"));
+/// ```
 ///
 /// # Errors
 ///
@@ -42,30 +58,4 @@ pub fn try_bisect_times<E>(
         *(if holds(middle)? { &mut first } else { &mut last }) = middle;
     }
     Ok([first, last])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn neighbouring_numbers_are_left_in_either_order() {
-        for place in [0.1, 1.0 / 3.0, 0.5, 0.9] {
-            let [low, high] = bisect([0.0, 1.0], |x| x < place);
-            assert!(low < place && place <= high && low.next_up() == high, "{low} {place} {high}");
-            assert_eq!(bisect([1.0, 0.0], |x| x >= place), [high, low]);
-        }
-        assert_eq!(bisect([2.0, 2.0], |_| unreachable!("nothing lies between")), [2.0, 2.0]);
-    }
-
-    #[test]
-    fn halvings_are_counted_and_an_error_ends_them() {
-        assert_eq!(bisect_times(3, [0.0, 8.0], |x| x < 2.5), [2.0, 3.0]);
-        let mut asked = Vec::new();
-        let ends = try_bisect_times(9, [0.0, 8.0], |x| {
-            asked.push(x);
-            if x < 2.0 { Err("too small") } else { Ok(false) }
-        });
-        assert_eq!((ends, asked), (Err("too small"), vec![4.0, 2.0, 1.0]));
-    }
 }

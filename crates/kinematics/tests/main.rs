@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
 
 mod accuracy;
+mod bisection;
 mod escapement;
 mod indexing;
 mod internal_wheel;

@@ -17,7 +17,7 @@ macro_rules! worked {
             $radius,
             " --rpm ",
             $rpm,
-            " --inertia 0.002 --friction-torque 0.1 --thickness 10 --density 8170 ",
+            " --inertia 0.002 --friction-torque 0.1 --thickness 10 --density 8860 ",
             $more
         )
     };
@@ -46,11 +46,11 @@ const QUESTIONS: &[(&str, &str)] = &[
     ("worked-thirty-before", worked!("25", "60", "--before-entry 30")),
     ("worked-ten-before", worked!("25", "60", "--before-entry 10")),
     ("worked-twice-as-fast", worked!("25", "120", "")),
-    ("worked-best", worked!("37", "60", "")),
+    ("worked-best", worked!("36", "60", "")),
     ("worked-large", worked!("100", "60", "")),
     (
         "worked-three",
-        "wheel --stations 3 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --thickness 10 --density 8170",
+        "wheel --stations 3 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --thickness 10 --density 8860",
     ),
     ("worked-two-pins", "wheel --stations 6 --pins 2 --crank-radius 25"),
     ("twelve", "wheel --stations 12 --crank-radius 25"),

@@ -105,6 +105,16 @@ const WORKS: &[Work] = &[
         read: "https://ar5iv.labs.arxiv.org/html/1601.03545; the year by the number at arXiv",
     },
     Work {
+        key: "concast",
+        short: "Concast",
+        authors: "Concast Metal Products",
+        title: "C51000: phosphor bronze 5 % A",
+        published: "Data sheet",
+        year: "",
+        address: "https://www.concast.com/c51000.php",
+        read: "https://www.concast.com/c51000.php",
+    },
+    Work {
         key: "kmoddl",
         short: "Cornell",
         authors: "Cornell University Library",

@@ -105,7 +105,7 @@ pub fn components_of_all(place: Place, id: &'static str, printed: &'static str) 
 }
 
 /// How we count terms.
-const COUNTED: &str = "We count the terms in an imagined motion, in which the crank speeds up and the slot is curved, so \
+const COUNTED: &str = "We count the terms in another motion, in which the crank speeds up and the slot is curved, so \
                        that none of them is zero.";
 
 /// The instant with the crank turning counter-clockwise; or clockwise.

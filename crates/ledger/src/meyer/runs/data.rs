@@ -33,13 +33,14 @@ pub(super) fn claims(row: &'static Row, place: Place) -> [Claim; 2] {
 }
 
 const FRICTION: &str = "The computed value is the friction that best reproduces the row's minimum and period, with the \
-                        torque as printed, the inertias as printed (for six pins those of Fig. 11), and the angle reset after 90° as in the \
-                        program. We leave out the peak, because none of the printed lines need fall on it. The friction is known only as finely as minimum and period determine it, if \
-                        each was misread at random by a unit of its last place.";
+                        printed torque, the inertias as run, and the reset after 90° as in the program. We leave out \
+                        the peak, because none of the printed lines need fall on it. The friction is known only as \
+                        finely as minimum and period determine it, if each was misread at random by a unit of its last \
+                        place.";
 
-const TORQUE: &str = "The computed value is the torque that best reproduces the row's minimum and period, with the \
-                      friction as printed, the inertias as printed (for six pins those of Fig. 11), and the angle reset after 90° as in the \
-                      program. We leave out the peak, because none of the printed lines need fall on it.";
+const TORQUE: &str = "The computed value is the torque that best reproduces the row's minimum and period, with the printed \
+                      friction, the inertias as run, and the reset after 90° as in the program. We leave out the peak, \
+                      because none of the printed lines need fall on it.";
 
 /// Friction and torque of a row by golden section.
 fn sections(row: &Row) -> [f64; 2] {
