@@ -26,6 +26,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("method.readings.last-of", || Ok(last()?.1.to_string())),
     ("method.readings.last-part", || Ok(one_in(last()?))),
     ("method.readings.last-sentences", || Ok(last()?.2.to_string())),
+    ("method.readings.eighth-sentences", || {
+        let sentences = READINGS.get(7).and_then(|reading| reading.sentences);
+        Ok(sentences.context("the eighth reading counted sentences")?.to_string())
+    }),
     ("method.readings.again", || Ok(again().to_string())),
 ];
 

@@ -158,6 +158,14 @@ pub const READINGS: &[Reading] = &[
         gone_through: None,
         sentences: Some(32),
     },
+    Reading {
+        what: "Eighth, 28 November 2026: 120 claims and 150 sentences drawn at random, derived anew without our programs, and five \
+               pages of the book, line by line",
+        claims: 987,
+        overturned: &[],
+        gone_through: None,
+        sentences: Some(41),
+    },
 ];
 
 impl Reading {
@@ -211,8 +219,9 @@ mod tests {
     }
 
     #[test]
-    fn what_the_last_two_readings_overturned_of_the_documents_statements_is_as_the_page_says() {
-        let [.., sixth, seventh] = READINGS else { panic!("two readings") };
+    fn what_the_last_readings_overturned_of_the_documents_statements_is_as_the_page_says() {
+        let [.., sixth, seventh, eighth] = READINGS else { panic!("three readings") };
+        assert_eq!(eighth.overturned, []);
         let own = |reading: &Reading| -> Vec<&str> {
             let here = |(id, kind): &&(&str, Kind)| SENTENCES.contains(kind) && !id.starts_with("wild.");
             reading.overturned.iter().filter(here).map(|(id, _)| *id).collect()
