@@ -2,7 +2,7 @@
 
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
-use geneva_kinematics::wheel::Wheel;
+use geneva_kinematics::wheel::{Choices, Contact, Scale, Sizes, Wheel};
 use geneva_press::asked;
 
 /// A number of the answer to a question.
@@ -37,6 +37,19 @@ fn twice_the_play_allows_nearly_twice_the_error_up_to_thirty_stations() {
         assert!((1.9..2.01).contains(&times(stations)), "{stations} stations: {}", times(stations));
     }
     assert!(times(60) < 1.85, "{}", times(60));
+}
+
+#[test]
+fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
+    let question = "wheel --stations 6 --crank-radius 25";
+    let sizes = Sizes::new(Wheel::new(6).expect("a wheel"), Scale::CrankRadius(25.0), &Choices::default()).expect("sizes");
+    // On the side of the arc, half a pitch from the slot, the pin in the middle of its slot leaves so much.
+    let limit = sizes.slot_gap() * sizes.wheel.half_pitch_angle().cos();
+    assert!((number(question, "centres_nearer_mm") / limit - 1.0).abs() < 0.01);
+    let nearest = sizes.clearance_at(sizes.centre_distance - 1.02 * limit).expect("possible").least();
+    let before_entry = sizes.wheel.engagement_half_angle() - nearest.crank_angle.abs();
+    assert!(nearest.distance < 0.0 && nearest.contact == Contact::Crescent, "{nearest:?}");
+    assert!((0.0..0.1).contains(&before_entry), "{} rad past entry", before_entry);
 }
 
 /// The tangential acceleration of the lever's point by the chapter's formula for a pin that slides inwards while the
