@@ -42,7 +42,8 @@ fn twice_the_play_allows_nearly_twice_the_error_up_to_thirty_stations() {
 #[test]
 fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
     let question = "wheel --stations 6 --crank-radius 25";
-    let sizes = Sizes::new(Wheel::new(6).expect("a wheel"), Scale::CrankRadius(25.0), &Choices::default()).expect("sizes");
+    let sizes =
+        Sizes::new(Wheel::new(6).expect("a wheel"), Scale::CrankRadius(25.0), &Choices::default()).expect("sizes");
     // On the side of the arc, half a pitch from the slot, the pin in the middle of its slot leaves so much.
     let limit = sizes.slot_gap() * sizes.wheel.half_pitch_angle().cos();
     assert!((number(question, "centres_nearer_mm") / limit - 1.0).abs() < 0.01);
