@@ -26,10 +26,14 @@ pub fn no_greater(limit: f64, digits: usize) -> f64 {
 fn to_one_side(limit: f64, side: f64, digits: usize) -> f64 {
     let behind = digits.max(1) - 1;
     let nearest: f64 = format!("{limit:.behind$e}").parse().unwrap_or(limit);
-    let exponent = format!("{limit:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    let half: f64 = format!("5e{}", exponent.unwrap_or(0) - 1 - behind as i32).parse().unwrap_or(0.0);
+    let half: f64 = format!("5e{}", exponent(&format!("{limit:e}")) - 1 - behind as i32).parse().unwrap_or(0.0);
     let is_safe = (nearest - limit) * side >= 0.0;
     if is_safe { nearest } else { format!("{:.behind$e}", limit + side * half).parse().unwrap_or(limit) }
+}
+
+/// The power of ten of a number that is written with one, as by `{:e}`.
+fn exponent(scientific: &str) -> i32 {
+    scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
 /// The number that a reader would have typed: rounded to fifteen digits, which any number between typed ones may need.
@@ -53,7 +57,7 @@ pub fn number(value: f64) -> String {
 pub fn to_digits(value: f64, digits: usize) -> String {
     let behind = digits.max(1) - 1;
     let scientific = format!("{value:.behind$e}");
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
+    let exponent = exponent(&scientific);
     let number = match usize::try_from(behind as i32 - exponent) {
         _ if value == 0.0 => "0".to_owned(),
         Ok(decimals) if decimals < 2 * DIGITS => format!("{value:.decimals$}"),

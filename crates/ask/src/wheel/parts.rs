@@ -180,32 +180,25 @@ pub fn together(design: &Design) -> Result<Vec<Field>, Error> {
     let found = design.shared_tolerance()?;
     let (limits, radius) = (found.flatten(), design.sizes.map(|sizes| sizes.wheel_radius));
     let of = |length: fn(&SharedTolerance) -> f64| limits.as_ref().map(length);
-    let locking = mm("all_locking_mm", of(|limit| limit.locking));
+    let sought = |key, length: Option<f64>| mm(key, length).rounded(SOUGHT);
+    let locking = sought("all_locking_mm", of(|limit| limit.locking));
     let has_disc = design.sizes.is_some_and(|sizes| sizes.locking_disc.is_some());
     let locking = match found {
         None => locking.words("disc and arc", "not found: the play is so small that the search would take too long"),
         Some(None) if has_disc => locking.words("disc and arc", "no room is known for errors in all sizes at once"),
-        Some(_) => locking.line("disc and arc", "disc radius larger, arc radius smaller, each at most").rounded(SOUGHT),
+        Some(_) => locking.line("disc and arc", "disc radius larger, arc radius smaller, each at most"),
     };
     let at_rim = limits.zip(radius).map(|(limit, radius)| limit.direction * radius);
     Ok(vec![
         locking,
-        mm("all_nearer_mm", of(|limit| limit.nearer))
-            .line("axes nearer", "at most, besides the bore play")
-            .rounded(SOUGHT),
-        mm("all_farther_mm", of(|limit| limit.farther))
-            .line("axes farther", "at most, besides the bore play")
-            .rounded(SOUGHT),
-        mm("all_crank_radius_mm", of(|limit| limit.crank))
-            .line("crank radius", "longer or shorter at most")
-            .rounded(SOUGHT),
-        mm("all_width_mm", of(|limit| limit.width))
-            .line("pin and slot", "pin thicker, slot narrower, each at most")
-            .rounded(SOUGHT),
-        mm("all_slot_direction_at_rim_mm", at_rim)
-            .line("slot direction", "at the wheel radius, to either side at most")
-            .rounded(SOUGHT),
-        mm("all_slot_end_mm", of(|limit| limit.slot_end)).line("slot end", "farther out at most").rounded(SOUGHT),
+        sought("all_nearer_mm", of(|limit| limit.nearer)).line("axes nearer", "at most, besides the bore play"),
+        sought("all_farther_mm", of(|limit| limit.farther)).line("axes farther", "at most, besides the bore play"),
+        sought("all_crank_radius_mm", of(|limit| limit.crank)).line("crank radius", "longer or shorter at most"),
+        sought("all_width_mm", of(|limit| limit.width))
+            .line("pin and slot", "pin thicker, slot narrower, each at most"),
+        sought("all_slot_direction_at_rim_mm", at_rim)
+            .line("slot direction", "at the wheel radius, to either side at most"),
+        sought("all_slot_end_mm", of(|limit| limit.slot_end)).line("slot end", "farther out at most"),
     ])
 }
 

@@ -106,33 +106,22 @@ fn small_variations() -> Claim {
 
 #[cfg(test)]
 mod tests {
-    use super::super::general_statements::{Responses, responses};
+    use super::super::general_statements::{Responses, each_alone, responses};
     use super::super::terms::Start;
     use super::*;
     use geneva_dynamics::steady::Engagement;
 
-    /// Factors of torque, friction and the two inertias: one of them one per cent greater or less.
-    const ONE_PER_CENT: [[f64; 4]; 8] = [
-        [1.01, 1.0, 1.0, 1.0],
-        [1.0, 1.01, 1.0, 1.0],
-        [1.0, 1.0, 1.01, 1.0],
-        [1.0, 1.0, 1.0, 1.01],
-        [0.99, 1.0, 1.0, 1.0],
-        [1.0, 0.99, 1.0, 1.0],
-        [1.0, 1.0, 0.99, 1.0],
-        [1.0, 1.0, 1.0, 0.99],
-    ];
-
     #[test]
     fn one_per_cent_changes_the_steady_motion_by_less_and_the_rise_time_of_some_runs_by_more() {
-        let found: Responses<5> = responses(&ONE_PER_CENT, |at| {
+        let sets = [1.01, 0.99].map(each_alone).concat();
+        let found: Responses<5> = responses(&sets, |at| {
             let of = Engagement::new(at).ok()?;
             let state = of.steady_state().ok()?;
             let [profile, average] = Start::by_integrals(&of)?.rise_times;
             Some([state.peak.speed, state.minimum.speed, state.period, profile, average])
         });
         let changes: Vec<[f64; 5]> = found.concat();
-        assert_eq!(changes.len(), ONE_PER_CENT.len() * series(rows()).count());
+        assert_eq!(changes.len(), sets.len() * series(rows()).count());
         assert!(changes.iter().all(|change| change[..3].iter().all(|part| *part < 0.01)));
         let more = changes.iter().filter(|change| change[3] > 0.01).count();
         assert!(more > 0 && more < changes.len(), "{more}");

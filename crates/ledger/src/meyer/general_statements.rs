@@ -160,6 +160,11 @@ pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
 /// inertias.
 pub type Responses<const N: usize> = Vec<Vec<[f64; N]>>;
 
+/// Sets of factors that change torque, friction and the two inertias each alone.
+pub fn each_alone(factor: f64) -> [[f64; 4]; 4] {
+    std::array::from_fn(|changed| std::array::from_fn(|at| if at == changed { factor } else { 1.0 }))
+}
+
 /// The responses to these sets of factors; not numbers where the quantities cannot be found.
 pub fn responses<const N: usize>(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; N]>) -> Responses<N> {
     let before: Vec<_> = series(rows())

@@ -1,7 +1,7 @@
 //! Fig. 8 and what chapter II says of its curve: its shape, its scales, and when it is steady.
 
 use super::by_steps::{Motion, groups};
-use super::general_statements::{Responses, responses};
+use super::general_statements::{Responses, each_alone, responses};
 use super::runs::table::rows;
 use super::study::steady;
 use super::terms::{Start, is_there};
@@ -234,17 +234,9 @@ fn swings(speeds: &[f64]) -> Option<usize> {
 
 /// Factors of torque, friction and the two inertias: each alone a tenth greater, each alone a tenth less, and all but the
 /// friction together.
-const TENTHS: [[f64; 4]; 9] = [
-    [1.1, 1.0, 1.0, 1.0],
-    [1.0, 1.1, 1.0, 1.0],
-    [1.0, 1.0, 1.1, 1.0],
-    [1.0, 1.0, 1.0, 1.1],
-    [0.9, 1.0, 1.0, 1.0],
-    [1.0, 0.9, 1.0, 1.0],
-    [1.0, 1.0, 0.9, 1.0],
-    [1.0, 1.0, 1.0, 0.9],
-    [1.1, 1.0, 1.1, 1.1],
-];
+fn tenths() -> Vec<[f64; 4]> {
+    [&each_alone(1.1)[..], &each_alone(0.9), &[[1.1, 1.0, 1.1, 1.1]]].concat()
+}
 
 /// Parameters that are changed alone.
 const PARAMETERS: usize = 4;
@@ -259,7 +251,7 @@ const SCALES: usize = 4;
 fn quantities() -> &'static Responses<QUANTITIES> {
     static FOUND: OnceLock<Responses<QUANTITIES>> = OnceLock::new();
     FOUND.get_or_init(|| {
-        responses(&TENTHS, |parameters| {
+        responses(&tenths(), |parameters| {
             let of = Engagement::with_tolerance(parameters, 1e-11).ok()?;
             let (start, steady) = (Start::by_integrals(&of)?, of.steady_state().ok()?);
             let shape = [steady.minimum.speed, steady.entry_speed].map(|speed| speed / steady.peak.speed);
@@ -272,7 +264,7 @@ fn quantities() -> &'static Responses<QUANTITIES> {
 fn quantities_in_steps() -> &'static Responses<QUANTITIES> {
     static FOUND: OnceLock<Responses<QUANTITIES>> = OnceLock::new();
     FOUND.get_or_init(|| {
-        responses(&TENTHS, |parameters| {
+        responses(&tenths(), |parameters| {
             let motion = Motion::repeating(parameters)?;
             let (start, steady) = (Start::by_steps(&motion)?, motion.steady()?);
             let peak = motion.greatest(steady, |_, speed| speed).value;
