@@ -70,7 +70,7 @@ impl Locator {
         self.claim(Kind::Statement, id, printed, meaning)
     }
 
-    /// Sizes of a mechanism that is built as an example, of which the claim is that it works.
+    /// Sizes of something that is built as an example, of which the claim is that it works.
     #[track_caller]
     pub fn example(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<ChoiceFn> {
         self.claim(Kind::Example, id, printed, meaning)
