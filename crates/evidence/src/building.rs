@@ -16,6 +16,17 @@ pub struct Locator {
     text: &'static str,
 }
 
+/// A text that lives as long as the program, for the id, the place or the meaning of a claim that is made from a table. A claim is made
+/// once, so nothing is kept twice.
+///
+/// ```
+/// let ids = ["friction", "torque"].map(|name| geneva_evidence::intern(format!("leaflet.run-1.{name}")));
+/// assert_eq!(ids, ["leaflet.run-1.friction", "leaflet.run-1.torque"]);
+/// ```
+pub fn intern(text: String) -> &'static str {
+    Box::leak(text.into_boxed_str())
+}
+
 /// A claim whose check is not yet given. Two routes complete it.
 pub struct Unchecked<R: ?Sized> {
     claim: Claim,
