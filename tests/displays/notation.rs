@@ -3,10 +3,10 @@
 
 use super::mechanisms::{When, pin, quick_return, wheel};
 use super::{escapement, joints};
+use geneva_chapters::figures::FIGURES;
 use geneva_figures::notation::NOTATION;
 use geneva_ledger::tex::{Display, Moment, letters_in};
 use geneva_ledger::{Kind, Work, claims};
-use geneva_press::figures::FIGURES;
 use std::collections::BTreeMap;
 
 /// What holds of the letters of a chapter: which chapter, in which states, which relations.

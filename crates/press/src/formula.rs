@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use crate::html::tex_or_text;
+use crate::html::escape;
 use anyhow::{Context, anyhow, ensure};
 use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 
@@ -38,6 +38,13 @@ pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
             format!("<span class=\"display{}\">{pieces}</span>", long(&pieces))
         }
     })
+}
+
+/// A piece of TeX as markup if it is TeX, else as text.
+pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
+    // Dots between words are no formula.
+    let words = text.replace(r" \ldots", "\u{a0}…");
+    if words.contains(['\\', '{', '=']) { formula(text, false) } else { Ok(escape(&words)) }
 }
 
 /// The class of a display with a piece of many signs, which is set smaller on a phone.
@@ -269,6 +276,12 @@ fn tokens(tex: &str) -> Vec<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_stay_words_and_tex_becomes_markup() {
+        assert_eq!(tex_or_text("10 mm").expect("text"), "10 mm");
+        assert!(tex_or_text(r"\sqrt{2}").expect("TeX").contains("math"));
+    }
 
     #[test]
     fn a_display_may_bear_the_number_of_its_source() {
