@@ -152,7 +152,7 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
 
 #[test]
 fn every_page_says_at_its_foot_which_version_and_commit_it_is() {
-    let edition = Edition::of(&crate::path("book"), IMPRINT);
+    let edition = Edition::detect(&crate::path("book"), IMPRINT);
     let expected = format!("{}, {}.", IMPRINT.title, edition.words());
     for (name, page) in crate::book_pages::pages() {
         let foot: Vec<_> = crate::book_pages::within(page, "footer").into_iter().map(crate::book_pages::text).collect();
@@ -165,7 +165,7 @@ fn every_page_says_at_its_foot_which_version_and_commit_it_is() {
 fn the_page_of_sources_says_how_to_cite_the_book_and_a_claim() {
     let page = &crate::book_pages::pages()["about.html"];
     let said: String = crate::book_pages::within(page, "main").into_iter().map(crate::book_pages::text).collect();
-    let edition = Edition::of(&crate::path("book"), IMPRINT);
+    let edition = Edition::detect(&crate::path("book"), IMPRINT);
     let address = address::known(IMPRINT);
     for part in [
         &*citing::bibtex(IMPRINT, &edition, address.as_ref()),

@@ -4,7 +4,7 @@ use crate::lookup;
 use anyhow::{Context, anyhow};
 use geneva_ledger::{Judged, Kind, Slip, Truth, Work, in_full, wild};
 use geneva_press::Book;
-use geneva_press::formula::{broken, tex_or_text};
+use geneva_press::formula::{breakable, tex_or_text};
 use geneva_press::html::{Cells, Table, escape, prose, table};
 use geneva_press::ledger_pages::errata::{entries, right};
 use geneva_press::ledger_pages::inline::{badge, linked_page, with_unit};
@@ -29,7 +29,7 @@ fn slips(book: &Book, caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<
                 "<a href=\"#slip-{}\">{}</a><div class=\"form\" data-label=\"As printed\">{}</div>",
                 slip.id,
                 prose(claim.meaning),
-                broken(&printed)
+                breakable(&printed)
             ),
             format!("{} <div>{}</div>", right(book, judged)?, prose(slip.changes)),
         ])

@@ -198,7 +198,7 @@ fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> St
 
 fn named(name: &str) -> anyhow::Result<&'static Live> {
     let all: Vec<(&str, &'static Live)> = LIVE.into_iter().map(|live| (live.name, live)).collect();
-    lookup::named("figure that a reader moves", name, &all)
+    lookup::find_named("figure that a reader moves", name, &all)
 }
 
 fn beside(name: &str) -> anyhow::Result<&'static Beside> {

@@ -4,7 +4,7 @@ use geneva_ledger::{Claim, Judged, Work};
 use geneva_press::ledger::LEDGER;
 use geneva_press::lookup;
 
-pub use geneva_press::lookup::{named, unknown};
+pub use geneva_press::lookup::{find_named, unknown};
 
 /// The claim with this id, without its verdict.
 pub fn claim(id: &str) -> anyhow::Result<&'static Claim> {
@@ -13,15 +13,15 @@ pub fn claim(id: &str) -> anyhow::Result<&'static Claim> {
 
 /// The judged claim with this id.
 pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
-    lookup::judged(&LEDGER, id)
+    lookup::verdict(&LEDGER, id)
 }
 
 /// The judged claims of a source.
 pub fn of_work(work: Work) -> impl Iterator<Item = &'static Judged> {
-    lookup::judged_of(&LEDGER, work)
+    lookup::verdicts_of(&LEDGER, work)
 }
 
 /// The judged claims of the documents: without what is said elsewhere.
 pub fn of_documents() -> impl Iterator<Item = &'static Judged> {
-    lookup::judged_of_documents(&LEDGER)
+    lookup::verdicts_of_documents(&LEDGER)
 }

@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn the_readme_leads_to_the_pages_if_their_address_is_known_and_else_to_the_chapters() {
-        let address = Address::of("https://example.org/geneva/", "").expect("an address");
+        let address = Address::from_manifest("https://example.org/geneva/", "").expect("an address");
         let (without, with) = (
             generate_readme(&BOOK, README, None).expect("text"),
             generate_readme(&BOOK, README, Some(&address)).expect("text"),

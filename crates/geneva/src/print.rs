@@ -55,7 +55,7 @@ pub fn run(wanted: &PrintArguments, streams: &mut dyn Streams) -> anyhow::Result
     let pdf = folder.path().join("book.pdf");
     let pages = {
         let _step = progress::step("printing");
-        let mut before = numbers::Places::new();
+        let mut before = numbers::PageNumbers::new();
         let mut left = PRINTS;
         loop {
             left -= 1;

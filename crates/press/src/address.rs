@@ -18,7 +18,7 @@ pub struct Address {
 
 /// The addresses in the imprint. README and CITATION.cff have these only, so that they are alike wherever they are made.
 pub fn settled(imprint: &Imprint) -> Option<Address> {
-    Address::of(imprint.homepage, imprint.repository)
+    Address::from_manifest(imprint.homepage, imprint.repository)
 }
 
 /// The addresses in the imprint, or else those that follow from `GITHUB_REPOSITORY`, which a workflow of GitHub sets.
@@ -28,7 +28,7 @@ pub fn known(imprint: &Imprint) -> Option<Address> {
 
 impl Address {
     /// The addresses as a manifest has them. An empty one is none, and so is one that is no web address.
-    pub fn of(homepage: &str, repository: &str) -> Option<Self> {
+    pub fn from_manifest(homepage: &str, repository: &str) -> Option<Self> {
         let is_web =
             |text: &&str| text.starts_with("https://") && text.bytes().all(|byte| is_plain(byte) || byte == b':');
         let book = Some(homepage).filter(is_web)?;
@@ -69,7 +69,7 @@ mod tests {
         for (homepage, repository) in
             [("", ""), ("", "https://github.com/a/b"), ("ftp://a", ""), ("https://a/\"><script>", ""), ("a", "b")]
         {
-            assert_eq!(Address::of(homepage, repository), None, "{homepage} {repository}");
+            assert_eq!(Address::from_manifest(homepage, repository), None, "{homepage} {repository}");
         }
         for name in ["", "a", "a/", "/b", "a/b/c", "a/b c", "a/<b>"] {
             assert_eq!(Address::of_github(name), None, "{name}");
@@ -87,8 +87,8 @@ mod tests {
 
     #[test]
     fn a_manifest_may_have_the_book_alone() {
-        let of = Address::of("https://example.org/geneva", "").expect("an address");
+        let of = Address::from_manifest("https://example.org/geneva", "").expect("an address");
         assert_eq!((of.book.as_str(), of.source.as_str()), ("https://example.org/geneva/", ""));
-        assert_eq!(Address::of("https://example.org/geneva/", "").expect("an address"), of);
+        assert_eq!(Address::from_manifest("https://example.org/geneva/", "").expect("an address"), of);
     }
 }

@@ -19,11 +19,11 @@ pub struct Book {
     /// The sections of the page of all claims; empty for one section to each source.
     pub sections: &'static [LedgerSection],
     /// The keys in double braces that it adds to those of every book.
-    pub keys: &'static [Key],
-    /// Draws the figure of a name. An unknown name is answered with those there are; see [`named`](crate::lookup::named).
+    pub keys: &'static [PlaceholderKey],
+    /// Draws the figure of a name. An unknown name is answered with those there are; see [`find_named`](crate::lookup::find_named).
     pub figures: fn(&str) -> anyhow::Result<PageFigure>,
     /// Tables of computed numbers, by name.
-    pub tables: &'static [(&'static str, fn() -> anyhow::Result<Table>)],
+    pub tables: &'static [(&'static str, MakeTable)],
     /// The works of others that its chapters cite, in the order of the list.
     pub works: &'static [CitedWork],
     /// Groups of open claims that the same thing would settle.
@@ -48,9 +48,12 @@ pub struct Book {
     pub citation_file: &'static str,
 }
 
+/// Makes a table of computed numbers.
+pub type MakeTable = fn() -> anyhow::Result<Table>;
+
 /// A key in double braces, `{{key:argument}}` or `{{key}}`.
 #[derive(Clone, Copy)]
-pub struct Key {
+pub struct PlaceholderKey {
     /// The key.
     pub name: &'static str,
     /// What it says or shows.
@@ -61,7 +64,7 @@ pub struct Key {
     pub is_text: bool,
 }
 
-impl Key {
+impl PlaceholderKey {
     /// A key, what it says or shows, and how that is made.
     pub const fn new(name: &'static str, meaning: &'static str, expansion: Expansion) -> Self {
         Self { name, meaning, expansion, is_text: true }
@@ -254,7 +257,7 @@ impl Book {
 
     /// Holds the book against what the builder needs: a page that lists all claims, pages of different names, sections of
     /// sources that the ledger has, and keys that no other key hides.
-    pub fn check(&self, engine: &[Key]) -> anyhow::Result<()> {
+    pub fn check(&self, engine: &[PlaceholderKey]) -> anyhow::Result<()> {
         let claims = self.pages.iter().filter(|page| page.role == PageRole::Claims).count();
         ensure!(claims == 1, "{claims} pages list all claims: give one page of the book `PageRole::Claims`");
         for (at, page) in self.pages.iter().enumerate() {

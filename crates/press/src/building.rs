@@ -63,7 +63,7 @@ fn render(book: &Book, source: &mut MDBook, new: &Path) -> anyhow::Result<()> {
     source.config.build.build_dir = new.to_owned();
     warnings::refuse(|| source.build())?;
     search::index(book, new)?;
-    let edition = Edition::of(&source.root, &book.imprint);
+    let edition = Edition::detect(&source.root, &book.imprint);
     print::write(book, new, &edition, address::known(&book.imprint).as_ref())?;
     finish(book, new)?;
     list::write(new)

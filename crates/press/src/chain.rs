@@ -1,6 +1,6 @@
 //! Chains in plain characters as formulas: fractions, roots and powers set as such, units upright.
 
-use crate::formula::{broken, formula};
+use crate::formula::{breakable, formula};
 use crate::html::{GLUED, escape};
 use crate::maths::JOINED;
 use crate::numbers::with_minus_sign;
@@ -27,7 +27,7 @@ fn marked(text: &str, data: &str) -> anyhow::Result<String> {
     const SHORT: usize = 64;
     // The space that a browser gives the sign of a product anyway.
     const USUAL: &str = " lspace=\"0.2222em\" rspace=\"0.2222em\"";
-    let markup = broken(&formula(&tex(text), false)?.replace(USUAL, ""));
+    let markup = breakable(&formula(&tex(text), false)?.replace(USUAL, ""));
     let class = if text.chars().count() < SHORT { "" } else { " class=\"long\"" };
     Ok(format!("<span data-text=\"{}\"{class}>{markup}</span>", escape(data)))
 }

@@ -9,7 +9,7 @@ const HEADING: &str = "## The tests behind this chapter";
 const PLACE: &str = "{{tests}}";
 /// Takes the programs out of a chapter, by its name and title, and leaves a link to the page with all of them. What is taken is
 /// their section of that page.
-pub fn take(page: &str, name: &str, title: &str, content: &mut String) -> String {
+pub fn take_programs(page: &str, name: &str, title: &str, content: &mut String) -> String {
     let Some(at) = content.find(&format!("\n{HEADING}\n")) else { return String::new() };
     let behind = at + 1 + HEADING.len();
     let tests = content[behind..].trim();
@@ -26,7 +26,7 @@ pub fn take(page: &str, name: &str, title: &str, content: &mut String) -> String
 }
 
 /// Puts the sections where they belong on the page of the programs.
-pub fn put(sections: &str, content: &mut String) {
+pub fn insert_programs(sections: &str, content: &mut String) {
     *content = content.replace(PLACE, sections.trim_end());
 }
 
@@ -39,12 +39,12 @@ mod tests {
     #[test]
     fn a_chapter_keeps_a_link_and_the_page_gets_the_program() {
         let mut chapter = format!("# A\n\nText.\n\n{HEADING}\n\n{TEST}\n");
-        let section = take("tests", "a", "A", &mut chapter);
+        let section = take_programs("tests", "a", "A", &mut chapter);
         let link = "A [short program](tests.md#a) checks a statement in this chapter.";
         assert_eq!(chapter, format!("# A\n\nText.\n\n{HEADING}\n\n{link}\n"));
 
         let mut page = format!("# Tests\n\n{PLACE}\n");
-        put(&section, &mut page);
+        insert_programs(&section, &mut page);
         assert_eq!(page, format!("# Tests\n\n## A {{#a}}\n\n[To the chapter](a.md)\n\n{TEST}\n"));
         assert!(!chapter.contains(TEST));
     }
@@ -52,9 +52,9 @@ mod tests {
     #[test]
     fn several_programs_are_counted_and_a_chapter_without_any_stays() {
         let mut chapter = format!("# A\n\n{HEADING}\n\n{TEST}\n\n{TEST}\n");
-        take("tests", "a", "A", &mut chapter);
+        take_programs("tests", "a", "A", &mut chapter);
         assert!(chapter.ends_with("[Two short programs](tests.md#a) check statements in this chapter.\n"));
         let mut other = "# B\n\nNo tests.\n".to_owned();
-        assert_eq!((take("tests", "b", "B", &mut other), &*other), (String::new(), "# B\n\nNo tests.\n"));
+        assert_eq!((take_programs("tests", "b", "B", &mut other), &*other), (String::new(), "# B\n\nNo tests.\n"));
     }
 }

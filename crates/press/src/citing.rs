@@ -69,7 +69,7 @@ pub fn citation_in_words(imprint: &Imprint, edition: &Edition, address: Option<&
 /// One claim in words, as HTML, with the address of its row in the ledger.
 pub fn claim_citation(book: &Book, id: &str, edition: &Edition, address: Option<&Address>) -> anyhow::Result<String> {
     let imprint = &book.imprint;
-    let place = book.address_of_claim(lookup::judged(book.ledger, id)?.claim.id);
+    let place = book.address_of_claim(lookup::verdict(book.ledger, id)?.claim.id);
     let said = escape(&address.map_or_else(|| place.clone(), |address| address.page(&place)));
     Ok(format!(
         "{}: Claim <code>{}</code>. In: <em>{}</em>, {}, <a href=\"{}\">{said}</a>.",
@@ -110,7 +110,8 @@ mod tests {
 
     #[test]
     fn the_same_facts_are_in_every_form() {
-        let address = Address::of("https://example.org/geneva/", "https://example.org/source").expect("an address");
+        let address =
+            Address::from_manifest("https://example.org/geneva/", "https://example.org/source").expect("an address");
         for address in [None, Some(&address)] {
             let forms = [
                 cff(&IMPRINT, None, address),
@@ -129,7 +130,7 @@ mod tests {
 
     #[test]
     fn a_claim_is_cited_with_its_address() {
-        let address = Address::of("https://example.org/geneva/", "").expect("an address");
+        let address = Address::from_manifest("https://example.org/geneva/", "").expect("an address");
         let id = BOOK.ledger.claims()[0].id;
         let row = format!("ledger.html#{id}");
         let cited = claim_citation(&BOOK, id, &edition(), Some(&address)).expect("a claim");
@@ -162,7 +163,7 @@ mod tests {
 
     #[test]
     fn the_foot_of_a_page_names_an_address_only_if_there_is_one() {
-        let address = Address::of("https://example.org/geneva/", "").expect("an address");
+        let address = Address::from_manifest("https://example.org/geneva/", "").expect("an address");
         let edition = Edition { commit: Some("abcdef0".to_owned()), date: Some("2026-11-26".to_owned()), ..NONE };
         let (without, with) = (footer(&BOOK, &edition, None), footer(&BOOK, &edition, Some(&address)));
         assert!(with.contains(" Read it at <a href=\"https://example.org/geneva/\">https://example.org/geneva/</a>."));

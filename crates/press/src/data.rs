@@ -11,18 +11,18 @@ use std::path::Path;
 pub const FOLDER: &str = "data";
 
 /// A file of data.
-pub struct DataFile {
+pub struct PageFile {
     name: String,
     text: String,
 }
 
-impl DataFile {
+impl PageFile {
     /// The numbers of a figure or a table, as CSV.
     pub fn csv(name: &str, csv: String) -> Self {
         Self { name: format!("{name}.csv"), text: csv }
     }
 
-    /// What a file of [`DataFile::csv`] shows, as metadata for tables on the web (CSVW): a title with the units that the
+    /// What a file of [`PageFile::csv`] shows, as metadata for tables on the web (CSVW): a title with the units that the
     /// caption names, the book and edition that it comes from, and the address of the licence.
     pub fn metadata(&self, title: &str, source: &str, licence: &str) -> anyhow::Result<Self> {
         let text = fields::json(&serde_json::json!({
@@ -67,7 +67,7 @@ pub fn is_led_to(page: &str) -> bool {
 /// A file that stands as it should is left alone, so that a builder that watches the chapters is not woken.
 ///
 /// Where there are no chapters, as when a book is handed over without its folder, nothing is written.
-pub fn write(chapters: &Path, files: &[DataFile]) -> anyhow::Result<()> {
+pub fn write(chapters: &Path, files: &[PageFile]) -> anyhow::Result<()> {
     if !has_place(chapters) {
         return Ok(());
     }

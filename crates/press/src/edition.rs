@@ -26,7 +26,7 @@ impl Edition {
     }
 
     /// The edition of the book in this folder. The reader's own settings of git do not change what it says.
-    pub fn of(book: &Path, imprint: &Imprint) -> Self {
+    pub fn detect(book: &Path, imprint: &Imprint) -> Self {
         let edition = Self::committed(book, imprint.version);
         edition.unwrap_or(Self::without_commit(imprint.version)).made_by(&Self::compiled(imprint))
     }
@@ -132,9 +132,9 @@ mod tests {
         fs::write(book.join("book.toml"), "").unwrap();
         fs::write(book.join("src/only.md"), "Text.\n").unwrap();
         fs::write(folder.join(".gitignore"), "target\n").unwrap();
-        assert_eq!(Edition::of(&book, &IMPRINT), NONE, "no commit yet");
+        assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "no commit yet");
         git(folder, &["add", "."], "");
-        assert_eq!(Edition::of(&book, &IMPRINT), NONE, "no commit yet");
+        assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "no commit yet");
         // A commit with a signature, for a program that has something to say about it.
         let tree = git(folder, &["write-tree"], "");
         let who = "A <a@example.org> 1700000000 +0000";
@@ -153,7 +153,7 @@ mod tests {
         let (folder, book) = (repository.path(), repository.path().join("book"));
         let date = Some("2023-11-14".to_owned());
         let expected = Edition { commit: Some(id.clone()), date, ..NONE };
-        assert_eq!(Edition::of(&book, &IMPRINT), expected);
+        assert_eq!(Edition::detect(&book, &IMPRINT), expected);
         assert_eq!(expected.words(), format!("version {}, commit {} of 2023-11-14", IMPRINT.version, &id[..7]));
 
         let checker = repository.path().join("target");
@@ -172,11 +172,11 @@ mod tests {
             ("status.short", "true"),
         ] {
             git(folder, &["config", setting, value], "");
-            assert_eq!(Edition::of(&book, &IMPRINT), expected, "{setting} {value}");
+            assert_eq!(Edition::detect(&book, &IMPRINT), expected, "{setting} {value}");
         }
         git(folder, &["config", "status.showUntrackedFiles", "no"], "");
         fs::write(book.join("src/new.md"), "").unwrap();
-        assert!(Edition::of(&book, &IMPRINT).is_changed);
+        assert!(Edition::detect(&book, &IMPRINT).is_changed);
     }
 
     #[test]
@@ -186,7 +186,7 @@ mod tests {
             let book = repository.path().join(project).join("book");
             let page = book.join("src/only.md");
             let named = |is_changed: bool| {
-                let edition = Edition::of(&book, &IMPRINT);
+                let edition = Edition::detect(&book, &IMPRINT);
                 assert_eq!((edition.commit.as_deref(), edition.is_changed), (Some(&*id), is_changed), "{project}");
                 assert_eq!(edition.words().ends_with(" of 2023-11-14, changed"), is_changed, "{}", edition.words());
                 assert_eq!(edition.reference().ends_with(", changed"), is_changed);
@@ -203,7 +203,7 @@ mod tests {
             git(repository.path(), &["add", "."], "");
             named(true);
             git(repository.path(), &["rm", "--quiet", "--cached", "-r", "."], "");
-            assert_eq!(Edition::of(&book, &IMPRINT), NONE, "no longer among the files of the repository");
+            assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "no longer among the files of the repository");
         }
     }
 
@@ -222,8 +222,8 @@ mod tests {
             let book = repository.path().join(place).join("book");
             fs::create_dir_all(&book).unwrap();
             fs::write(book.join("book.toml"), "").unwrap();
-            assert_eq!(Edition::of(&book, &IMPRINT), NONE, "{place}");
+            assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "{place}");
         }
-        assert_eq!(Edition::of(&repository.path().join("nowhere"), &IMPRINT), NONE);
+        assert_eq!(Edition::detect(&repository.path().join("nowhere"), &IMPRINT), NONE);
     }
 }

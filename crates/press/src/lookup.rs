@@ -5,7 +5,7 @@ use anyhow::anyhow;
 use geneva_ledger::{Claim, Consequence, Judged};
 
 /// What bears this name in a list. The error tells the nearest name and all there are.
-pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
+pub fn find_named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
     let found = list.iter().find(|(known, _)| *known == name).map(|(_, found)| *found);
     found.ok_or_else(|| {
         let names: Vec<_> = list.iter().map(|(name, _)| *name).collect();
@@ -19,7 +19,7 @@ pub fn claim(ledger: &'static Ledger, id: &str) -> anyhow::Result<&'static Claim
 }
 
 /// The judged claim with this id.
-pub fn judged(ledger: &'static Ledger, id: &str) -> anyhow::Result<&'static Judged> {
+pub fn verdict(ledger: &'static Ledger, id: &str) -> anyhow::Result<&'static Judged> {
     ledger.verdict(id).ok_or_else(|| unknown("claim", id, ledger.claims().iter().map(|claim| claim.id)))
 }
 
@@ -36,12 +36,12 @@ pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
 }
 
 /// The judged claims of a source.
-pub fn judged_of(ledger: &'static Ledger, document: Document) -> impl Iterator<Item = &'static Judged> {
+pub fn verdicts_of(ledger: &'static Ledger, document: Document) -> impl Iterator<Item = &'static Judged> {
     ledger.verdicts_of(document).into_iter()
 }
 
 /// The judged claims of the mirrored documents: without what is said elsewhere.
-pub fn judged_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'static Judged> {
+pub fn verdicts_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'static Judged> {
     ledger.verdicts().iter().filter(|judged| judged.claim.work.is_document())
 }
 
@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn an_unknown_name_is_answered_with_the_nearest_and_those_there_are() {
-        let error = named("table", "terms", &[("quick-return-terms", 0), ("joints", 1)]).expect_err("unknown");
+        let error = find_named("table", "terms", &[("quick-return-terms", 0), ("joints", 1)]).expect_err("unknown");
         let expected = "no table `terms`; the nearest is `quick-return-terms`; there are: quick-return-terms, joints";
         assert_eq!(error.to_string(), expected);
         let error = consequence("resuld").expect_err("unknown").to_string();

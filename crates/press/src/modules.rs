@@ -2,7 +2,7 @@
 
 use crate::base64::base64;
 use crate::book::{Book, PageModule};
-use crate::data::{DataFile, FOLDER};
+use crate::data::{FOLDER, PageFile};
 use miniz_oxide::deflate::compress_to_vec;
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use std::process::{Command, Stdio};
 const TARGET: &str = "wasm32-wasip1";
 const PROFILE: &str = "live";
 /// What asks a module, in a thread of its own: the first part of every script that has one.
-const THREAD: &str = include_str!("../../../book/theme/thread.js");
+const THREAD: &str = include_str!("../theme/thread.js");
 /// Of ten levels, the one that packs best.
 const LEVEL: u8 = 10;
 
@@ -30,7 +30,7 @@ pub fn is_own_attribute(book: &Book, name: &str) -> bool {
 /// made from the workspace `root`.
 ///
 /// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
-pub fn load_into_pages(book: &Book, pages: &mut dyn Iterator<Item = &mut String>, root: &Path) -> Vec<DataFile> {
+pub fn load_into_pages(book: &Book, pages: &mut dyn Iterator<Item = &mut String>, root: &Path) -> Vec<PageFile> {
     let mut pages: Vec<&mut String> = pages.collect();
     let mut files = Vec::new();
     for module in book.modules {
@@ -54,12 +54,12 @@ fn style_path(module: &PageModule) -> String {
     format!("{FOLDER}/{}.css", module.name)
 }
 
-fn scripts(module: &PageModule, root: &Path) -> Result<[DataFile; 3], String> {
+fn scripts(module: &PageModule, root: &Path) -> Result<[PageFile; 3], String> {
     let packed = base64(&compress_to_vec(&compiled(module, root)?, LEVEL));
     Ok([
-        DataFile::text_file(&format!("{}.js", module.name), format!("{THREAD}{}", module.script)),
-        DataFile::text_file(&format!("{}.css", module.name), module.style.to_owned()),
-        DataFile::text_file(&format!("{}-module.js", module.name), format!("genevaModule('{packed}');\n")),
+        PageFile::text_file(&format!("{}.js", module.name), format!("{THREAD}{}", module.script)),
+        PageFile::text_file(&format!("{}.css", module.name), module.style.to_owned()),
+        PageFile::text_file(&format!("{}-module.js", module.name), format!("genevaModule('{packed}');\n")),
     ])
 }
 

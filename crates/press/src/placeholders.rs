@@ -3,8 +3,8 @@
 //! A placeholder is `{{key:argument}}` or `{{key}}`. The braces of Rust and of mdBook's own `{{#include}}` are left alone; those
 //! of other keys stop the build before (`braces.rs`).
 
-use crate::book::{Book, Expansion, InteractiveFigure, Key, PageFigure};
-use crate::data::DataFile;
+use crate::book::{Book, Expansion, InteractiveFigure, PageFigure, PlaceholderKey};
+use crate::data::PageFile;
 use crate::edition::Edition;
 use crate::html::{Table, code, escape, plain};
 use crate::ledger_pages::{compare, errata, inline, lists, open, records};
@@ -16,79 +16,87 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// The keys of every book: what each says or shows, and how that is made.
-pub const ENGINE_KEYS: &[Key] = &[
-    Key::new(
+pub const ENGINE_KEYS: &[PlaceholderKey] = &[
+    PlaceholderKey::new(
         "bibtex",
         "how to cite the book, as BibTeX",
         Dated(|book, of| Ok(code(&citing::bibtex(&book.imprint, of, address::known(&book.imprint).as_ref())))),
     ),
-    Key::new("citation", "what the source is", Of(inline::citation)),
-    Key::new("cite", "a work of others, by its key, and after a semicolon where in it", Of(works::cite)),
-    Key::new(
+    PlaceholderKey::new("citation", "what the source is", Of(inline::citation)),
+    PlaceholderKey::new("cite", "a work of others, by its key, and after a semicolon where in it", Of(works::cite)),
+    PlaceholderKey::new(
         "cite-book",
         "how to cite the book, in words",
         Dated(|book, of| Ok(citing::citation_in_words(&book.imprint, of, address::known(&book.imprint).as_ref()))),
     ),
-    Key::new(
+    PlaceholderKey::new(
         "cite-claim",
         "how to cite a claim, in words",
         DatedOf(|book, id, of| citing::claim_citation(book, id, of, address::known(&book.imprint).as_ref())),
     ),
-    Key::new("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
-    Key::new(
+    PlaceholderKey::new("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
+    PlaceholderKey::new(
         COMPARE,
         "a table of printed against computed numbers: claims, and a caption after a semicolon",
         Numbered(compare::table),
     ),
-    Key::new(
+    PlaceholderKey::new(
         "consequences",
         "how many slips there are, by what they do",
         Bare(|book| Ok(errata::consequences_table(book)?.html())),
     ),
-    Key::new("count", "a number of claims: of a source, or of all documents", Of(inline::claim_count)),
-    Key::new("erratum", "one erratum", Of(errata::erratum_fold)),
-    Key::new(
+    PlaceholderKey::new("count", "a number of claims: of a source, or of all documents", Of(inline::claim_count)),
+    PlaceholderKey::new("erratum", "one erratum", Of(errata::erratum_fold)),
+    PlaceholderKey::new(
         "evidence",
         "the kinds of evidence and how many claims use each",
         Bare(|book| Ok(lists::evidence(book)?.html())),
     ),
-    Key::new(
+    PlaceholderKey::new(
         "fields",
         "the fields of a file of the records: claims, errata or coverage",
         Of(|book, file| Ok(records::fields(book, file)?.html())),
     ),
-    Key::new("figure", "a numbered figure", Expansion::Figure),
-    Key::new(
+    PlaceholderKey::new("figure", "a numbered figure", Expansion::Figure),
+    PlaceholderKey::new(
         "grave-errata",
         "what changes a result or a conclusion, in a table",
         Bare(|book| Ok(errata::grave_errata(book)?.html())),
     ),
-    Key::new("letter", "what a letter stands for in the chapters on a source", Of(lists::letter)),
-    Key::new("notation", "the letters of the whole book", Bare(|book| Ok(lists::notation(book)?.html()))),
-    Key::new("open", "the open claims of a group, with what each lacks", Of(open::open_list)),
-    Key::new("open-count", "how many open claims a group has", Of(open::open_count)),
-    Key::new("picture", "a figure without number and caption", Of(picture)).without_text(),
-    Key::new("printed", "a claim's printed characters", Of(inline::printed)),
-    Key::new(
+    PlaceholderKey::new("letter", "what a letter stands for in the chapters on a source", Of(lists::letter)),
+    PlaceholderKey::new("notation", "the letters of the whole book", Bare(|book| Ok(lists::notation(book)?.html()))),
+    PlaceholderKey::new("open", "the open claims of a group, with what each lacks", Of(open::open_list)),
+    PlaceholderKey::new("open-count", "how many open claims a group has", Of(open::open_count)),
+    PlaceholderKey::new("picture", "a figure without number and caption", Of(picture)).without_text(),
+    PlaceholderKey::new("printed", "a claim's printed characters", Of(inline::printed)),
+    PlaceholderKey::new(
         "records",
         "what the list of pages puts on this page: claims, slips or lines of sources",
         Of(records::page),
     )
     .without_text(),
-    Key::new("ref", "the number of a figure or a table, as a link", Expansion::Reference),
-    Key::new("right", "the right number of a claim whose printed one is not", Of(inline::right)),
-    Key::new("slips", "a number of slips: of a consequence, or of all but those of the copy", Of(errata::slip_count)),
-    Key::new("symbols", "a source's letters and the book's", Of(|book, of| Ok(lists::symbols(book, of)?.html()))),
-    Key::new(TABLE, "a chapter's table of computed numbers, by name", Numbered(table_of_name)),
-    Key::new("tolerances", "the table of tolerances", Bare(|book| Ok(lists::tolerances(book)?.html()))),
-    Key::new("value", "a claim's computed number", Of(inline::value)),
-    Key::new("verdict", "a claim's mark", Marked(inline::mark)),
-    Key::new(
+    PlaceholderKey::new("ref", "the number of a figure or a table, as a link", Expansion::Reference),
+    PlaceholderKey::new("right", "the right number of a claim whose printed one is not", Of(inline::right)),
+    PlaceholderKey::new(
+        "slips",
+        "a number of slips: of a consequence, or of all but those of the copy",
+        Of(errata::slip_count),
+    ),
+    PlaceholderKey::new(
+        "symbols",
+        "a source's letters and the book's",
+        Of(|book, of| Ok(lists::symbols(book, of)?.html())),
+    ),
+    PlaceholderKey::new(TABLE, "a chapter's table of computed numbers, by name", Numbered(table_of_name)),
+    PlaceholderKey::new("tolerances", "the table of tolerances", Bare(|book| Ok(lists::tolerances(book)?.html()))),
+    PlaceholderKey::new("value", "a claim's computed number", Of(inline::value)),
+    PlaceholderKey::new("verdict", "a claim's mark", Marked(inline::mark)),
+    PlaceholderKey::new(
         "verdicts",
         "the classes of verdict and how many claims have each",
         Bare(|book| Ok(lists::verdicts(book)?.html())),
     ),
-    Key::new("works", "all works of others that the chapters cite", Bare(works::works_list)),
+    PlaceholderKey::new("works", "all works of others that the chapters cite", Bare(works::works_list)),
 ];
 
 /// The key of a table by its name.
@@ -98,7 +106,7 @@ const COMPARE: &str = "compare";
 
 /// The table of this name.
 fn table_of_name(book: &Book, name: &str) -> anyhow::Result<Table> {
-    crate::lookup::named(TABLE, name, book.tables)?()
+    crate::lookup::find_named(TABLE, name, book.tables)?()
 }
 
 /// A drawing alone, without number and caption: a picture of a page that has no number.
@@ -107,7 +115,7 @@ fn picture(book: &Book, name: &str) -> anyhow::Result<String> {
 }
 
 /// Every key that a chapter of this book may have: those of every book and its own.
-pub fn keys(book: &Book) -> impl Iterator<Item = &'static Key> + Clone {
+pub fn keys(book: &Book) -> impl Iterator<Item = &'static PlaceholderKey> + Clone {
     ENGINE_KEYS.iter().chain(book.keys)
 }
 
@@ -116,7 +124,7 @@ pub struct Placeholder<'a> {
     /// Where it stands in the chapter, in bytes.
     pub range: Range<usize>,
     /// Its key.
-    pub key: &'static Key,
+    pub key: &'static PlaceholderKey,
     /// What is behind the colon.
     pub argument: Option<&'a str>,
 }
@@ -200,10 +208,10 @@ impl NumberedItem {
     }
 
     /// Caption and drawing or table, and what it was made of as a file, with another one that describes it.
-    fn framed(&self, frame: FigureFrame<'_>, page: ChapterContext<'_>) -> anyhow::Result<(String, [DataFile; 2])> {
+    fn framed(&self, frame: FigureFrame<'_>, page: ChapterContext<'_>) -> anyhow::Result<(String, [PageFile; 2])> {
         let FigureFrame { attributes, caption, inner, source, csv } = frame;
         let imprint = &page.book.imprint;
-        let file = DataFile::csv(&self.file(), csv);
+        let file = PageFile::csv(&self.file(), csv);
         let (kind, number, path) = (self.kind, &self.number, file.path());
         // A caption that moves is compared with what its script writes.
         let caption = if attributes.contains("live") { caption.to_owned() } else { nowrap_units::tied(caption) };
@@ -227,7 +235,7 @@ pub fn expand(
     chapter: &str,
     page: ChapterContext<'_>,
     all: &[NumberedItem],
-) -> anyhow::Result<(String, Vec<DataFile>)> {
+) -> anyhow::Result<(String, Vec<PageFile>)> {
     let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
     let found = placeholders(page.book, chapter);
     let lines = lines(chapter, &found, page);
@@ -282,19 +290,19 @@ pub fn expansion(
     placeholder: &Placeholder,
     page: ChapterContext<'_>,
     all: &[NumberedItem],
-    files: &mut Vec<DataFile>,
+    files: &mut Vec<PageFile>,
 ) -> anyhow::Result<String> {
-    let Key { name: key, meaning, expansion, .. } = *placeholder.key;
+    let PlaceholderKey { name: key, meaning, expansion, .. } = *placeholder.key;
     let here = || {
         let is_it = |item: &&NumberedItem| item.page == page.name && item.at == placeholder.range.start;
         all.iter().find(is_it).with_context(|| format!("`{key}` is in no list"))
     };
-    let show = |frame: FigureFrame<'_>, files: &mut Vec<DataFile>| {
+    let show = |frame: FigureFrame<'_>, files: &mut Vec<PageFile>| {
         let (html, of_it) = here()?.framed(frame, page)?;
         files.extend(of_it);
         Ok(html)
     };
-    let show_figure = |attributes: &str, figure: PageFigure, files: &mut Vec<DataFile>| {
+    let show_figure = |attributes: &str, figure: PageFigure, files: &mut Vec<PageFile>| {
         let PageFigure { drawing, caption, csv, source } = figure;
         show(FigureFrame { attributes, caption: &escape(&caption), inner: &drawing, source, csv }, files)
     };

@@ -1,7 +1,7 @@
 //! The preprocessor that mdBook calls, in process or as a program.
 
 use crate::book::Book;
-use crate::data::DataFile;
+use crate::data::PageFile;
 use crate::edition::Edition;
 use crate::html::escape;
 use crate::ledger_pages::ledger;
@@ -48,11 +48,11 @@ impl Preprocessor for Press {
             let mut programs = String::new();
             chapters.for_each_chapter_mut(|chapter| {
                 let name = ChapterPlace::of(chapter).name;
-                programs += &chapter_tests::take(page, &name, &chapter.name, &mut chapter.content);
+                programs += &chapter_tests::take_programs(page, &name, &chapter.name, &mut chapter.content);
             });
             chapters.for_each_chapter_mut(|chapter| {
                 if ChapterPlace::of(chapter).name == page {
-                    chapter_tests::put(&programs, &mut chapter.content);
+                    chapter_tests::insert_programs(&programs, &mut chapter.content);
                 }
             });
         }
@@ -66,7 +66,7 @@ impl Preprocessor for Press {
                 Err(error) => errors.push(located(chapter, &error)),
             }
         });
-        let edition = Edition::of(&context.root, &book.imprint);
+        let edition = Edition::detect(&context.root, &book.imprint);
         let items: Vec<_> = chapters
             .chapters()
             .flat_map(|chapter| {
@@ -95,7 +95,7 @@ impl Preprocessor for Press {
         // Every verdict is derived for the records, so a book has them only if it leads to them.
         if data::has_place(&folder) && chapters.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
             let records = records::files(book, &edition)?.into_iter();
-            files.extend(records.map(|(name, text)| DataFile::text_file(name, text)));
+            files.extend(records.map(|(name, text)| PageFile::text_file(name, text)));
             files.extend(ledger::files(book)?);
         }
         let root = context.root.parent().unwrap_or(&context.root);
@@ -140,7 +140,7 @@ fn misbraced(book: &Book, chapter: &Chapter, chapters: &Path) -> Vec<String> {
     let mut text = chapter.content.clone();
     // On their page, the programs of all chapters have their place.
     if book.page_of_role(PageRole::Programs) == Some(&*ChapterPlace::of(chapter).name) {
-        chapter_tests::put("", &mut text);
+        chapter_tests::insert_programs("", &mut text);
     }
     let faults = braces::faults(book, &text, &folder);
     faults.into_iter().map(|fault| format!("{}: {fault}", file(chapter))).collect()

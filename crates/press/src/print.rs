@@ -30,7 +30,7 @@ use std::path::Path;
 /// The document's file in the book.
 pub const FILE: &str = "print.html";
 /// The style sheet that it alone loads.
-const STYLE: (&str, &str) = ("theme/print.css", include_str!("../../../book/theme/print.css"));
+const STYLE: (&str, &str) = ("theme/print.css", include_str!("../theme/print.css"));
 /// What has no place on paper, by the class of the element.
 const LEFT_OUT: [&str; 4] = ["beside", "edition", "source", "controls"];
 
@@ -347,7 +347,7 @@ mod tests {
         let expected = "<h1 id=\"pin--t\">1. <a class=\"header\">T</a></h1><a href=\"#pin--x\">1</a><a href=\"#jazar--y\">2</a><a \
                         href=\"#preface\">3</a><a>4</a><a href=\"https://example.org/?a&amp;b\">5</a>";
         assert_eq!(set(page, None), expected);
-        let address = Address::of("https://example.org/geneva", "").expect("an address");
+        let address = Address::from_manifest("https://example.org/geneva", "").expect("an address");
         assert!(set(page, Some(&address)).contains("<a href=\"https://example.org/geneva/ledger.html#pin.x\">4</a>"));
     }
 

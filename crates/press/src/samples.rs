@@ -61,7 +61,7 @@ pub static BOOK: Book = Book {
             csv: "x\n1\n".to_owned(),
             source: "samples",
         };
-        crate::lookup::named("figure", name, &[("circle", ())]).map(|()| figure)
+        crate::lookup::find_named("figure", name, &[("circle", ())]).map(|()| figure)
     },
     tables: &[("rows", || table("Rows", Cells::Numbers, &["x", "y"], [Ok(vec!["1".to_owned(), "2".to_owned()])]))],
     works: &[work("alon", "Alon"), work("johnson", "Johnson")],

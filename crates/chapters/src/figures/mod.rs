@@ -103,7 +103,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
 
 /// The figure of this name.
 pub fn by_name(name: &str) -> anyhow::Result<Figure> {
-    lookup::named("figure", name, FIGURES)?()
+    lookup::find_named("figure", name, FIGURES)?()
 }
 
 /// The figure of this name as a page shows it.

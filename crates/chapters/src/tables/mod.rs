@@ -14,13 +14,10 @@ mod wheels;
 
 pub use wheels::wheels;
 
-use geneva_press::html::Table;
-
-/// Makes a table.
-type Draw = fn() -> anyhow::Result<Table>;
+use geneva_press::book::MakeTable;
 
 /// All tables, in the order of the book.
-pub const TABLES: &[(&str, Draw)] = &[
+pub const TABLES: &[(&str, MakeTable)] = &[
     ("quick-return-terms", quick_return::terms),
     ("quick-return-branches", quick_return::branches),
     ("jazar-locking-arcs", locking::arcs),

@@ -4,7 +4,7 @@ use geneva_ledger::Kind;
 use geneva_press::html::{Cells, Table, table};
 
 /// A reading of the ledger and of the book by someone who set out to refute them.
-pub struct Reading {
+pub struct HostileReading {
     /// Its day and what was read.
     pub what: &'static str,
     /// Claims on record then, those on pages elsewhere among them.
@@ -18,8 +18,8 @@ pub struct Reading {
 }
 
 /// All readings so far, in their order. A claim that is no longer in the ledger is still listed here.
-pub const READINGS: &[Reading] = &[
-    Reading {
+pub const READINGS: &[HostileReading] = &[
+    HostileReading {
         what: "First, 22 November 2026: all four sources, in two rounds",
         claims: 662,
         overturned: &[
@@ -53,7 +53,7 @@ pub const READINGS: &[Reading] = &[
         gone_through: None,
         sentences: None,
     },
-    Reading {
+    HostileReading {
         what: "Second, 22 November 2026: the three small sources, Chapter II and Appendices B and D of the thesis",
         claims: 783,
         overturned: &[
@@ -74,14 +74,14 @@ pub const READINGS: &[Reading] = &[
         gone_through: None,
         sentences: None,
     },
-    Reading {
+    HostileReading {
         what: "Third, 23 November 2026: Appendices B and D of the thesis",
         claims: 892,
         overturned: &[("meyer.app-d.needed", Kind::Statement)],
         gone_through: None,
         sentences: None,
     },
-    Reading {
+    HostileReading {
         what: "Fourth, 23 November 2026: the thesis's statements, the three small sources, the pages elsewhere, and more than \
                300 numbers of the book",
         claims: 901,
@@ -121,14 +121,14 @@ pub const READINGS: &[Reading] = &[
         gone_through: Some(218),
         sentences: Some(47),
     },
-    Reading {
+    HostileReading {
         what: "Fifth, 23 November 2026: 150 claims drawn at random, and the sentences of five chapters",
         claims: 901,
         overturned: &[],
         gone_through: Some(26),
         sentences: Some(18),
     },
-    Reading {
+    HostileReading {
         what: "Sixth, 24 November 2026: the statements and figures of all sources and the pages elsewhere, claim by \
                claim, and what the fifth had left undecided",
         claims: 955,
@@ -145,7 +145,7 @@ pub const READINGS: &[Reading] = &[
         gone_through: Some(217),
         sentences: None,
     },
-    Reading {
+    HostileReading {
         what: "Seventh, 28 November 2026: claims of the thesis drawn at random, all claims of the three small sources, a sample of \
                the pages elsewhere, and nearly 800 numbers",
         claims: 959,
@@ -158,7 +158,7 @@ pub const READINGS: &[Reading] = &[
         gone_through: None,
         sentences: Some(32),
     },
-    Reading {
+    HostileReading {
         what: "Eighth, 28 November 2026: 120 claims and 150 sentences drawn at random, derived anew without our programs, and five \
                pages of the book, line by line",
         claims: 987,
@@ -168,7 +168,7 @@ pub const READINGS: &[Reading] = &[
     },
 ];
 
-impl Reading {
+impl HostileReading {
     /// How many claims of some kinds it overturned.
     pub fn count(&self, kinds: &[Kind]) -> usize {
         self.overturned.iter().filter(|(_, kind)| kinds.contains(kind)).count()
@@ -222,7 +222,7 @@ mod tests {
     fn what_the_last_readings_overturned_of_the_documents_statements_is_as_the_page_says() {
         let [.., sixth, seventh, eighth] = READINGS else { panic!("three readings") };
         assert_eq!(eighth.overturned, []);
-        let own = |reading: &Reading| -> Vec<&str> {
+        let own = |reading: &HostileReading| -> Vec<&str> {
             let here = |(id, kind): &&(&str, Kind)| SENTENCES.contains(kind) && !id.starts_with("wild.");
             reading.overturned.iter().filter(here).map(|(id, _)| *id).collect()
         };

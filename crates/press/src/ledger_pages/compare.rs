@@ -15,10 +15,10 @@ pub fn table(book: &Book, of: &str) -> anyhow::Result<Table> {
     let (of, caption) =
         of.split_once(';').map_or((of.trim(), "Printed and computed"), |(of, caption)| (of.trim(), caption.trim()));
     let listed: Vec<&Judged> = if of.contains('.') {
-        of.split_whitespace().map(|id| lookup::judged(book.ledger, id)).collect::<Result<_, _>>()?
+        of.split_whitespace().map(|id| lookup::verdict(book.ledger, id)).collect::<Result<_, _>>()?
     } else {
         let document = lookup::document(book.ledger, of)?;
-        lookup::judged_of(book.ledger, document).filter(|judged| judged.claim.kind == Kind::Value).collect()
+        lookup::verdicts_of(book.ledger, document).filter(|judged| judged.claim.kind == Kind::Value).collect()
     };
     // Claims that mean the same are told apart by their places.
     let alike = |claim: &Claim| listed.iter().filter(|other| other.claim.meaning == claim.meaning).count() > 1;

@@ -43,7 +43,7 @@ pub fn row(ledger: &'static Ledger, document: Document, lines: &[Line]) -> anyho
     let sums = [
         lines.len(),
         lines.iter().map(|line| line.numbers.len()).sum(),
-        lookup::judged_of(ledger, document).count(),
+        lookup::verdicts_of(ledger, document).count(),
         entries().filter(|entry| matches!(entry, Entry::Exception { .. })).count(),
         slips_of_documents(ledger).filter(|places| places.main().claim.work == document).count(),
     ];

@@ -3,7 +3,7 @@
 use super::findings::{how, in_a_word};
 use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::book::Book;
-use crate::formula::{broken, changed, tex_or_text};
+use crate::formula::{breakable, mark_changes, tex_or_text};
 use crate::html::{Cells, Table, escape, prose, table};
 use crate::lookup;
 use anyhow::anyhow;
@@ -11,7 +11,7 @@ use geneva_ledger::{Consequence, Judged, Places, in_full};
 
 /// The erratum of a claim: one line, which opens.
 pub fn erratum_fold(book: &Book, id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(book.ledger, id)?;
+    let judged = lookup::verdict(book.ledger, id)?;
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
     let places =
         book.ledger.slip(erratum.slip.id).ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?;
@@ -132,7 +132,7 @@ pub fn entries(book: &Book, judged: &Judged, places: &Places, in_full_detail: bo
 /// The printed characters and what should stand in their place, with what differs between the two marked in each.
 pub fn forms(book: &Book, judged: &Judged) -> anyhow::Result<[String; 2]> {
     let (printed, corrected) = (in_full(judged.claim), judged.corrected().unwrap_or_default());
-    let form = |of: &str, other: &str| with_unit(book, &broken(&changed(of, other)?), judged.claim.unit);
+    let form = |of: &str, other: &str| with_unit(book, &breakable(&mark_changes(of, other)?), judged.claim.unit);
     Ok([form(&printed, &corrected)?, form(&corrected, &printed)?])
 }
 

@@ -1,7 +1,7 @@
 //! Pieces of the ledger inside a sentence.
 
 use crate::book::Book;
-use crate::formula::{broken, tex_or_text};
+use crate::formula::{breakable, tex_or_text};
 use crate::html::{GLUED, escape, prose};
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
@@ -9,20 +9,20 @@ use geneva_ledger::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, 
 
 /// The printed characters with their unit.
 pub fn printed(book: &Book, id: &str) -> anyhow::Result<String> {
-    let claim = lookup::judged(book.ledger, id)?.claim;
+    let claim = lookup::verdict(book.ledger, id)?.claim;
     Ok(format!("<span class=\"claim\">{}</span>", with_unit(book, &tex_or_text(&in_full(claim))?, claim.unit)?))
 }
 
 /// The computed number with its unit.
 pub fn value(book: &Book, id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(book.ledger, id)?;
+    let judged = lookup::verdict(book.ledger, id)?;
     let number = computed(judged).ok_or_else(|| anyhow!("claim `{id}` computes no number"))?;
     Ok(format!("<span class=\"claim\">{}</span>", with_unit(book, &number, judged.claim.unit)?))
 }
 
 /// The right number with its unit, where the printed one is not right.
 pub fn right(book: &Book, id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(book.ledger, id)?;
+    let judged = lookup::verdict(book.ledger, id)?;
     let in_places = || judged.right_value.map(|right| rounded(judged, right));
     let right = judged.corrected().or_else(in_places);
     let right = right.ok_or_else(|| anyhow!("claim `{id}` has no other number that is right"))?;
@@ -36,7 +36,7 @@ pub fn claim(book: &Book, id: &str) -> anyhow::Result<String> {
 
 /// A mark that says whether what is printed is right, and opens the [`note`] on how we know.
 pub fn mark(book: &Book, id: &str) -> anyhow::Result<String> {
-    let verdict = lookup::judged(book.ledger, id)?.verdict;
+    let verdict = lookup::verdict(book.ledger, id)?.verdict;
     Ok(format!(
         "{MARK}verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how this was checked\">{}{MARKED}",
         sign(verdict)
@@ -110,7 +110,7 @@ fn sign(verdict: Verdict) -> &'static str {
 
 /// What a mark opens: where the claim stands, what is printed, what is right, by what evidence.
 pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(book.ledger, id)?;
+    let judged = lookup::verdict(book.ledger, id)?;
     let claim = judged.claim;
     let mut out = format!(
         "<div popover class=\"note\" id=\"note-{id}\">\n<p>{}, {}: {}. {}</p>\n<dl>\n",
@@ -120,12 +120,12 @@ pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
         badge(judged.verdict)
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    entry("Printed", with_unit(book, &broken(&tex_or_text(&in_full(claim))?), claim.unit)?);
+    entry("Printed", with_unit(book, &breakable(&tex_or_text(&in_full(claim))?), claim.unit)?);
     if let Some(number) = computed(judged) {
         entry("Computed", with_unit(book, &number, claim.unit)?);
     }
     if let Some(corrected) = judged.corrected() {
-        entry("Right", with_unit(book, &broken(&tex_or_text(&corrected)?), claim.unit)?);
+        entry("Right", with_unit(book, &breakable(&tex_or_text(&corrected)?), claim.unit)?);
     }
     let is_of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
     if claim.erratum.as_ref().is_some_and(is_of_copy) {
@@ -146,8 +146,8 @@ pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
 /// The number of claims of a source, or of `all` documents.
 pub fn claim_count(book: &Book, of: &str) -> anyhow::Result<String> {
     match of {
-        "all" => Ok(lookup::judged_of_documents(book.ledger).count().to_string()),
-        slug => Ok(lookup::judged_of(book.ledger, lookup::document(book.ledger, slug)?).count().to_string()),
+        "all" => Ok(lookup::verdicts_of_documents(book.ledger).count().to_string()),
+        slug => Ok(lookup::verdicts_of(book.ledger, lookup::document(book.ledger, slug)?).count().to_string()),
     }
 }
 

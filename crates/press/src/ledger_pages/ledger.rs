@@ -8,8 +8,8 @@ use super::findings::{how, in_a_word, with_minus_signs};
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::book::Book;
-use crate::data::{DataFile, FOLDER};
-use crate::formula::{broken, tex_or_text};
+use crate::data::{FOLDER, PageFile};
+use crate::formula::{breakable, tex_or_text};
 use crate::html::prose;
 use crate::lookup;
 use crate::nowrap_units::tied_without_tags;
@@ -19,8 +19,8 @@ use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, in_full};
 use std::collections::BTreeMap;
 
 /// What filters the rows and opens them, and how they look.
-const SCRIPT: &str = include_str!("../../../../book/theme/ledger.js");
-const STYLE: &str = include_str!("../../../../book/theme/ledger.css");
+const SCRIPT: &str = include_str!("../../theme/ledger.js");
+const STYLE: &str = include_str!("../../theme/ledger.css");
 const SCRIPT_NAME: &str = "ledger.js";
 const STYLE_NAME: &str = "ledger.css";
 const DETAILS_NAME: &str = "ledger-details.js";
@@ -42,16 +42,16 @@ pub fn page(book: &Book) -> anyhow::Result<String> {
 }
 
 /// The scripts and the style of the page, and what is known of each claim.
-pub fn files(book: &Book) -> anyhow::Result<[DataFile; 3]> {
+pub fn files(book: &Book) -> anyhow::Result<[PageFile; 3]> {
     let verdicts = book.ledger.verdicts().iter();
     let details = verdicts.map(|judged| Ok((judged.claim.id, tied_without_tags(&details(book, judged)?))));
     let details: BTreeMap<_, _> = details.collect::<anyhow::Result<_>>()?;
     // A claim a line, so that two editions can be compared.
     let text = serde_json::to_string(&details)?.replace("\",\"", "\",\n\"");
     Ok([
-        DataFile::text_file(SCRIPT_NAME, SCRIPT.to_owned()),
-        DataFile::text_file(STYLE_NAME, STYLE.to_owned()),
-        DataFile::text_file(DETAILS_NAME, format!("genevaDetails({text});\n")),
+        PageFile::text_file(SCRIPT_NAME, SCRIPT.to_owned()),
+        PageFile::text_file(STYLE_NAME, STYLE.to_owned()),
+        PageFile::text_file(DETAILS_NAME, format!("genevaDetails({text});\n")),
     ])
 }
 
@@ -98,7 +98,7 @@ fn kind_name(kind: Kind) -> &'static str {
 /// The claims of a section; every row can be linked to by the claim's id.
 fn section(book: &Book, section: &LedgerSection) -> anyhow::Result<String> {
     let ids = section.ids(book.ledger).into_iter();
-    let rows = ids.map(|id| row(book, lookup::judged(book.ledger, id)?)).collect::<anyhow::Result<String>>()?;
+    let rows = ids.map(|id| row(book, lookup::verdict(book.ledger, id)?)).collect::<anyhow::Result<String>>()?;
     let (title, name, source) = (section.title, section.name, section.document);
     Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{source}\">\n{rows}</ul>\n\n"))
 }
@@ -112,7 +112,7 @@ fn row(book: &Book, judged: &Judged) -> anyhow::Result<String> {
         // A form may be wider than the page; one whose lines are aligned scrolls, and so takes the focus.
         None => {
             let focus = if printed.contains("<mtable") { " tabindex=\"0\"" } else { "" };
-            format!("<div class=\"form\"{focus}>{}</div>", broken(&printed))
+            format!("<div class=\"form\"{focus}>{}</div>", breakable(&printed))
         }
     };
     let found = finding_in_a_line(book, judged);

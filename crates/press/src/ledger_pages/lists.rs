@@ -12,7 +12,7 @@ use geneva_ledger::{Judged, Symbol, Verdict};
 /// The classes of verdict with their meaning and how many claims of the documents have each.
 pub fn verdicts(book: &Book) -> anyhow::Result<Table> {
     let rows = Verdict::ALL.iter().map(|verdict| {
-        let count = lookup::judged_of_documents(book.ledger).filter(|judged| judged.verdict == *verdict).count();
+        let count = lookup::verdicts_of_documents(book.ledger).filter(|judged| judged.verdict == *verdict).count();
         Ok(vec![badge(*verdict), escape(verdict.meaning()), verdict.truth().to_string(), count.to_string()])
     });
     table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Is it right?", "Claims"], rows)
@@ -22,7 +22,7 @@ pub fn verdicts(book: &Book) -> anyhow::Result<Table> {
 pub fn evidence(book: &Book) -> anyhow::Result<Table> {
     let rows = book.ledger.evidence().iter().map(|kind| {
         let uses = |judged: &&Judged| judged.claim.check.evidence().contains(kind);
-        let count = lookup::judged_of_documents(book.ledger).filter(uses).count();
+        let count = lookup::verdicts_of_documents(book.ledger).filter(uses).count();
         Ok(vec![kind.to_string(), escape(kind.meaning()), count.to_string()])
     });
     table("Kinds of evidence", Cells::Words, &["Evidence", "What it is", "Claims"], rows)

@@ -4,7 +4,7 @@ use super::findings::how;
 use super::inline::{linked_id, place};
 use crate::book::{Book, OpenGroup};
 use crate::html::escape;
-use crate::lookup::{judged_of_documents, unknown};
+use crate::lookup::{unknown, verdicts_of_documents};
 use crate::numbers::sentence_start;
 use crate::pages::PageRole;
 use geneva_ledger::{Judged, Truth};
@@ -41,7 +41,7 @@ fn claims(book: &Book, name: &str) -> anyhow::Result<Vec<&'static Judged>> {
     let group = book.open_groups.iter().find(|group| group.name == name);
     let group = group.ok_or_else(|| unknown("group of open claims", name, names()))?;
     let is_own = |judged: &&Judged| group_of(book, judged).is_some_and(|of| of.name == group.name);
-    Ok(judged_of_documents(book.ledger).filter(is_own).collect())
+    Ok(verdicts_of_documents(book.ledger).filter(is_own).collect())
 }
 
 /// How many open claims the group with this name has.
