@@ -180,6 +180,58 @@ mod tests {
         names
     }
 
+    /// A workspace with a book of one chapter, at which the preprocessor looks.
+    fn workspace_of(chapter: &str) -> TempDir {
+        let root = workspace();
+        let source = root.path().join("book/src");
+        let (summary, about) = ("- [Chapter](pin.md)\n- [Sources](about.md)\n", "# Sources\n\n{{works}}\n");
+        for (file, text) in [("SUMMARY.md", summary), ("pin.md", chapter), ("about.md", about)] {
+            fs::write(source.join(file), text).unwrap();
+        }
+        root
+    }
+
+    #[test]
+    fn a_book_has_its_own_keys_figures_tables_and_works() {
+        let root = workspace_of(
+            "# Chapter\n\nTwice 21 is {{double:21}} as in {{cite:johnson}}.\n\n{{figure:circle}}\n\n{{table:rows}}\n\nSee {{ref:rows}}.\n",
+        );
+        let first = build(&BOOK, root.path(), &root.path().join("out")).expect("built").first_page;
+        let read = |file: &str| fs::read_to_string(first.with_file_name(file)).expect(file);
+        let page = read("pin.html");
+        for part in [
+            "Twice 21 is 42",
+            "about.html#work-johnson",
+            "<svg></svg>",
+            "<strong>Figure\u{a0}1.1.</strong>",
+            "<a href=\"#table-rows\">Table\u{a0}1.1</a>",
+            "A sample, version 1.2.3",
+        ] {
+            assert!(page.contains(part), "the page has no `{part}`: {page}");
+        }
+        assert!(read("about.html").contains("<li id=\"work-johnson\">"));
+        assert_eq!(read("data/circle.csv"), "x\n1\n");
+        assert_eq!(read("data/table-rows.csv"), "x,y\n1,2\n");
+        assert!(read("data/claims.json").contains("\"title\": \"A sample\""));
+        assert!(read(print::FILE).contains("<p class=\"title\">A sample</p>"));
+    }
+
+    #[test]
+    fn an_unknown_key_and_a_misspelt_argument_stop_the_build_with_file_line_and_the_nearest_name() {
+        for (braces, why) in [
+            ("{{doubel:21}}", "no placeholder `doubel`; the nearest is `double`"),
+            ("{{figure:circel}}", "no figure `circel`; the nearest is `circle`"),
+            ("{{table:row}}", "no table `row`; the nearest is `rows`"),
+            ("{{cite:jonson}}", "no work `jonson`; the nearest is `johnson`"),
+        ] {
+            let root = workspace_of(&format!("# Chapter\n\nOf {braces}.\n"));
+            let error = build(&BOOK, root.path(), &root.path().join("out")).expect_err(braces);
+            let error = format!("{error:#}");
+            assert!(error.contains(&format!("pin.md: line 3: {why}")), "{error}");
+            assert_eq!(names(root.path()), ["book"], "a book is there");
+        }
+    }
+
     #[test]
     fn a_book_is_built_and_built_again() {
         let root = workspace();

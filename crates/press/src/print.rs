@@ -83,6 +83,9 @@ pub fn write(book: &Book, folder: &Path, edition: &Edition, address: Option<&Add
     }
     for (name, text) in [STYLE, (FILE, &*document(book, &styles, &chapters, edition, address))] {
         let path = folder.join(name);
+        // Only a book with sheets of its own has a folder for them.
+        fs::create_dir_all(path.parent().unwrap_or(folder))
+            .with_context(|| format!("cannot make the folder of {}", path.display()))?;
         fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
     Ok(())

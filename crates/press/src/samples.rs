@@ -1,6 +1,7 @@
 //! A small book for the tests of this crate.
 
-use crate::book::{Book, CitedWork, Examples, PageFigure, PageModule};
+use crate::book::Expansion::Of;
+use crate::book::{Book, CitedWork, Examples, PageFigure, PageModule, PlaceholderKey};
 use crate::html::{Cells, table};
 use crate::imprint::Imprint;
 use crate::ledger::LEDGER;
@@ -53,7 +54,11 @@ pub static BOOK: Book = Book {
         Page::new("tests", "Programs", PagePlace::Behind).with_role(PageRole::Programs),
     ],
     sections: &[],
-    keys: &[],
+    keys: &[PlaceholderKey::new(
+        "double",
+        "a number twice",
+        Of(|_, number| Ok((2 * number.parse::<u32>()?).to_string())),
+    )],
     figures: |name| {
         let figure = PageFigure {
             drawing: "<svg></svg>".to_owned(),
