@@ -32,10 +32,10 @@ mod rows;
 #[cfg(test)]
 mod tests;
 
+use geneva_documents::LEDGER;
 use geneva_figures::notation::NOTATION;
 use geneva_press::Book;
 use geneva_press::book::{Examples, NotationLetter};
-use geneva_press::ledger::LEDGER;
 use geneva_press::pages::{generate_listings, generate_summary};
 use geneva_press::{html, numbers};
 
@@ -51,17 +51,9 @@ pub static BOOK: Book = Book {
     works: bibliography::WORKS,
     open_groups: open_groups::OPEN_GROUPS,
     notation,
-    source_names: &[
-        ("pin", "textbook problem"),
-        ("quick-return", "examination problem"),
-        ("jazar", "handout"),
-        ("meyer", "thesis"),
-        ("wild", "pages elsewhere"),
-    ],
-    evidence_words: EVIDENCE_WORDS,
     // Lengths in crank radii.
     letter_units: &["R"],
-    address_and_day: geneva_ledger::wild::read,
+    address_and_day: geneva_documents::wild::read,
     field_meanings: FIELD_MEANINGS,
     modules: modules::MODULES,
     examples: EXAMPLES,
@@ -76,27 +68,12 @@ pub const EXAMPLES: Examples = Examples {
         "geneva_dynamics",
         "geneva_mimic",
         "geneva_case1973",
-        "geneva_ledger",
+        "geneva_documents",
         "geneva_figures",
         "approx",
         "nalgebra",
     ],
 };
-
-/// The kinds of evidence in a word or two.
-const EVIDENCE_WORDS: &[(&str, &str)] = &[
-    ("closed-form", "a formula"),
-    ("exact-identity", "an exact proof"),
-    ("jet", "power series"),
-    ("automatic-derivative", "dual numbers"),
-    ("vectors", "coordinates"),
-    ("limit-case", "individual cases"),
-    ("dimension", "dimensions"),
-    ("other-place-in-source", "another place in the source"),
-    ("quadrature", "integrals over the driver's angle"),
-    ("runge-kutta", "integration in steps"),
-    ("program", "the program of 1973"),
-];
 
 /// Fields of the data of which this book has more to say than what they are in every book.
 const FIELD_MEANINGS: &[(&str, &str, &str)] = &[

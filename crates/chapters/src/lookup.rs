@@ -1,7 +1,7 @@
 //! Finding what this book's ledger has by name; the error tells the nearest name or all there are.
 
-use geneva_ledger::{Claim, Judged, Work};
-use geneva_press::ledger::LEDGER;
+use geneva_documents::LEDGER;
+use geneva_evidence::{Claim, Document, Judged};
 use geneva_press::lookup;
 
 pub use geneva_press::lookup::{find_named, unknown};
@@ -17,7 +17,7 @@ pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
 }
 
 /// The judged claims of a source.
-pub fn of_work(work: Work) -> impl Iterator<Item = &'static Judged> {
+pub fn of_work(work: &'static Document) -> impl Iterator<Item = &'static Judged> {
     lookup::verdicts_of(&LEDGER, work)
 }
 

@@ -2,7 +2,8 @@
 //!
 //! What is written from them stands in `book`; a test writes it anew and fails on a difference.
 
-use geneva_ledger::{Consequence, wild};
+use geneva_documents::wild;
+use geneva_evidence::Consequence;
 use geneva_press::pages::PagePlace::{Before, Behind, Below, In};
 use geneva_press::pages::{LedgerSection, Page, PageRole, SectionPart};
 use std::ops::Range;

@@ -3,10 +3,9 @@
 use crate::edition::Edition;
 use crate::html::Table;
 use crate::imprint::Imprint;
-use crate::ledger::Ledger;
 use crate::pages::{LedgerSection, Page, PageRole};
 use anyhow::ensure;
-use geneva_ledger::Slip;
+use geneva_evidence::{Document, Ledger, Slip};
 
 /// What a book is made of. It is made once, as a `static`; [`build`](crate::build) turns it into pages.
 pub struct Book {
@@ -30,10 +29,6 @@ pub struct Book {
     pub open_groups: &'static [OpenGroup],
     /// The letters that stand for one thing in the whole book.
     pub notation: fn() -> Vec<NotationLetter>,
-    /// A source in a word or two, by its slug.
-    pub source_names: &'static [(&'static str, &'static str)],
-    /// A kind of evidence in a word or two, by its slug.
-    pub evidence_words: &'static [(&'static str, &'static str)],
     /// Units that are letters of formulas, such as a radius in which lengths are printed.
     pub letter_units: &'static [&'static str],
     /// Address and day of a locator that is that of a page elsewhere.
@@ -229,7 +224,7 @@ impl Book {
     /// The page that tells a slip: of a mirrored document by its consequence, of another page with its statements. What only a
     /// copy has is listed where the copies are. Without such a page, the page of all claims tells it.
     pub fn page_of_slip(&self, slip: &Slip) -> &'static str {
-        let is_elsewhere = self.ledger.claim(slip.id).is_some_and(|claim| !claim.work.is_document());
+        let is_elsewhere = self.ledger.claim(slip.id).is_some_and(|claim| !claim.document.is_mirrored());
         let tells = |page: &&Page| matches!(page.role, PageRole::Slips(told) if told.contains(&slip.consequence));
         let by_consequence = || self.pages.iter().find(tells).map(|page| page.name);
         let page = if is_elsewhere { self.page_of_role(PageRole::SlipsElsewhere) } else { by_consequence() };
@@ -241,18 +236,13 @@ impl Book {
         if !self.sections.is_empty() {
             return self.sections.to_vec();
         }
-        let whole = |document: &crate::ledger::Document| LedgerSection {
-            name: document.slug(),
-            document: document.slug(),
+        let whole = |document: &&'static Document| LedgerSection {
+            name: document.slug,
+            document: document.slug,
             part: crate::pages::SectionPart::Whole,
-            title: self.source_name(document.slug()),
+            title: document.title,
         };
         self.ledger.documents().iter().map(whole).collect()
-    }
-
-    /// A source in a word or two; its slug, where the book has no other name for it.
-    pub fn source_name(&self, slug: &'static str) -> &'static str {
-        self.source_names.iter().find(|(known, _)| *known == slug).map_or(slug, |(_, name)| name)
     }
 
     /// Holds the book against what the builder needs: a page that lists all claims, pages of different names, sections of

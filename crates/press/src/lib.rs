@@ -7,7 +7,6 @@
 // A book as a value.
 pub mod book;
 pub mod imprint;
-pub mod ledger;
 pub mod pages;
 
 // The pages of a book in a folder.

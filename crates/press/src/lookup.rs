@@ -1,8 +1,7 @@
 //! Finding things by name; the error tells the nearest name.
 
-use crate::ledger::{Document, Ledger};
 use anyhow::anyhow;
-use geneva_ledger::{Claim, Consequence, Judged};
+use geneva_evidence::{Claim, Consequence, Document, Judged, Ledger};
 
 /// What bears this name in a list. The error tells the nearest name and all there are.
 pub fn find_named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
@@ -24,8 +23,8 @@ pub fn verdict(ledger: &'static Ledger, id: &str) -> anyhow::Result<&'static Jud
 }
 
 /// The source with this slug.
-pub fn document(ledger: &'static Ledger, slug: &str) -> anyhow::Result<Document> {
-    let names = || ledger.documents().iter().map(|document| document.slug());
+pub fn document(ledger: &'static Ledger, slug: &str) -> anyhow::Result<&'static Document> {
+    let names = || ledger.documents().iter().map(|document| document.slug);
     ledger.document(slug).ok_or_else(|| unknown("source", slug, names()))
 }
 
@@ -36,13 +35,13 @@ pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
 }
 
 /// The judged claims of a source.
-pub fn verdicts_of(ledger: &'static Ledger, document: Document) -> impl Iterator<Item = &'static Judged> {
+pub fn verdicts_of(ledger: &'static Ledger, document: &'static Document) -> impl Iterator<Item = &'static Judged> {
     ledger.verdicts_of(document).into_iter()
 }
 
 /// The judged claims of the mirrored documents: without what is said elsewhere.
 pub fn verdicts_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'static Judged> {
-    ledger.verdicts().iter().filter(|judged| judged.claim.work.is_document())
+    ledger.verdicts().iter().copied().filter(|judged| judged.claim.document.is_mirrored())
 }
 
 /// That nothing of this kind bears the name, with the nearest that something bears.

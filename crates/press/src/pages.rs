@@ -3,8 +3,7 @@
 //!
 //! Records that are looked up and not read stand behind the book: they have no number, and no chapter leads on to them.
 
-use crate::ledger::{Document, Ledger};
-use geneva_ledger::{Claim, Consequence};
+use geneva_evidence::{Claim, Consequence, Document, Ledger};
 use std::ops::{Range, RangeInclusive};
 
 /// A page of a book.
@@ -121,14 +120,14 @@ pub enum SectionPart {
 
 impl LedgerSection {
     /// The source, if the ledger has one with its slug.
-    pub fn document(&self, ledger: &'static Ledger) -> Option<Document> {
+    pub fn document(&self, ledger: &'static Ledger) -> Option<&'static Document> {
         ledger.document(self.document)
     }
 
     /// The ids of its claims, in the order of the ledger.
     pub fn ids(&self, ledger: &'static Ledger) -> Vec<&'static str> {
         let Some(document) = self.document(ledger) else { return Vec::new() };
-        let own = ledger.claims().iter().filter(|claim| claim.work == document);
+        let own = ledger.claims().iter().copied().filter(|claim| claim.document == document);
         let id = |claim: &Claim| claim.id;
         match &self.part {
             SectionPart::Whole => own.map(id).collect(),
@@ -137,7 +136,7 @@ impl LedgerSection {
                 own.take(places.end).skip(places.start).map(id).collect()
             }
             SectionPart::Lines(range) => {
-                let lines = document.inventory().unwrap_or_default().iter();
+                let lines = document.lines().unwrap_or_default().iter();
                 let lines = lines.filter(|line| range.contains(&line.number));
                 let made: Vec<_> = lines.flat_map(|line| &line.entries).filter_map(|entry| entry.claimed()).collect();
                 own.map(id).filter(|id| made.contains(id)).collect()

@@ -3,10 +3,12 @@
 use crate::book::Book;
 use crate::edition::Edition;
 use crate::fields::{self, Row, Value};
-use crate::ledger::{Document, Ledger};
 use crate::lookup::unknown;
 use crate::{address, works};
-use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, in_full};
+use geneva_evidence::{
+    Check, Consequence, Document, Entry, Finding, Judged, Ledger, Line, Slip, TracedSlip, entry_numbers,
+    without_ellipses,
+};
 use std::collections::BTreeSet;
 
 /// A field of the files by its path, a point before the field of an object, and what it says.
@@ -139,7 +141,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
     let copies: Vec<_> = slips_of_copies(ledger).map(slip).collect();
     let entries = entries(ledger)?;
     let works: Vec<_> = works::rows(book.works).collect();
-    let claims = ledger.verdicts().iter().map(|judged| claim(ledger, judged));
+    let claims = ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged));
     let versioned = |what, rows: &mut dyn Iterator<Item = Row>| versioned(book, what, edition, rows);
     Ok(vec![
         ("claims.json", versioned("claims", &mut claims.into_iter())?),
@@ -173,21 +175,21 @@ fn versioned(
 }
 
 /// What was lost or changed on the way to the copies, of pages elsewhere too.
-pub fn slips_of_copies(ledger: &'static Ledger) -> impl Iterator<Item = &'static Places> {
+pub fn slips_of_copies(ledger: &'static Ledger) -> impl Iterator<Item = &'static TracedSlip> {
     ledger.slips().iter().filter(|places| places.slip.consequence == Consequence::Copy)
 }
 
 /// Every entry of every line of the documents.
 pub fn entries(ledger: &'static Ledger) -> anyhow::Result<Vec<Row>> {
     let mut rows = Vec::new();
-    for document in ledger.documents().iter().filter(|document| document.is_document()) {
-        let lines = document.inventory()?.iter();
-        rows.extend(lines.flat_map(|line| line.entries.iter().map(move |of| entry(*document, line, of))));
+    for document in ledger.mirrored() {
+        let lines = document.lines()?.iter();
+        rows.extend(lines.flat_map(|line| line.entries.iter().map(move |of| entry(document, line, of))));
     }
     Ok(rows)
 }
 
-fn entry(document: Document, line: &Line, entry: &Entry) -> Row {
+fn entry(document: &'static Document, line: &Line, entry: &Entry) -> Row {
     let (kind, id) = match entry {
         Entry::Claim(id) => ("claim", *id),
         Entry::Rest(id, _) => ("rest", *id),
@@ -198,11 +200,11 @@ fn entry(document: Document, line: &Line, entry: &Entry) -> Row {
     };
     let reason = if let Entry::Exception { reason, .. } = entry { Some(reason.clone()) } else { None };
     Row(vec![
-        ("source", document.slug().into()),
+        ("source", document.slug.into()),
         ("line", line.number.into()),
         ("entry", kind.into()),
         ("id", id.into()),
-        ("numbers", entry.numbers().into()),
+        ("numbers", entry_numbers(document, entry).into()),
         ("reason", reason.into()),
     ])
 }
@@ -222,7 +224,7 @@ pub fn described(book: &Book, file: &str) -> anyhow::Result<(Vec<FieldMeaning>, 
         (*path, own.map_or(*meaning, |(.., own)| own))
     };
     let rows = match file {
-        "claims" => ledger.verdicts().iter().map(|judged| claim(ledger, judged)).collect(),
+        "claims" => ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged)).collect(),
         "errata" => ledger.slips().iter().map(slip).collect(),
         _ => entries(ledger)?,
     };
@@ -256,7 +258,7 @@ fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
 /// All that is known of a claim.
 pub fn claim(ledger: &'static Ledger, judged: &Judged) -> Row {
     let (claim, slip) = (judged.claim, judged.claim.erratum.as_ref().map(|erratum| &erratum.slip));
-    let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug()).collect();
+    let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug).collect();
     let findings: Vec<_> = judged.findings.iter().map(|(form, finding)| found(form, finding)).collect();
     let (neighbour, missing) = match claim.check {
         Check::Statement { neighbour, .. } => (neighbour, None),
@@ -265,11 +267,11 @@ pub fn claim(ledger: &'static Ledger, judged: &Judged) -> Row {
     };
     Row(vec![
         ("id", claim.id.into()),
-        ("source", claim.work.slug().into()),
+        ("source", claim.document.slug.into()),
         ("locator", claim.locator.into()),
         ("kind", claim.kind.slug().into()),
         ("meaning", claim.meaning.into()),
-        ("printed", in_full(claim).into()),
+        ("printed", without_ellipses(claim).into()),
         ("unit", claim.unit.into()),
         // Missing if the claim is no number.
         ("computed", judged.computed.into()),
@@ -277,7 +279,7 @@ pub fn claim(ledger: &'static Ledger, judged: &Judged) -> Row {
         ("from_rounded", judged.from_rounded.into()),
         ("verdict", judged.verdict.slug().into()),
         ("expected", claim.expected.slug().into()),
-        ("holds", judged.holds().into()),
+        ("holds", judged.matches_record().into()),
         ("complaints", judged.complaints().into()),
         ("evidence", evidence.into()),
         ("findings", findings.into()),
@@ -314,7 +316,7 @@ fn erratum(ledger: &'static Ledger, judged: &Judged, slip: Option<&Slip>) -> Row
         all.filter(|id| *id != claim.id).collect::<Vec<_>>()
     };
     Row(vec![
-        ("printed", slip.map(|_| in_full(claim)).into()),
+        ("printed", slip.map(|_| without_ellipses(claim)).into()),
         ("corrected", slip.map(|_| judged.corrected().unwrap_or_default()).into()),
         ("reason", slip.map(|slip| slip.reason).into()),
         ("witness", slip.map(|slip| slip.witness).into()),
@@ -324,19 +326,19 @@ fn erratum(ledger: &'static Ledger, judged: &Judged, slip: Option<&Slip>) -> Row
 }
 
 /// All that is known of a slip.
-pub fn slip(places: &Places) -> Row {
+pub fn slip(places: &TracedSlip) -> Row {
     let (slip, main) = (&places.slip, places.main());
     // The claims that it reaches.
     let ids: Vec<_> = places.claims.iter().map(|judged| judged.claim.id).collect();
     Row(vec![
         ("id", slip.id.into()),
-        ("source", main.claim.work.slug().into()),
+        ("source", main.claim.document.slug.into()),
         ("locator", main.claim.locator.into()),
         ("meaning", main.claim.meaning.into()),
         ("consequence", slip.consequence.slug().into()),
         ("origin", slip.origin.slug().into()),
         ("places", ids.into()),
-        ("printed", in_full(main.claim).into()),
+        ("printed", without_ellipses(main.claim).into()),
         ("corrected", main.corrected().unwrap_or_default().into()),
         ("unit", main.claim.unit.into()),
         ("reason", slip.reason.into()),

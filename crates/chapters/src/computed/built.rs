@@ -6,8 +6,8 @@ use crate::asked::value;
 use crate::numbers::fixed;
 use crate::rows::{number, number_with, numbers, weakest as weakest_of};
 use geneva_case1973::{Row, least_braked, strongest, weakest};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of these sections.
 pub const NUMBERS: &[(&str, Number)] = &[

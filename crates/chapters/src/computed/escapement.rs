@@ -2,7 +2,7 @@
 
 use super::{Number, over};
 use crate::rows::numbers;
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::meyer::runs::table::rows;
 
 /// The numbers of the chapter.
 pub const NUMBERS: &[(&str, Number)] = &[

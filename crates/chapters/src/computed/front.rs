@@ -4,9 +4,10 @@ use super::Number;
 use crate::lookup::{judged, of_documents};
 use crate::rows::score;
 use geneva_case1973::{Hypothesis, Row, SixPin};
-use geneva_ledger::meyer::runs::data::inputs;
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::{Consequence, Decimal, Judged, Kind, Truth, claim, slips_of};
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::runs::data::inputs;
+use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::{Consequence, Decimal, Judged, Kind, Truth};
 
 /// What changes a result or a conclusion.
 const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
@@ -29,7 +30,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("claims.of-one-line.numbers", || Ok(of_one_line(|kind| kind == Kind::Value).to_string())),
     ("claims.of-one-line.statements", || Ok(of_one_line(|kind| kind == Kind::Statement).to_string())),
     ("claims.open", || Ok(claims(Truth::Open, |_| true))),
-    ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
+    ("slips.grave", || Ok(GRAVE.map(|of| LEDGER.slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
     ("cells", || Ok((3 * rows().len()).to_string())),
@@ -40,7 +41,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
 
 /// Whether the angle in the program is, as it is rounded there, that by which the pins of a row are apart.
 fn is_reset_rightly(row: &Row) -> bool {
-    let reset: Option<Decimal> = claim("meyer.listing.quarter-turn").and_then(|claim| claim.printed.parse().ok());
+    let reset: Option<Decimal> =
+        LEDGER.claim("meyer.listing.quarter-turn").and_then(|claim| claim.printed.parse().ok());
     reset.is_some_and(|reset| reset.is_rounding_of(Hypothesis::IDEAL.angle(row)))
 }
 
@@ -89,7 +91,11 @@ mod tests {
         assert_eq!(numbers + statements, own);
         // One more number is reproduced in error: a peak that the print-out missed.
         assert_eq!(count("runs.in-error"), numbers + 1);
-        let most = GRAVE.into_iter().flat_map(slips_of).map(|places| places.claims.len()).max();
+        let most = GRAVE
+            .into_iter()
+            .flat_map(|consequence| LEDGER.slips_of(consequence))
+            .map(|places| places.claims.len())
+            .max();
         assert_eq!(most, Some(own));
         let wrong = claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy)).parse::<usize>().expect("a count");
         assert!(2 * own > wrong, "{own} of {wrong}");

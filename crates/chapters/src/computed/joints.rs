@@ -4,8 +4,8 @@ use super::{Number, least, most};
 use crate::numbers::fixed;
 use crate::rows::{number, number_with, weakest};
 use crate::tables::joints::{CHANGE, effect};
+use geneva_documents::meyer::runs::choice::comparable;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::comparable;
 
 /// Radius of the pin, radius and friction of the journals, of which the chapter speaks first; radii in crank radii.
 const WITH_PIN: (f64, f64, f64) = (0.1, 0.0, 0.0);

@@ -4,9 +4,9 @@ use super::Number;
 use crate::html::escape;
 use anyhow::Context;
 use geneva_case1973::{Column, Reset};
-use geneva_ledger::claim;
-use geneva_ledger::meyer::runs::study::{AS_LISTED, by_deck};
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::runs::study::{AS_LISTED, by_deck};
+use geneva_documents::meyer::runs::table::rows;
 
 /// The numbers of the page on the language.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -19,7 +19,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
 
 /// What makes the escapement's deck that of the thesis, as options of the command line.
 fn as_listed() -> String {
-    let set = AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", claim(id)?.printed)));
+    let set = AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", LEDGER.claim(id)?.printed)));
     format!("<code>{}</code>", escape(&set.collect::<Vec<_>>().join(" ")))
 }
 

@@ -3,8 +3,8 @@
 use super::Number;
 use crate::rows::score;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, rows_of};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the page.
 pub const NUMBERS: &[(&str, Number)] = &[

@@ -4,8 +4,8 @@ use super::Number;
 use crate::numbers::signed;
 use anyhow::Context;
 use geneva_case1973::{Column, Hypothesis, Row, rows_of};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the chapter on the corrected tables.
 pub const NUMBERS: &[(&str, Number)] = &[

@@ -2,11 +2,11 @@
 
 use super::{Number, degrees, with_unit};
 use anyhow::Context;
+use geneva_documents::pin::Instant;
 use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_triangle::TriangleSolution;
 use geneva_kinematics::wheel::{Wheel, acceleration_ratio};
-use geneva_ledger::pin::Instant;
 
 /// The numbers of the chapter.
 pub const NUMBERS: &[(&str, Number)] = &[

@@ -13,12 +13,12 @@ use geneva_case1973::weighing::{Others, margins};
 use geneva_case1973::{
     Column, EXPLAINED, Fit, Hypothesis, Reset, Row, Score, Trend, pairs_by_friction, pairs_by_torque, rows_of, series,
 };
+use geneva_documents::meyer::runs::statistics::{LITTLE, shuffled, statistic};
+use geneva_documents::meyer::runs::study::{explained, scores};
+use geneva_documents::meyer::runs::table::rows;
+use geneva_documents::meyer::terms::MISSING;
+use geneva_evidence::{Decimal, Judged, Verdict, numbers_in};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::statistics::{LITTLE, shuffled, statistic};
-use geneva_ledger::meyer::runs::study::{explained, scores};
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::meyer::terms::MISSING;
-use geneva_ledger::{Decimal, Judged, Verdict, numbers_in};
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -218,7 +218,7 @@ mod tests {
     use geneva_case1973::chance;
     use geneva_case1973::likelihood::{LEAST_SPREAD, Law};
     use geneva_case1973::weighing::margins_by_one_row_of_each;
-    use geneva_ledger::meyer::runs::statistics::{OTHERS, STATISTICS};
+    use geneva_documents::meyer::runs::statistics::{OTHERS, STATISTICS};
 
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {

@@ -10,9 +10,9 @@ use crate::tables::timer::{PARTS, lighter};
 use anyhow::Context;
 use geneva_case1973::rise_times::change;
 use geneva_case1973::{Row, least_braked, strongest, weakest};
+use geneva_documents::meyer::runs::table::rows;
+use geneva_documents::meyer::terms::MISSING;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::meyer::terms::MISSING;
 
 /// The numbers of this chapter.
 pub const NUMBERS: &[(&str, Number)] = &[

@@ -4,7 +4,9 @@
 use super::{Number, least, most};
 use crate::{figures, lookup, numbers};
 use anyhow::{Context, ensure};
-use geneva_ledger::{Judged, Kind, Truth, Work, wild};
+use geneva_documents::WILD;
+use geneva_documents::wild;
+use geneva_evidence::{Judged, Kind, Truth};
 use std::collections::BTreeSet;
 
 /// The numbers of the chapter.
@@ -26,7 +28,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
 ];
 
 fn all() -> impl Iterator<Item = &'static Judged> {
-    lookup::of_work(Work::Wild)
+    lookup::of_work(&WILD)
 }
 
 /// Whether it is stated, and not only built as an example.

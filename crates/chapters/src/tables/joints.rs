@@ -1,8 +1,8 @@
 //! What a pin of finite radius and rubbing journals make of the thesis's mechanisms.
 
 use crate::rows::{number_with, weakest};
+use geneva_documents::meyer::runs::choice::comparable;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::comparable;
 use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::signed;
 

@@ -1,7 +1,7 @@
 //! How long the arcs are that lock a wheel, by three measures, planar and spherical.
 
+use geneva_documents::jazar::LockingArcs;
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::jazar::LockingArcs;
 use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::fixed;
 

@@ -2,7 +2,7 @@
 
 use crate::asked::{field, question, value};
 use anyhow::Context;
-use geneva_ledger::quick_return::with_printed_angle;
+use geneva_documents::quick_return::with_printed_angle;
 use geneva_press::html::{Cells, Table, table};
 use geneva_press::maths::formula;
 use geneva_press::numbers::fixed;

@@ -2,7 +2,7 @@
 
 use crate::rows::{example, number, number_with, question};
 use geneva_case1973::{Column, Row, strongest, weakest};
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::meyer::runs::table::rows;
 use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::signed;
 

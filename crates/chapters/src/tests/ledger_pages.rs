@@ -1,9 +1,8 @@
 //! What the pages of this book show of its ledger.
 
 use crate::BOOK;
-use geneva_ledger::Truth;
+use geneva_evidence::{Document, Truth};
 use geneva_press::html::GLUED;
-use geneva_press::ledger::Document;
 use geneva_press::ledger_pages::findings::{how, with_minus_signs};
 use geneva_press::ledger_pages::lists::letter;
 use geneva_press::ledger_pages::records::fields;
@@ -14,18 +13,17 @@ fn every_character_of_a_copy_is_counted_with_its_source_and_has_an_anchor() {
     let page = coverage::page(&BOOK).expect("a page");
     let all = coverage::slips_of_documents(BOOK.ledger).count();
     assert_eq!(page.matches("<a id=\"slip-").count(), all);
-    let of = |document: &Document| {
-        let lines = document.inventory().expect("lines");
-        coverage::row(BOOK.ledger, *document, lines).expect("a row")[5].parse::<usize>().expect("a number")
+    let of = |document: &&'static Document| {
+        let lines = document.lines().expect("lines");
+        coverage::row(BOOK.ledger, document, lines).expect("a row")[5].parse::<usize>().expect("a number")
     };
-    let mirrored = BOOK.ledger.documents().iter().filter(|document| document.is_document());
-    assert_eq!(mirrored.map(of).sum::<usize>(), all);
+    assert_eq!(BOOK.ledger.mirrored().iter().map(of).sum::<usize>(), all);
 }
 
 #[test]
 fn every_finding_is_told_in_sentences() {
     for judged in BOOK.ledger.verdicts().iter().filter(|judged| !judged.findings.is_empty()) {
-        let (id, told) = (judged.claim.id, how(&BOOK, judged));
+        let (id, told) = (judged.claim.id, how(judged));
         assert!(told.contains("printed") && told.contains("econd way"), "{id}: {told}");
         for log in ["fails: fails", "holds: holds", ";<br>", "[", "Some(", "..=", "-identity"] {
             assert!(!told.contains(log), "{id}: {log} in {told}");
@@ -72,7 +70,8 @@ fn every_claim_has_a_row_and_every_row_has_details() {
 fn the_filter_offers_what_the_rows_have() {
     let filter = ledger::filter(&BOOK);
     for judged in BOOK.ledger.verdicts() {
-        for value in [judged.claim.work.slug(), judged.verdict.slug(), judged.truth().slug(), judged.claim.kind.slug()]
+        for value in
+            [judged.claim.document.slug, judged.verdict.slug(), judged.truth().slug(), judged.claim.kind.slug()]
         {
             assert!(filter.contains(&format!("<option value=\"{value}\"")), "{value}");
         }

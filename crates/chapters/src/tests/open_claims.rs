@@ -2,7 +2,7 @@
 
 use crate::BOOK;
 use crate::open_groups::OPEN_GROUPS;
-use geneva_ledger::Truth;
+use geneva_evidence::Truth;
 use geneva_press::ledger_pages::open::{fits, has, open_count, open_list};
 
 const PAGE: &str = include_str!("../../../../book/src/open.md");

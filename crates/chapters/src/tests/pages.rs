@@ -1,16 +1,16 @@
 //! The pages and sections of this book against its ledger.
 
 use crate::BOOK;
-use geneva_ledger::{Consequence, claims};
+use geneva_evidence::Consequence;
 use geneva_press::pages::{Page, PageRole};
 
 #[test]
 fn every_claim_stands_in_one_section() {
     let listed: Vec<_> = BOOK.ledger_sections().iter().flat_map(|section| section.ids(BOOK.ledger)).collect();
-    for claim in claims() {
+    for claim in BOOK.ledger.claims() {
         assert_eq!(listed.iter().filter(|id| **id == claim.id).count(), 1, "{}", claim.id);
     }
-    assert_eq!(listed.len(), claims().len());
+    assert_eq!(listed.len(), BOOK.ledger.claims().len());
 }
 
 #[test]

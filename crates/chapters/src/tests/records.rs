@@ -1,10 +1,10 @@
 //! The data of this book: its fields, and that nothing is left out.
 
 use crate::BOOK;
+use geneva_evidence::Document;
 use geneva_press::address;
 use geneva_press::edition::Edition;
 use geneva_press::fields::Value;
-use geneva_press::ledger::Document;
 use geneva_press::records::{OF_A_CLAIM, OF_A_SLIP, OF_AN_ENTRY, described, entries, files, types};
 use serde_json::Value as Json;
 use std::collections::BTreeSet;
@@ -77,10 +77,10 @@ fn a_field_is_of_the_types_that_its_values_have() {
 
 #[test]
 fn the_lines_of_the_sources_and_the_characters_of_the_copies_are_all_in_their_files() {
-    let numbers = |document: &Document| {
-        document.inventory().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>()
+    let numbers = |document: &&'static Document| {
+        document.lines().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>()
     };
-    let documents = BOOK.ledger.documents().iter().filter(|document| document.is_document());
+    let documents = BOOK.ledger.mirrored().iter();
     let listed = entries(BOOK.ledger).expect("entries");
     let in_rows: usize = listed
         .iter()
@@ -90,7 +90,7 @@ fn the_lines_of_the_sources_and_the_characters_of_the_copies_are_all_in_their_fi
         })
         .sum();
     assert_eq!(in_rows, documents.map(numbers).sum::<usize>());
-    for claim in BOOK.ledger.claims().iter().filter(|claim| claim.work.is_document()) {
+    for claim in BOOK.ledger.claims().iter().filter(|claim| claim.document.is_mirrored()) {
         let id = Value::from(claim.id);
         assert!(listed.iter().any(|row| row.0[3].1 == id), "{} is in no line", claim.id);
     }

@@ -2,17 +2,16 @@
 
 use crate::book::Book;
 use crate::html::{Cells, table};
-use crate::ledger::{Document, Ledger};
 use crate::lookup;
 use crate::records::slips_of_copies;
 use anyhow::bail;
-use geneva_ledger::{Entry, Line, Places};
+use geneva_evidence::{Document, Entry, Ledger, Line, TracedSlip, line_gap};
 
 /// How much of each document the claims account for, and which characters its copy has lost or changed.
 pub fn page(book: &Book) -> anyhow::Result<String> {
     let mut rows = Vec::new();
-    for document in book.ledger.documents().iter().filter(|document| document.is_document()) {
-        rows.push(row(book.ledger, *document, document.inventory()?));
+    for document in book.ledger.mirrored() {
+        rows.push(row(book.ledger, document, document.lines()?));
     }
     let head = ["Source", "Lines", "Numbers", "Claims", "Exceptions", "Characters of the copy"];
     let sums = table("Coverage of the sources", Cells::NamedNumbers, &head, rows)?.html();
@@ -30,13 +29,13 @@ pub fn page(book: &Book) -> anyhow::Result<String> {
 }
 
 /// What the copies of the documents have lost or changed.
-pub fn slips_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'static Places> {
-    slips_of_copies(ledger).filter(|places| places.is_of_a_document())
+pub fn slips_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'static TracedSlip> {
+    slips_of_copies(ledger).filter(|places| places.is_mirrored())
 }
 
 /// The sums of a source.
-pub fn row(ledger: &'static Ledger, document: Document, lines: &[Line]) -> anyhow::Result<Vec<String>> {
-    if let Some(line) = lines.iter().find(|line| !line.is_accounted_for()) {
+pub fn row(ledger: &'static Ledger, document: &'static Document, lines: &[Line]) -> anyhow::Result<Vec<String>> {
+    if let Some(line) = lines.iter().find(|line| line_gap(document, line).is_some()) {
         bail!("line {} of {document} has numbers that nothing accounts for", line.number);
     }
     let entries = || lines.iter().flat_map(|line| &line.entries);
@@ -45,7 +44,7 @@ pub fn row(ledger: &'static Ledger, document: Document, lines: &[Line]) -> anyho
         lines.iter().map(|line| line.numbers.len()).sum(),
         lookup::verdicts_of(ledger, document).count(),
         entries().filter(|entry| matches!(entry, Entry::Exception { .. })).count(),
-        slips_of_documents(ledger).filter(|places| places.main().claim.work == document).count(),
+        slips_of_documents(ledger).filter(|places| places.main().claim.document == document).count(),
     ];
     Ok([vec![document.to_string()], sums.map(|sum| sum.to_string()).into()].concat())
 }

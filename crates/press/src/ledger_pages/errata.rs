@@ -1,13 +1,13 @@
 //! What is wrong in the sources: one erratum in its chapter, and the pages of all slips by what they do.
 
-use super::findings::{how, in_a_word};
+use super::findings::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::book::Book;
 use crate::formula::{breakable, mark_changes, tex_or_text};
 use crate::html::{Cells, Table, escape, prose, table};
 use crate::lookup;
 use anyhow::anyhow;
-use geneva_ledger::{Consequence, Judged, Places, in_full};
+use geneva_evidence::{Consequence, Judged, TracedSlip, without_ellipses};
 
 /// The erratum of a claim: one line, which opens.
 pub fn erratum_fold(book: &Book, id: &str) -> anyhow::Result<String> {
@@ -28,7 +28,7 @@ fn in_a_line(book: &Book, judged: &Judged) -> anyhow::Result<String> {
     const SHORT: usize = 24;
     let claim = judged.claim;
     let mut line = format!("<strong>Erratum</strong>, {}: {}", escape(claim.locator), escape(claim.meaning));
-    let (printed, corrected) = (in_full(claim), judged.corrected().unwrap_or_default());
+    let (printed, corrected) = (without_ellipses(claim), judged.corrected().unwrap_or_default());
     if printed.chars().count() <= SHORT && corrected.chars().count() <= SHORT {
         line += &format!(
             "; printed {}, right {}",
@@ -44,7 +44,7 @@ fn in_a_line(book: &Book, judged: &Judged) -> anyhow::Result<String> {
 
 /// All slips of the documents with a consequence, under a heading that says what they do.
 pub fn errata_list(book: &Book, consequence: Consequence) -> anyhow::Result<String> {
-    let slip = |places: &Places| Ok(format!("\n{}\n", boxed(book, places)?));
+    let slip = |places: &TracedSlip| Ok(format!("\n{}\n", boxed(book, places)?));
     let slips = book.ledger.slips_of(consequence).map(slip).collect::<anyhow::Result<String>>()?;
     Ok(format!("\n\n## {}\n{slips}", consequence.heading()))
 }
@@ -54,10 +54,10 @@ pub fn grave_errata(book: &Book) -> anyhow::Result<Table> {
     let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(|of| book.ledger.slips_of(of));
     let rows = grave.map(|places| {
         let (claim, slip) = (places.main().claim, &places.slip);
-        let (document, locator, meaning) = (claim.work, escape(claim.locator), escape(claim.meaning));
+        let (document, locator, meaning) = (claim.document, escape(claim.locator), escape(claim.meaning));
         Ok(vec![
             format!("<a href=\"#slip-{}\">{document}, {locator}</a>: {meaning}", slip.id),
-            with_unit(book, &tex_or_text(&in_full(claim))?, claim.unit)?,
+            with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?,
             right(book, places.main())?,
             prose(slip.changes) + &numbers(places),
         ])
@@ -94,7 +94,7 @@ pub fn slip_count(book: &Book, of_what: &str) -> anyhow::Result<String> {
 }
 
 /// A slip in a box, in full.
-fn boxed(book: &Book, places: &Places) -> anyhow::Result<String> {
+fn boxed(book: &Book, places: &TracedSlip) -> anyhow::Result<String> {
     let (judged, slip) = (places.main(), &places.slip);
     Ok(format!(
         "<aside class=\"erratum\" id=\"slip-{}\" aria-label=\"Erratum {}\">\n<p><strong>{}</strong>: {}. {}</p>\n{}\n</aside>",
@@ -108,7 +108,7 @@ fn boxed(book: &Book, places: &Places) -> anyhow::Result<String> {
 }
 
 /// What an erratum says; in full also how it was found, and where else the slip shows.
-pub fn entries(book: &Book, judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Result<String> {
+pub fn entries(book: &Book, judged: &Judged, places: &TracedSlip, in_full_detail: bool) -> anyhow::Result<String> {
     let (claim, slip) = (judged.claim, &places.slip);
     let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
@@ -131,23 +131,25 @@ pub fn entries(book: &Book, judged: &Judged, places: &Places, in_full_detail: bo
 
 /// The printed characters and what should stand in their place, with what differs between the two marked in each.
 pub fn forms(book: &Book, judged: &Judged) -> anyhow::Result<[String; 2]> {
-    let (printed, corrected) = (in_full(judged.claim), judged.corrected().unwrap_or_default());
+    let (printed, corrected) = (without_ellipses(judged.claim), judged.corrected().unwrap_or_default());
     let form = |of: &str, other: &str| with_unit(book, &breakable(&mark_changes(of, other)?), judged.claim.unit);
     Ok([form(&printed, &corrected)?, form(&corrected, &printed)?])
 }
 
 /// Says how an erratum was found.
-fn explain(book: &Book, judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String)) -> anyhow::Result<()> {
+fn explain(
+    book: &Book,
+    judged: &Judged,
+    places: &TracedSlip,
+    entry: &mut impl FnMut(&str, String),
+) -> anyhow::Result<()> {
     let (claim, evidence) = (judged.claim, judged.claim.check.evidence());
     for (term, number, kind) in [
         ("Computed", judged.computed, evidence.first()),
         ("Second witness's number", judged.witnessed, evidence.last()),
     ] {
         if let (Some(number), Some(kind)) = (number, kind) {
-            entry(
-                term,
-                format!("{} ({})", with_unit(book, &rounded(judged, number), claim.unit)?, in_a_word(book, *kind)),
-            );
+            entry(term, format!("{} ({})", with_unit(book, &rounded(judged, number), claim.unit)?, kind.name));
         }
     }
     // Where the source's own way leads to another number, the right one rests on more than its printed places.
@@ -159,7 +161,7 @@ fn explain(book: &Book, judged: &Judged, places: &Places, entry: &mut impl FnMut
     }
     if !judged.findings.is_empty() {
         // With the reading; each route is a paragraph.
-        entry("How it was found", format!("<p>{}</p>", how(book, judged).replace("<br> ", "</p><p>")));
+        entry("How it was found", format!("<p>{}</p>", how(judged).replace("<br> ", "</p><p>")));
     }
     if places.claims.len() > 1 {
         entry("Other places", others(book, judged, places));
@@ -173,7 +175,7 @@ pub fn right(book: &Book, judged: &Judged) -> anyhow::Result<String> {
 }
 
 /// How many printed numbers a slip makes wrong, and by how much.
-fn numbers(places: &Places) -> String {
+fn numbers(places: &TracedSlip) -> String {
     let number = places.wrong_numbers().count();
     let (of, up_to) = match number {
         1 => ("one printed number".to_owned(), ""),
@@ -186,7 +188,7 @@ fn numbers(places: &Places) -> String {
 }
 
 /// The other claims that a slip reaches; of many in one table only the first.
-fn others(book: &Book, judged: &Judged, places: &Places) -> String {
+fn others(book: &Book, judged: &Judged, places: &TracedSlip) -> String {
     const MOST: usize = 8;
     let ids = places.claims.iter().map(|other| other.claim.id).filter(|id| *id != judged.claim.id);
     let links: Vec<_> = ids.clone().take(MOST).map(|id| linked_id(book, id)).collect();

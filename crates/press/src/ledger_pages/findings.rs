@@ -1,15 +1,14 @@
 //! What was found of an equation, a figure or a statement, in sentences.
 
-use crate::book::Book;
 use crate::html::prose;
-use geneva_ledger::{Check, Evidence, Finding, Judged};
+use geneva_evidence::{Check, Finding, Judged};
 
 /// How a form was found to hold or to fail, with the reading; for a missing value, what is missing.
-pub fn how(book: &Book, judged: &Judged) -> String {
+pub fn how(judged: &Judged) -> String {
     let sentences = match &judged.claim.check {
         Check::Missing { reason } => vec![(*reason).to_owned()],
-        Check::Statement { neighbour: Some(neighbour), .. } => statement(book, judged, neighbour),
-        _ => forms(book, judged),
+        Check::Statement { neighbour: Some(neighbour), .. } => statement(judged, neighbour),
+        _ => forms(judged),
     };
     let reading = judged.claim.reading.map(str::to_owned);
     let reading = reading.filter(|_| !judged.claim.check.evidence().is_empty());
@@ -30,8 +29,8 @@ pub fn with_minus_signs(found: &str) -> String {
 }
 
 /// The sentences on a form as printed and on its correction, by both routes.
-fn forms(book: &Book, judged: &Judged) -> Vec<String> {
-    let [first, second] = routes(book, judged);
+fn forms(judged: &Judged) -> Vec<String> {
+    let [first, second] = routes(judged);
     let (printed, corrected) = (finding_on(judged, "as printed"), finding_on(judged, "corrected"));
     let (again, refused) = (finding_on(judged, "witness"), finding_on(judged, "as printed by the witness"));
     let right = ["The printed form", "The corrected form"][usize::from(corrected.is_some())];
@@ -72,8 +71,8 @@ fn forms(book: &Book, judged: &Judged) -> Vec<String> {
 }
 
 /// The sentences on a statement that is right as printed and on a false version of it, by both routes.
-fn statement(book: &Book, judged: &Judged, neighbour: &str) -> Vec<String> {
-    let [first, second] = routes(book, judged);
+fn statement(judged: &Judged, neighbour: &str) -> Vec<String> {
+    let [first, second] = routes(judged);
     let all = ["as printed", "neighbour", "witness", "neighbour by the witness"].map(|form| finding_on(judged, form));
     let [Some(printed), Some(wrong), Some(again), Some(refused)] = all else { return Vec::new() };
     let mut sentences = vec![format!("What is printed {}{first}: {}", says(printed), printed.how)];
@@ -103,14 +102,7 @@ fn lowered(words: &str) -> String {
 }
 
 /// The kinds of evidence of both routes, in brackets.
-fn routes(book: &Book, judged: &Judged) -> [String; 2] {
+fn routes(judged: &Judged) -> [String; 2] {
     let evidence = judged.claim.check.evidence();
-    [evidence.first(), evidence.last()]
-        .map(|kind| kind.map_or_else(String::new, |kind| format!(" (by {})", in_a_word(book, *kind))))
-}
-
-/// A kind of evidence in a word or two: as the book has it, or else its meaning.
-pub fn in_a_word(book: &Book, kind: Evidence) -> &'static str {
-    let own = book.evidence_words.iter().find(|(slug, _)| *slug == kind.slug());
-    own.map_or(kind.meaning(), |(_, words)| words)
+    [evidence.first(), evidence.last()].map(|kind| kind.map_or_else(String::new, |kind| format!(" (by {})", kind.name)))
 }

@@ -5,12 +5,15 @@ use crate::formula::{breakable, tex_or_text};
 use crate::html::{GLUED, escape, prose};
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
-use geneva_ledger::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, in_full};
+use geneva_evidence::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, without_ellipses};
 
 /// The printed characters with their unit.
 pub fn printed(book: &Book, id: &str) -> anyhow::Result<String> {
     let claim = lookup::verdict(book.ledger, id)?.claim;
-    Ok(format!("<span class=\"claim\">{}</span>", with_unit(book, &tex_or_text(&in_full(claim))?, claim.unit)?))
+    Ok(format!(
+        "<span class=\"claim\">{}</span>",
+        with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?
+    ))
 }
 
 /// The computed number with its unit.
@@ -114,13 +117,13 @@ pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
     let claim = judged.claim;
     let mut out = format!(
         "<div popover class=\"note\" id=\"note-{id}\">\n<p>{}, {}: {}. {}</p>\n<dl>\n",
-        escape(&claim.work.to_string()),
+        escape(&claim.document.to_string()),
         place(book, claim),
         prose(claim.meaning),
         badge(judged.verdict)
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    entry("Printed", with_unit(book, &breakable(&tex_or_text(&in_full(claim))?), claim.unit)?);
+    entry("Printed", with_unit(book, &breakable(&tex_or_text(&without_ellipses(claim))?), claim.unit)?);
     if let Some(number) = computed(judged) {
         entry("Computed", with_unit(book, &number, claim.unit)?);
     }
@@ -137,7 +140,7 @@ pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
     let mut evidence = claim.check.evidence();
     evidence.dedup();
     for (number, kind) in evidence.iter().enumerate() {
-        entry(["Checked by", "and by"][number.min(1)], escape(kind.meaning()));
+        entry(["Checked by", "and by"][number.min(1)], escape(kind.meaning));
     }
     out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", book.address_of_claim(id)));
     Ok(out)
@@ -181,7 +184,7 @@ pub fn linked_page(address: &str) -> String {
 
 /// What the source is.
 pub fn citation(book: &Book, slug: &str) -> anyhow::Result<String> {
-    Ok(escape(lookup::document(book.ledger, slug)?.citation()))
+    Ok(escape(lookup::document(book.ledger, slug)?.citation))
 }
 
 /// The verdict of a claim as a badge that leads to the claim's row in the ledger.

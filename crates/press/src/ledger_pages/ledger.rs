@@ -4,7 +4,7 @@
 //! when the first claim is opened. Without scripts every row is there, and `claims.json` has the rest.
 
 use super::errata::forms;
-use super::findings::{how, in_a_word, with_minus_signs};
+use super::findings::{how, with_minus_signs};
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::book::Book;
@@ -15,7 +15,7 @@ use crate::lookup;
 use crate::nowrap_units::tied_without_tags;
 use crate::numbers::in_words;
 use crate::pages::LedgerSection;
-use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, in_full};
+use geneva_evidence::{Consequence, Judged, Kind, Truth, Verdict, without_ellipses};
 use std::collections::BTreeMap;
 
 /// What filters the rows and opens them, and how they look.
@@ -62,8 +62,8 @@ pub fn filter(book: &Book) -> String {
         format!("<label>{label} <select name=\"{name}\"><option value=\"\">all</option>{options}</select></label>")
     };
     let documents = book.ledger.documents();
-    let sources = documents.iter().map(|document| option(document.slug(), "", book.source_name(document.slug())));
-    let mirrored = match documents.iter().filter(|document| document.is_document()).count() {
+    let sources = documents.iter().map(|document| option(document.slug, "", document.title));
+    let mirrored = match book.ledger.mirrored().len() {
         1 => "the document".to_owned(),
         count => format!("the {} documents", in_words(count)),
     };
@@ -106,7 +106,7 @@ fn section(book: &Book, section: &LedgerSection) -> anyhow::Result<String> {
 /// A claim: its id, our verdict, where it stands, what it says, what is printed, and what was found, in a line.
 fn row(book: &Book, judged: &Judged) -> anyhow::Result<String> {
     let (claim, verdict) = (judged.claim, judged.verdict);
-    let printed = with_unit(book, &tex_or_text(&in_full(claim))?, claim.unit)?;
+    let printed = with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?;
     let printed = match computed(judged) {
         Some(computed) => format!("<div>{printed}, computed {computed}{}</div>", right(judged)),
         // A form may be wider than the page; one whose lines are aligned scrolls, and so takes the focus.
@@ -169,15 +169,15 @@ fn details(book: &Book, judged: &Judged) -> anyhow::Result<String> {
         ("Right", judged.right_value, None),
     ] {
         if let Some(value) = value {
-            let kind = kind.map_or_else(String::new, |kind| format!(" ({})", in_a_word(book, *kind)));
+            let kind = kind.map_or_else(String::new, |kind| format!(" ({})", kind.name));
             entry(term, number(value)? + &kind);
         }
     }
     if judged.computed.is_none() {
-        entry("Two routes", evidence.iter().copied().map(|kind| in_a_word(book, kind)).collect::<Vec<_>>().join(", "));
+        entry("Two routes", evidence.iter().map(|kind| kind.name).collect::<Vec<_>>().join(", "));
     }
     let missing = if evidence.is_empty() { "What is missing" } else { "How it was checked" };
-    entry(missing, how(book, judged));
+    entry(missing, how(judged));
     if let Some(erratum) = &claim.erratum {
         if judged.corrected().is_some() {
             let [printed, corrected] = forms(book, judged)?;

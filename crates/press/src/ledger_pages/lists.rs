@@ -7,7 +7,7 @@ use crate::formula::tex_or_text;
 use crate::html::{Cells, Table, escape, table};
 use crate::{lookup, maths};
 use anyhow::Context;
-use geneva_ledger::{Judged, Symbol, Verdict};
+use geneva_evidence::{Judged, Symbol, Verdict};
 
 /// The classes of verdict with their meaning and how many claims of the documents have each.
 pub fn verdicts(book: &Book) -> anyhow::Result<Table> {
@@ -23,14 +23,14 @@ pub fn evidence(book: &Book) -> anyhow::Result<Table> {
     let rows = book.ledger.evidence().iter().map(|kind| {
         let uses = |judged: &&Judged| judged.claim.check.evidence().contains(kind);
         let count = lookup::verdicts_of_documents(book.ledger).filter(uses).count();
-        Ok(vec![kind.to_string(), escape(kind.meaning()), count.to_string()])
+        Ok(vec![kind.to_string(), escape(kind.meaning), count.to_string()])
     });
     table("Kinds of evidence", Cells::Words, &["Evidence", "What it is", "Claims"], rows)
 }
 
 /// The tolerances that are not printed digits.
 pub fn tolerances(book: &Book) -> anyhow::Result<Table> {
-    let rows = book.ledger.tolerances().iter().map(|tolerance| {
+    let rows = book.ledger.tolerances().into_iter().map(|tolerance| {
         let relative = scientific(&format!("{:e}", tolerance.relative))?;
         Ok(vec![tolerance.name.to_owned(), relative, escape(tolerance.reason)])
     });
@@ -47,7 +47,7 @@ pub fn notation(book: &Book) -> anyhow::Result<Table> {
 
 /// The letters of a source and the book's: first those of the whole book, in the same order for each source.
 pub fn symbols(book: &Book, slug: &str) -> anyhow::Result<Table> {
-    let symbols = lookup::document(book.ledger, slug)?.symbols();
+    let symbols = lookup::document(book.ledger, slug)?.symbols;
     let notation = (book.notation)();
     let is_of_all = |of: &&Symbol| notation.iter().any(|letter| letter.tex == of.ours);
     let of_all = notation.iter().flat_map(|letter| symbols.iter().filter(|symbol| symbol.ours == letter.tex));
@@ -70,7 +70,7 @@ pub fn symbols(book: &Book, slug: &str) -> anyhow::Result<Table> {
 pub fn letter(book: &Book, of: &str) -> anyhow::Result<String> {
     let (slug, tex) =
         of.split_once(' ').with_context(|| format!("`{of}`: give a source and a letter, as in `source K`"))?;
-    let symbols = lookup::document(book.ledger, slug)?.symbols();
+    let symbols = lookup::document(book.ledger, slug)?.symbols;
     let symbol = symbols.iter().find(|symbol| symbol.ours == tex);
     let symbol = symbol.ok_or_else(|| lookup::unknown("letter", tex, symbols.iter().map(|symbol| symbol.ours)))?;
     Ok(escape(&meaning(&(book.notation)(), symbol)))

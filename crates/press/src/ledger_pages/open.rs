@@ -7,7 +7,7 @@ use crate::html::escape;
 use crate::lookup::{unknown, verdicts_of_documents};
 use crate::numbers::sentence_start;
 use crate::pages::PageRole;
-use geneva_ledger::{Judged, Truth};
+use geneva_evidence::{Judged, Truth};
 
 /// A link to the section of a group.
 pub fn link(book: &Book, group: &OpenGroup) -> String {
@@ -60,7 +60,7 @@ pub fn open_list(book: &Book, name: &str) -> anyhow::Result<String> {
     const FEW: usize = 3;
     let mut by_reason: Vec<(String, Vec<&Judged>)> = Vec::new();
     for judged in claims(book, name)? {
-        let reason = how(book, judged);
+        let reason = how(judged);
         match by_reason.iter_mut().find(|(known, _)| *known == reason) {
             Some((_, all)) => all.push(judged),
             None => by_reason.push((reason, vec![judged])),
