@@ -131,7 +131,7 @@ mod tests {
     use super::*;
     use crate::{Arguments, Command};
     use clap::Parser;
-    use geneva_documents::LEDGER;
+    use geneva_documents::{LEDGER, PIN};
     use geneva_evidence::{Evidence, Locator, judge};
 
     /// The ids of the claims that are listed for these options.

@@ -133,6 +133,7 @@ fn load(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Resul
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pages::generate_summary;
     use crate::samples::BOOK;
     use anyhow::ensure;
     use mdbook_preprocessor::PreprocessorContext;
@@ -184,9 +185,19 @@ mod tests {
     fn workspace_of(chapter: &str) -> TempDir {
         let root = workspace();
         let source = root.path().join("book/src");
-        let (summary, about) = ("- [Chapter](pin.md)\n- [Sources](about.md)\n", "# Sources\n\n{{works}}\n");
-        for (file, text) in [("SUMMARY.md", summary), ("pin.md", chapter), ("about.md", about)] {
-            fs::write(source.join(file), text).unwrap();
+        fs::remove_file(source.join("chapter.md")).unwrap();
+        let (summary_path, summary) = generate_summary(&BOOK.pages[1..]);
+        assert!(summary_path.ends_with("src/SUMMARY.md"));
+        fs::write(source.join("SUMMARY.md"), summary).unwrap();
+        for page in &BOOK.pages[1..] {
+            let text = match page.name {
+                "pin" => chapter,
+                "about" => "# Sources\n\n{{works}}\n",
+                "errata" => "# Errata\n\n{{records:errata}}\n",
+                "ledger" => "# All claims\n\n{{records:ledger}}\n",
+                _ => "# Another\n\nText.\n",
+            };
+            fs::write(source.join(page.name).with_extension("md"), text).unwrap();
         }
         root
     }
@@ -194,7 +205,8 @@ mod tests {
     #[test]
     fn a_book_has_its_own_keys_figures_tables_and_works() {
         let root = workspace_of(
-            "# Chapter\n\nTwice 21 is {{double:21}} as in {{cite:johnson}}.\n\n{{figure:circle}}\n\n{{table:rows}}\n\nSee {{ref:rows}}.\n",
+            "# Chapter\n\nTwice 21 is {{double:21}} as in {{cite:johnson}}.\n\n{{figure:circle}}\n\n{{table:rows}}\n\nSee {{ref:rows}}. \
+             It takes {{claim:leaflet.time}}.\n\n{{erratum:leaflet.speed}}\n\n{{compare:leaflet}}\n",
         );
         let first = build(&BOOK, root.path(), &root.path().join("out")).expect("built").first_page;
         let read = |file: &str| fs::read_to_string(first.with_file_name(file)).expect(file);
@@ -206,10 +218,16 @@ mod tests {
             "<strong>Figure\u{a0}1.1.</strong>",
             "<a href=\"#table-rows\">Table\u{a0}1.1</a>",
             "A sample, version 1.2.3",
+            "2.02\u{a0}s</span>",
+            "href=\"errata.html#slip-leaflet.speed\"",
         ] {
             assert!(page.contains(part), "the page has no `{part}`: {page}");
         }
         assert!(read("about.html").contains("<li id=\"work-johnson\">"));
+        assert!(read("errata.html").contains("id=\"slip-leaflet.speed\""));
+        let ledger = read("ledger.html");
+        assert_eq!(ledger.matches("<li id=\"leaflet.").count(), BOOK.ledger.claims().len());
+        assert!(ledger.contains("<option value=\"documents\">the document</option>"), "{ledger}");
         assert_eq!(read("data/circle.csv"), "x\n1\n");
         assert_eq!(read("data/table-rows.csv"), "x,y\n1,2\n");
         assert!(read("data/claims.json").contains("\"title\": \"A sample\""));
