@@ -1,7 +1,7 @@
 //! Does `geneva book` replace its own book and nothing else, however it ends?
 
 use crate::{geneva, piped_into, refusal, small_workspace};
-use geneva_press::fences::CRATES;
+use geneva_chapters::EXAMPLES;
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
@@ -98,7 +98,7 @@ fn workspace_with_crates() -> tempfile::TempDir {
     };
     let package = |name: &str| format!("[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n");
     let mut manifest = format!("{}[lib]\npath = \"lib.rs\"\n[dependencies]\n", package("geneva-suite"));
-    for name in CRATES {
+    for name in EXAMPLES.crates {
         write(&format!("crates/{name}/Cargo.toml"), &package(name));
         write(&format!("crates/{name}/src/lib.rs"), "pub const ONE: u8 = 1;\n");
         manifest += &format!("{name} = {{ path = \"crates/{name}\" }}\n");
@@ -113,7 +113,7 @@ fn the_program_mdbook_tests_the_chapters_without_being_told_where_the_crates_are
     let workspace = workspace_with_crates();
     let book = workspace.path().join("book").canonicalize().expect("it exists");
     let tested = |number: u8| {
-        let text = format!("# Only\n\n```rust\nuse {}::ONE;\nassert_eq!(ONE, {number});\n```\n", CRATES[0]);
+        let text = format!("# Only\n\n```rust\nuse {}::ONE;\nassert_eq!(ONE, {number});\n```\n", EXAMPLES.crates[0]);
         fs::write(book.join("src/only.md"), &text).expect("writable");
         let chapter = json!({"name": "Only", "content": text, "number": [1], "sub_items": [], "path": "only.md",
                              "source_path": "only.md", "parent_names": []});

@@ -38,8 +38,7 @@ pub(crate) fn book() -> &'static Path {
 fn built() -> Result<(TempDir, PathBuf), String> {
     let folder = TempDir::new().expect("a folder");
     let out = folder.path().join("book");
-    geneva_press::building::build(&crate::path("."), &out, geneva_press::Geneva)
-        .map_err(|error| format!("{error:#}"))?;
+    geneva_press::build(&geneva_chapters::BOOK, &crate::path("."), &out).map_err(|error| format!("{error:#}"))?;
     Ok((folder, out))
 }
 
@@ -423,13 +422,13 @@ fn figures_have_a_number_a_caption_and_words_for_those_who_do_not_see_them() {
             shown.insert(part("title"));
         }
     }
-    assert_eq!(shown.len(), geneva_press::figures::FIGURES.len());
+    assert_eq!(shown.len(), geneva_chapters::figures::FIGURES.len());
 }
 
 #[test]
 fn the_pages_lead_from_one_to_the_next_in_the_order_of_the_book() {
     let pages = pages();
-    let order: Vec<_> = geneva_press::pages::PAGES.iter().map(|page| format!("{}.html", page.name)).collect();
+    let order: Vec<_> = geneva_chapters::BOOK.pages.iter().map(|page| format!("{}.html", page.name)).collect();
     for (at, name) in order.iter().enumerate() {
         let leads = |rel: &str| {
             let links = pages[name].iter().filter_map(|piece| match piece {

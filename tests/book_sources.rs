@@ -1,9 +1,10 @@
 //! Are the chapters written as chapters should be? Looks at the Markdown, before anything is drawn in.
 
+use geneva_chapters::{BOOK, asked, computed, figures, readme};
 use geneva_documents::LEDGER;
 use geneva_evidence::{Consequence, Decimal, TracedSlip, Verdict, numeric_tokens};
-use geneva_press::pages::{self, PAGES, Page, Records};
-use geneva_press::{address, asked, bibliography, computed, fences, figures};
+use geneva_press::pages::{Page, chapters_to_test};
+use geneva_press::{address, fences, works};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
 /// The pages by file name, with their Markdown.
@@ -13,7 +14,7 @@ pub(crate) fn chapters() -> Vec<(String, String)> {
         let text = std::fs::read_to_string(crate::path("book/src").join(&file)).expect("a page of the list");
         (file, text)
     };
-    PAGES.iter().map(read).collect()
+    BOOK.pages.iter().map(read).collect()
 }
 
 /// Writes a file anew if it stands otherwise, and says whether it stood so.
@@ -28,12 +29,13 @@ fn stood_written(file: &str, text: &str) -> bool {
 
 #[test]
 fn what_the_list_of_pages_writes_is_written() {
-    let mut files = pages::written().expect("written");
+    let mut files = geneva_chapters::generate_files().expect("written");
     let library = std::fs::read_to_string(crate::path("book/lib.rs")).expect("the chapters' library");
     let (before, _) = library.split_once("\nchapters! {\n").expect("the list of chapters");
-    files.push(("book/lib.rs".to_owned(), format!("{before}\nchapters! {{\n{}}}\n", pages::chapters_to_test())));
+    files.push(("book/lib.rs".to_owned(), format!("{before}\nchapters! {{\n{}}}\n", chapters_to_test(BOOK.pages))));
     let readme = std::fs::read_to_string(crate::path("README.md")).expect("the README");
-    let readme = geneva_press::readme::written(&readme, address::settled()).expect("the README anew");
+    let readme =
+        readme::generate_readme(&BOOK, &readme, address::settled(&BOOK.imprint).as_ref()).expect("the README anew");
     files.push(("README.md".to_owned(), readme));
     files.retain(|(file, text)| !stood_written(file, text));
     let changed: Vec<_> = files.iter().map(|(file, _)| file.as_str()).collect();
@@ -51,9 +53,9 @@ fn no_page_is_left_out_of_the_list_and_what_it_is_to_list_is_shown() {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
         assert!(name == "SUMMARY.md" || listed.contains(&name), "{name} is in no list");
     }
-    for (page, (file, text)) in PAGES.iter().zip(chapters()) {
+    for (page, (file, text)) in BOOK.pages.iter().zip(chapters()) {
         let shows = text.contains(&format!("{{{{records:{}}}}}", page.name));
-        assert_eq!(shows, !matches!(page.records, Records::None), "{file} and the list of pages differ");
+        assert_eq!(shows, page.role.is_listing(), "{file} and the list of pages differ");
     }
 }
 
@@ -150,7 +152,7 @@ const ASKED_FOR_ALL: [&str; 2] = [
 
 #[test]
 fn every_further_field_is_said_in_some_chapter_or_by_some_table_or_figure() {
-    let sources = ["crates/press/src", "crates/live/src"].map(|folder| crate::files(folder, &[".rs"]));
+    let sources = ["crates/chapters/src", "crates/live/src"].map(|folder| crate::files(folder, &[".rs"]));
     let sources: String = sources.into_iter().flatten().map(|(_, text)| text).collect();
     let chapters: String = chapters().into_iter().map(|(_, text)| text).collect();
     for question in ASKED_FOR_ALL {
@@ -166,7 +168,7 @@ fn every_further_field_is_said_in_some_chapter_or_by_some_table_or_figure() {
 #[test]
 fn every_work_on_the_list_is_cited_and_every_citation_is_on_it() {
     let chapters = chapters();
-    let cited = bibliography::check(chapters.iter().map(|(_, text)| text.as_str()));
+    let cited = works::check(BOOK.works, chapters.iter().map(|(_, text)| text.as_str()));
     assert!(cited.is_ok(), "{cited:?}");
 }
 

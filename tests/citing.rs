@@ -1,7 +1,10 @@
 //! Can the book be cited? Looks at `CITATION.cff`, at the foot of every page, and at what the page of sources says.
 
-use geneva_press::citing::{self, AUTHORS, TITLE, VERSION};
-use geneva_press::{address, edition::Edition};
+use geneva_chapters::BOOK;
+use geneva_press::imprint::Imprint;
+use geneva_press::{address, citing, edition::Edition};
+
+const IMPRINT: &Imprint = &BOOK.imprint;
 
 /// A value in YAML, as far as `CITATION.cff` needs it.
 #[derive(Debug, PartialEq)]
@@ -102,14 +105,14 @@ fn faults(text: &str) -> Vec<String> {
 /// The day on which this version was released, by the changelog.
 fn released() -> Option<String> {
     let changelog = std::fs::read_to_string(crate::path("CHANGELOG.md")).expect("the changelog");
-    let head = format!("## [{VERSION}] - ");
+    let head = format!("## [{}] - ", IMPRINT.version);
     changelog.lines().find_map(|line| line.strip_prefix(&head).map(str::to_owned))
 }
 
 #[test]
 fn the_citation_file_says_what_the_book_says_and_what_its_format_asks_for() {
     let path = crate::path("CITATION.cff");
-    let expected = citing::cff(released().as_deref(), address::settled());
+    let expected = citing::cff(IMPRINT, released().as_deref(), address::settled(IMPRINT).as_ref());
     assert_eq!(faults(&expected), Vec::<String>::new(), "{expected}");
     let there = std::fs::read_to_string(&path).unwrap_or_default();
     if there != expected {
@@ -124,9 +127,9 @@ fn the_citation_file_says_what_the_book_says_and_what_its_format_asks_for() {
 fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_refused() {
     let address = address::Address::of_github("owner/geneva").expect("an address");
     for (date, address) in [(None, None), (Some("2026-11-23"), Some(&address))] {
-        assert_eq!(faults(&citing::cff(date, address)), Vec::<String>::new());
+        assert_eq!(faults(&citing::cff(IMPRINT, date, address)), Vec::<String>::new());
     }
-    let sound = citing::cff(Some("2026-11-23"), Some(&address));
+    let sound = citing::cff(IMPRINT, Some("2026-11-23"), Some(&address));
     for (right, wrong) in [
         ("cff-version: 1.2.0", "cff-version: 1.1.0"),
         ("title: \"Geneva, verified.", "name: \"Geneva, verified."),
@@ -149,8 +152,8 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
 
 #[test]
 fn every_page_says_at_its_foot_which_version_and_commit_it_is() {
-    let edition = Edition::of(&crate::path("book"));
-    let expected = format!("{TITLE}, {}.", edition.words());
+    let edition = Edition::detect(&crate::path("book"), IMPRINT);
+    let expected = format!("{}, {}.", IMPRINT.title, edition.words());
     for (name, page) in crate::book_pages::pages() {
         let foot: Vec<_> = crate::book_pages::within(page, "footer").into_iter().map(crate::book_pages::text).collect();
         assert_eq!(foot.len(), 1, "{name} has {} feet", foot.len());
@@ -162,15 +165,16 @@ fn every_page_says_at_its_foot_which_version_and_commit_it_is() {
 fn the_page_of_sources_says_how_to_cite_the_book_and_a_claim() {
     let page = &crate::book_pages::pages()["about.html"];
     let said: String = crate::book_pages::within(page, "main").into_iter().map(crate::book_pages::text).collect();
-    let edition = Edition::of(&crate::path("book"));
+    let edition = Edition::detect(&crate::path("book"), IMPRINT);
+    let address = address::known(IMPRINT);
     for part in [
-        &*citing::bibtex(&edition, address::known()),
-        &format!("{AUTHORS}: {TITLE}. {}. {}.", citing::SUBTITLE, edition.words()),
+        &*citing::bibtex(IMPRINT, &edition, address.as_ref()),
+        &format!("{}: {}. {}. {}.", IMPRINT.authors, IMPRINT.title, IMPRINT.subtitle, edition.words()),
         "Claim pin.slot-point-speed. In: ",
         "ledger.html#pin.slot-point-speed",
     ] {
         assert!(said.contains(part), "the page does not say `{part}`");
     }
     // An address that is not settled is not there, not even as an empty one.
-    assert!(address::known().is_some() || !said.contains("url = "), "an address that is none");
+    assert!(address.is_some() || !said.contains("url = "), "an address that is none");
 }

@@ -7,8 +7,8 @@ pub(crate) mod module;
 mod presets;
 
 use crate::browser::devtools::{Browser, Medium};
+use geneva_chapters::figures;
 use geneva_live::LIVE;
-use geneva_press::figures;
 use serde_json::{Value, json};
 
 /// The pages that show the figures.

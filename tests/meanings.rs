@@ -1,8 +1,8 @@
 //! Does a word have one meaning in the whole book? Each rise is called by its measure (the thesis leaves its own undefined), and the
 //! book's terminal speed is not the thesis's terminal velocity.
 
+use geneva_chapters::figures;
 use geneva_dynamics::steady::RiseMeasure;
-use geneva_press::figures;
 
 /// What tells that a rise is the thesis's own, whose end it leaves open, or leads to where the measures are listed.
 const OF_THE_THESIS: [&str; 9] = [

@@ -2,7 +2,8 @@
 
 use crate::book_pages::{Piece, book, pages, text, within};
 use crate::browser::devtools::{Browser, Medium};
-use geneva_press::pages::{PAGES, Place};
+use geneva_chapters::BOOK;
+use geneva_press::pages::PagePlace;
 use geneva_press::print::{FILE, numbers};
 use serde_json::json;
 use std::collections::HashSet;
@@ -25,7 +26,7 @@ fn every_chapter_is_in_the_document_and_in_its_contents() {
     let document = &pages()[FILE];
     let ids: HashSet<_> = values(document, "id").collect();
     let contents: Vec<_> = values(document, "data-page-of").collect();
-    let read = PAGES.iter().filter(|page| page.place != Place::Behind).map(|page| page.name);
+    let read = BOOK.pages.iter().filter(|page| page.place != PagePlace::Behind).map(|page| page.name);
     for name in read.chain(["solver", "mimic"]) {
         assert!(ids.contains(name) && contents.contains(&name), "{name} is not there");
     }
@@ -55,8 +56,8 @@ fn every_figure_and_table_of_a_chapter_is_in_the_document_whole() {
     let printed = captions(&pages()[FILE]);
     let mut count = 0;
     for (name, page) in pages() {
-        let place = PAGES.iter().find(|page| format!("{}.html", page.name) == *name).map(|page| page.place);
-        if place.is_none_or(|place| place == Place::Behind) {
+        let place = BOOK.pages.iter().find(|page| format!("{}.html", page.name) == *name).map(|page| page.place);
+        if place.is_none_or(|place| place == PagePlace::Behind) {
             continue;
         }
         for caption in captions(page) {
@@ -96,7 +97,7 @@ fn a_browser_prints_it_with_the_numbers_of_the_pages_and_cuts_no_figure() {
     }
     let count = numbers::pages(&file).expect("pages");
     assert!(SHEETS.contains(&count), "{count} sheets");
-    let chapters: Vec<_> = PAGES.iter().filter_map(|page| places.get(page.name)).collect();
+    let chapters: Vec<_> = BOOK.pages.iter().filter_map(|page| places.get(page.name)).collect();
     assert!(chapters.is_sorted() && chapters.len() > 20, "chapters are not in their order: {chapters:?}");
 
     // With them nothing has another height or another font, so nothing moves to another page. To print it again would say the

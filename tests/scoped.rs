@@ -1,9 +1,9 @@
 //! Do sentences of the chapters hold as far as they say, and no farther?
 
+use geneva_chapters::asked;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
 use geneva_kinematics::wheel::{Choices, Contact, Scale, Sizes, Wheel};
-use geneva_press::asked;
 
 /// A number of the answer to a question.
 fn number(question: &str, key: &str) -> f64 {

@@ -1,7 +1,7 @@
 //! Which numbers are behind the figures, the verdicts and the sentences? They are pinned as text, with the drawings beside them.
 
+use geneva_chapters::{BOOK, figures};
 use geneva_documents::LEDGER;
-use geneva_press::{figures, placeholders};
 use insta::{Settings, assert_snapshot};
 
 /// Binds snapshots to `snapshots/<area>`, named without a module.
@@ -24,7 +24,7 @@ fn the_figures_and_the_numbers_behind_them() {
 
 #[test]
 fn what_a_reader_reads_for_each_placeholder() {
-    for (page, text) in placeholders::readings(&crate::path("book/src")).expect("all are known") {
+    for (page, text) in geneva_press::readings(&BOOK, &crate::path("book/src")).expect("all are known") {
         in_area("pages", || assert_snapshot!(page, text));
     }
 }

@@ -7,11 +7,11 @@
 use crate::book_sources::chapters;
 use geneva_case1973::likelihood::{LEAST_SPREAD, Law};
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reset, Row, SixPin, Weighing, rows_of};
+use geneva_chapters::asked;
 use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::study::scores;
 use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_evidence::numeric_tokens;
-use geneva_press::asked;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
 /// Names with numbers in them: works, standards, licences, machines, dates, identifiers.

@@ -3,12 +3,12 @@
 
 use super::mechanisms::{When, pin, quick_return, wheel};
 use super::{escapement, joints};
+use geneva_chapters::figures::FIGURES;
 use geneva_documents::LEDGER;
 use geneva_documents::WILD;
 use geneva_evidence::Kind;
 use geneva_evidence::tex::{Display, Moment, letters_in};
 use geneva_figures::notation::NOTATION;
-use geneva_press::figures::FIGURES;
 use std::collections::BTreeMap;
 
 /// What holds of the letters of a chapter: which chapter, in which states, which relations.

@@ -11,11 +11,11 @@ const GIVEN_UP: &[(&str, &[&str], &str)] = &[
     ("preload", &["dynamics"], "constant drag torque"),
     ("stretch", &["kinematics", "dynamics", "figures"], "subinterval, or Jacobian"),
     ("half_station", &["kinematics", "dynamics", "ledger", "figures"], "half pitch angle"),
-    ("neat", &["kinematics", "dynamics", "figures", "ledger", "press"], "what it does"),
-    ("had_been", &["kinematics", "dynamics", "figures", "ledger", "press"], "what it is"),
+    ("neat", &["kinematics", "dynamics", "figures", "ledger", "press", "chapters"], "what it does"),
+    ("had_been", &["kinematics", "dynamics", "figures", "ledger", "press", "chapters"], "what it is"),
     ("shade", &["figures"], "colour"),
-    ("lean", &["press"], "minified"),
-    ("house", &["press", "geneva"], "architecture"),
+    ("lean", &["press", "chapters"], "minified"),
+    ("house", &["press", "chapters", "geneva"], "architecture"),
 ];
 
 /// The names of a file: its words of code, without comments and texts.

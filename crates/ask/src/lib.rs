@@ -27,7 +27,8 @@ pub mod quick_return;
 pub mod wheel;
 pub mod written;
 
-pub use field::{Answer, Field, Item, Line, Rounding, Row, Shows, Value};
+pub use field::{Answer, Field, Item, Line, Rounding, Shows};
+pub use geneva_fields::{Row, Value};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;

@@ -5,8 +5,8 @@ use crate::print::PrintArguments;
 use crate::{print, progress, signals, workspace};
 use anyhow::Context;
 use clap::{Args, Subcommand};
-use geneva_press::Geneva;
-use geneva_press::building::{self, Built};
+use geneva_chapters::BOOK;
+use geneva_press::building::BuiltBook;
 use std::path::PathBuf;
 
 /// Options of `geneva book`.
@@ -70,10 +70,10 @@ pub fn run(wanted: BookArguments, streams: &mut dyn Streams) -> anyhow::Result<O
 pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Result<()> {
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("book"));
-    let Built { first_page, kept } = {
+    let BuiltBook { first_page, kept } = {
         let _step = progress::step(format!("building the book in {}", out.display()));
         signals::clear_up_first()?;
-        building::build(&root, &out, Geneva)?
+        geneva_press::build(&BOOK, &root, &out)?
     };
     let folder = first_page.parent().unwrap_or(&out);
     let layout = streams.layout();
@@ -99,7 +99,7 @@ pub const TESTED: &str = "Every Rust block of the book compiles and runs.\n";
 fn test(streams: &mut dyn Streams) -> anyhow::Result<()> {
     {
         let _step = progress::step("testing the chapters");
-        building::test(&workspace::root()?, Geneva)?;
+        geneva_press::test(&BOOK, &workspace::root()?)?;
     }
     streams.print(TESTED)?;
     Ok(())

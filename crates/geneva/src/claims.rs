@@ -4,6 +4,7 @@ use crate::fields;
 use crate::output::{TextLayout, count, cut, heading, style};
 use crate::typed::{self, Format, Output, formats};
 use clap::Args;
+use geneva_chapters::BOOK;
 use geneva_documents::LEDGER;
 use geneva_evidence::Document;
 use geneva_evidence::{Decimal, Judged, Verdict, without_ellipses};
@@ -34,11 +35,12 @@ pub struct ClaimsArguments {
 pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
     let rows: Vec<_> = derived(wanted).into_iter().filter(of_verdict).collect();
+    let row = |judged| records::claim(BOOK.ledger, judged);
     match wanted.format {
-        Format::Json => fields::json(&rows.into_iter().map(records::claim).collect::<Vec<_>>()),
+        Format::Json => fields::json(&rows.into_iter().map(row).collect::<Vec<_>>()),
         Format::Csv => fields::csv(
-            LEDGER.claims().first().and_then(|claim| LEDGER.verdict(claim.id)).map(records::claim).as_ref(),
-            rows.into_iter().map(records::claim),
+            LEDGER.claims().first().and_then(|claim| LEDGER.verdict(claim.id)).map(row).as_ref(),
+            rows.into_iter().map(row),
         ),
         _ => Ok(table(&rows, layout)),
     }
@@ -129,7 +131,7 @@ mod tests {
     use super::*;
     use crate::{Arguments, Command};
     use clap::Parser;
-    use geneva_documents::LEDGER;
+    use geneva_documents::{LEDGER, PIN};
     use geneva_evidence::{Evidence, Locator, judge};
 
     /// The ids of the claims that are listed for these options.

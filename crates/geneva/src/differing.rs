@@ -44,6 +44,7 @@ const REMEDY: &str = "Compare the printed characters with the source. If they ar
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_documents::PIN;
     use geneva_evidence::{Evidence, Locator, judge};
 
     /// A claim that no source makes, with these digits for seven thirds.

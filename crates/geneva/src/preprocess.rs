@@ -5,7 +5,8 @@ use crate::output::{Outcome, Streams};
 use crate::printable::chain;
 use anyhow::{anyhow, ensure};
 use clap::{Args, Subcommand};
-use geneva_press::{Geneva, building};
+use geneva_chapters::BOOK;
+use geneva_press::Press;
 use mdbook_preprocessor::{Preprocessor, parse_input};
 use std::io::{IsTerminal, stdin};
 
@@ -34,7 +35,7 @@ pub enum Question {
 /// Answers the question, or processes the book on standard input.
 pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     if let Some(Question::Supports { renderer }) = call.question {
-        return Ok(Outcome::as_recorded_if(Geneva.supports_renderer(&renderer)?));
+        return Ok(Outcome::as_recorded_if(Press(&BOOK).supports_renderer(&renderer)?));
     }
     ensure!(
         !stdin().is_terminal(),
@@ -46,11 +47,11 @@ pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Resu
             chain(&error)
         )
     })?;
-    let mut book = Geneva.run(&context, book)?;
+    let mut book = Press(&BOOK).run(&context, book)?;
     if context.renderer == TESTS {
         // mdBook gives rustdoc no crates unless it is told where they are. So the programs are tested here, with those of
         // the project, by mdBook's library, and mdBook gets chapters in which nothing is left to be tested.
-        building::test(context.root.parent().unwrap_or(&context.root), Geneva)?;
+        geneva_press::test(&BOOK, context.root.parent().unwrap_or(&context.root))?;
         book.for_each_chapter_mut(|chapter| chapter.content.clear());
         streams.tell(TESTED);
     }

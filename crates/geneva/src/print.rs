@@ -4,8 +4,7 @@ use crate::output::Streams;
 use crate::{progress, signals, workspace};
 use anyhow::{Context, bail, ensure};
 use clap::Args;
-use geneva_press::Geneva;
-use geneva_press::building;
+use geneva_chapters::BOOK;
 use geneva_press::print::{self, numbers};
 use std::env;
 use std::fs;
@@ -43,7 +42,7 @@ pub fn run(wanted: &PrintArguments, streams: &mut dyn Streams) -> anyhow::Result
     {
         let _step = progress::step("building the book");
         signals::clear_up_first()?;
-        building::build(&root, &book, Geneva)?;
+        geneva_press::build(&BOOK, &root, &book)?;
     }
     let document = book.join(print::FILE);
     // mdBook has a document of this name, too.
@@ -56,7 +55,7 @@ pub fn run(wanted: &PrintArguments, streams: &mut dyn Streams) -> anyhow::Result
     let pdf = folder.path().join("book.pdf");
     let pages = {
         let _step = progress::step("printing");
-        let mut before = numbers::Places::new();
+        let mut before = numbers::PageNumbers::new();
         let mut left = PRINTS;
         loop {
             left -= 1;

@@ -125,7 +125,7 @@ mod tests {
     use super::*;
     use crate::{Arguments, Command, claims, errata};
     use clap::Parser;
-    use geneva_documents::LEDGER;
+    use geneva_documents::{PIN, WILD};
     use geneva_evidence::{Evidence, Locator, judge};
     use geneva_host::layout::columns;
 
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn every_list_of_claims_and_mistakes_fits_into_every_terminal() {
-        let all = geneva_documents::LEDGER.verdicts();
+        let all = LEDGER.verdicts();
         for width in [60, 80, 100] {
             let layout = TextLayout::for_columns(width);
             let pages = ["claims", "errata --all", "errata --source wild --all"].map(|line| {

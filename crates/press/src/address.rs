@@ -1,10 +1,11 @@
 //! Where the book can be read and where its source is, if that is settled.
 //!
-//! The place for both is `homepage` and `repository` in the workspace's `Cargo.toml`. While they are empty, a book that a
-//! workflow of GitHub builds takes them from the name of its repository. Everything reads well without them, too.
+//! The place for both is the book's imprint, which takes them from `homepage` and `repository` in a `Cargo.toml`. While they
+//! are empty, a book that a workflow of GitHub builds takes them from the name of its repository. Everything reads well
+//! without them, too.
 
+use crate::imprint::Imprint;
 use std::env;
-use std::sync::LazyLock;
 
 /// The addresses of a published book.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,23 +16,19 @@ pub struct Address {
     pub source: String,
 }
 
-/// The addresses in `Cargo.toml`. README and CITATION.cff have these only, so that they are alike wherever they are made.
-pub fn settled() -> Option<&'static Address> {
-    static SETTLED: LazyLock<Option<Address>> =
-        LazyLock::new(|| Address::of(env!("CARGO_PKG_HOMEPAGE"), env!("CARGO_PKG_REPOSITORY")));
-    SETTLED.as_ref()
+/// The addresses in the imprint. README and CITATION.cff have these only, so that they are alike wherever they are made.
+pub fn settled(imprint: &Imprint) -> Option<Address> {
+    Address::from_manifest(imprint.homepage, imprint.repository)
 }
 
-/// The addresses in `Cargo.toml`, or else those that follow from `GITHUB_REPOSITORY`, which a workflow of GitHub sets.
-pub fn known() -> Option<&'static Address> {
-    static FOLLOWS: LazyLock<Option<Address>> =
-        LazyLock::new(|| Address::of_github(&env::var("GITHUB_REPOSITORY").unwrap_or_default()));
-    settled().or(FOLLOWS.as_ref())
+/// The addresses in the imprint, or else those that follow from `GITHUB_REPOSITORY`, which a workflow of GitHub sets.
+pub fn known(imprint: &Imprint) -> Option<Address> {
+    settled(imprint).or_else(|| Address::of_github(&env::var("GITHUB_REPOSITORY").unwrap_or_default()))
 }
 
 impl Address {
     /// The addresses as a manifest has them. An empty one is none, and so is one that is no web address.
-    pub fn of(homepage: &str, repository: &str) -> Option<Self> {
+    pub fn from_manifest(homepage: &str, repository: &str) -> Option<Self> {
         let is_web =
             |text: &&str| text.starts_with("https://") && text.bytes().all(|byte| is_plain(byte) || byte == b':');
         let book = Some(homepage).filter(is_web)?;
@@ -72,7 +69,7 @@ mod tests {
         for (homepage, repository) in
             [("", ""), ("", "https://github.com/a/b"), ("ftp://a", ""), ("https://a/\"><script>", ""), ("a", "b")]
         {
-            assert_eq!(Address::of(homepage, repository), None, "{homepage} {repository}");
+            assert_eq!(Address::from_manifest(homepage, repository), None, "{homepage} {repository}");
         }
         for name in ["", "a", "a/", "/b", "a/b/c", "a/b c", "a/<b>"] {
             assert_eq!(Address::of_github(name), None, "{name}");
@@ -90,8 +87,8 @@ mod tests {
 
     #[test]
     fn a_manifest_may_have_the_book_alone() {
-        let of = Address::of("https://example.org/geneva", "").expect("an address");
+        let of = Address::from_manifest("https://example.org/geneva", "").expect("an address");
         assert_eq!((of.book.as_str(), of.source.as_str()), ("https://example.org/geneva/", ""));
-        assert_eq!(Address::of("https://example.org/geneva/", "").expect("an address"), of);
+        assert_eq!(Address::from_manifest("https://example.org/geneva/", "").expect("an address"), of);
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! mdBook leaves such braces on the page and goes on, so a chapter is asked before anything is put in.
 
+use crate::book::Book;
 use crate::fences::is_rust;
 use crate::lookup::unknown;
 use crate::maths::{dialect, line};
@@ -18,7 +19,7 @@ const THEMSELVES: &str = "the braces themselves are `&#123;&#123;`";
 
 /// Where in a chapter double braces are.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum BracePlace {
     Text,
     Code,
     Formula,
@@ -28,20 +29,20 @@ enum Place {
 
 /// What is wrong with the double braces of a chapter, each with its line. Files are looked for from `folder`, in which the
 /// chapter is.
-pub fn faults(chapter: &str, folder: &Path) -> Vec<String> {
+pub fn faults(book: &Book, chapter: &str, folder: &Path) -> Vec<String> {
     let places = places(chapter);
     let mut faults = Vec::new();
     let mut from = 0;
     while let Some(open) = chapter[from..].find("{{").map(|at| from + at) {
         from = open + 2;
         let place =
-            places.iter().rev().find(|(range, _)| range.contains(&open)).map_or(Place::Text, |(_, place)| *place);
+            places.iter().rev().find(|(range, _)| range.contains(&open)).map_or(BracePlace::Text, |(_, place)| *place);
         let inside = chapter[from..].find("}}").map(|length| &chapter[from..from + length]);
         // mdBook takes the backslash away and leaves the braces, for a chapter on mdBook.
         let is_escaped = chapter[..open].ends_with('\\') && chapter[from..].starts_with('#');
         let fault = inside.map_or_else(
-            || (place == Place::Text).then(|| format!("double braces without an end `}}}}` ({THEMSELVES})")),
-            |inside| fault(inside, place, folder),
+            || (place == BracePlace::Text).then(|| format!("double braces without an end `}}}}` ({THEMSELVES})")),
+            |inside| fault(book, inside, place, folder),
         );
         if let Some(fault) = fault.filter(|_| !is_escaped) {
             faults.push(format!("line {}: {fault}", line(chapter, open)));
@@ -51,20 +52,21 @@ pub fn faults(chapter: &str, folder: &Path) -> Vec<String> {
 }
 
 /// What is wrong with braces that contain this.
-fn fault(inside: &str, place: Place, folder: &Path) -> Option<String> {
+fn fault(book: &Book, inside: &str, place: BracePlace, folder: &Path) -> Option<String> {
     if let Some(directive) = inside.trim_start().strip_prefix('#') {
-        return (place != Place::Formula).then(|| misdirected(directive, folder)).flatten();
+        return (place != BracePlace::Formula).then(|| misdirected(directive, folder)).flatten();
     }
     let (key, argument) = inside.split_once(':').map_or((inside, None), |(key, argument)| (key, Some(argument)));
     let is_key = !key.is_empty() && key.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-');
-    let is_known = keys().any(|known| known == key);
+    let keys = keys(book).map(|key| key.name);
+    let is_known = keys.clone().any(|known| known == key);
     match place {
-        Place::Formula if is_known => {
+        BracePlace::Formula if is_known => {
             Some(format!("`{{{{{inside}}}}}` is in a formula, where no number is put in: end the formula before it"))
         }
-        Place::Text if !is_known => Some(format!("{} ({THEMSELVES})", unknown("placeholder", key.trim(), keys()))),
-        Place::Code if !is_known && is_key && argument.is_some() => {
-            Some(unknown("placeholder", key, keys()).to_string())
+        BracePlace::Text if !is_known => Some(format!("{} ({THEMSELVES})", unknown("placeholder", key.trim(), keys))),
+        BracePlace::Code if !is_known && is_key && argument.is_some() => {
+            Some(unknown("placeholder", key, keys).to_string())
         }
         _ => None,
     }
@@ -86,7 +88,7 @@ fn misdirected(directive: &str, folder: &Path) -> Option<String> {
     let part = if word == "playground" { "" } else { part };
     let file = folder.join(path);
     match fs::read_to_string(&file) {
-        Ok(text) => (!holds(&text, part)).then(|| {
+        Ok(text) => (!contains_part(&text, part)).then(|| {
             format!("`{{{{#{word} {wanted}}}}}`: {path} has no `{part}`, which is a line, two with a colon between, or an anchor")
         }),
         Err(why) => Some(format!(
@@ -97,7 +99,7 @@ fn misdirected(directive: &str, folder: &Path) -> Option<String> {
 }
 
 /// Whether a text has the part that is asked for: a line, some lines, or an anchor. Without any it is the whole text.
-fn holds(text: &str, part: &str) -> bool {
+fn contains_part(text: &str, part: &str) -> bool {
     let mut ends = part.splitn(3, ':');
     let first = ends.next().unwrap_or_default();
     let number = |end: &str| if end.is_empty() { Some(None) } else { end.parse::<usize>().ok().map(Some) };
@@ -116,15 +118,15 @@ fn holds(text: &str, part: &str) -> bool {
 }
 
 /// The formulas and the code of a chapter.
-fn places(chapter: &str) -> Vec<(Range<usize>, Place)> {
+fn places(chapter: &str) -> Vec<(Range<usize>, BracePlace)> {
     let mut found = Vec::new();
     for (event, range) in Parser::new_ext(chapter, dialect()).into_offset_iter() {
         match event {
-            Event::InlineMath(_) | Event::DisplayMath(_) => found.push((range, Place::Formula)),
-            Event::Code(_) => found.push((range, Place::Code)),
+            Event::InlineMath(_) | Event::DisplayMath(_) => found.push((range, BracePlace::Formula)),
+            Event::Code(_) => found.push((range, BracePlace::Code)),
             Event::Start(Tag::CodeBlock(kind)) => {
                 let is_rust = matches!(&kind, CodeBlockKind::Fenced(info) if is_rust(info));
-                found.push((range, if is_rust { Place::Rust } else { Place::Code }));
+                found.push((range, if is_rust { BracePlace::Rust } else { BracePlace::Code }));
             }
             _ => {}
         }
@@ -135,13 +137,14 @@ fn places(chapter: &str) -> Vec<(Range<usize>, Place)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::BOOK;
     use tempfile::TempDir;
 
     /// The faults of a chapter in a folder with the file `deck.mim`, of three lines with an anchor.
     fn found(chapter: &str) -> Vec<String> {
         let folder = TempDir::new().expect("a folder");
         fs::write(folder.path().join("deck.mim"), "one\n* ANCHOR: here\nthree\n").expect("writable");
-        faults(chapter, folder.path())
+        faults(&BOOK, chapter, folder.path())
     }
 
     #[test]

@@ -5,7 +5,7 @@
 
 mod exchange;
 mod list;
-mod place;
+mod output_folder;
 mod site;
 mod warnings;
 
@@ -16,54 +16,67 @@ use anyhow::Context;
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
 
+use crate::book::Book;
 use crate::edition::Edition;
-use crate::{address, cards, fingerprints, libraries, minify, policy, print, search};
+use crate::preprocessor::Press;
+use crate::{address, fingerprints, libraries, minify, phone_tables, policy, print, search};
 use site::Site;
 pub use site::abandon;
 
 /// A book that has been built.
 #[derive(Debug)]
-pub struct Built {
+pub struct BuiltBook {
     /// Its first page.
     pub first_page: PathBuf,
     /// Folders that hold files which somebody added to the old book just as it was replaced. Usually there are none.
     pub kept: Vec<PathBuf>,
 }
 
-/// Renders the book of the workspace `root` into the folder `out`.
+/// Builds the pages of a book, whose chapters are in the workspace `root`, into the folder `out`.
 ///
-/// `preprocessor` takes the place of the command of the same name in `book.toml`. `out` may be absent, empty, or an
-/// earlier build and nothing else; anything else is refused before the build begins. When something fails, `out` is as
-/// it was.
-pub fn build(root: &Path, out: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<Built> {
-    let mut book = warnings::refuse(|| load(root, preprocessor))?;
-    let out = place::find(out, &book.source_dir())?;
+/// `out` may be absent, empty, or an earlier build and nothing else; anything else is refused before the build begins. When
+/// something fails, `out` is as it was. A key in double braces that the book does not have, and an argument that its key does
+/// not know, stop the build; the error names file, line and the nearest name.
+pub fn build(book: &'static Book, root: &Path, out: &Path) -> anyhow::Result<BuiltBook> {
+    build_with(book, root, out, Press(book))
+}
+
+/// Builds a book with a preprocessor that takes the place of the command of the same name in `book.toml`.
+fn build_with(
+    book: &'static Book,
+    root: &Path,
+    out: &Path,
+    preprocessor: impl Preprocessor + 'static,
+) -> anyhow::Result<BuiltBook> {
+    let mut source = warnings::refuse(|| load(root, preprocessor))?;
+    let out = output_folder::find(out, &source.source_dir())?;
     let site = Site::open(&out)?;
-    render(&mut book, &site.new_book()).with_context(|| {
-        format!("the book in {} does not build; {} is as it was", book.root.display(), out.display())
+    render(book, &mut source, &site.new_book()).with_context(|| {
+        format!("the book in {} does not build; {} is as it was", source.root.display(), out.display())
     })?;
     let kept = site.finish()?;
-    Ok(Built { first_page: out.join("index.html"), kept })
+    Ok(BuiltBook { first_page: out.join("index.html"), kept })
 }
 
 /// Makes all files of the book in the folder `new`.
-fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
-    book.config.build.build_dir = new.to_owned();
-    warnings::refuse(|| book.build())?;
-    search::index(new)?;
-    print::write(new, &Edition::of(&book.root), address::known())?;
-    finish(new)?;
+fn render(book: &Book, source: &mut MDBook, new: &Path) -> anyhow::Result<()> {
+    source.config.build.build_dir = new.to_owned();
+    warnings::refuse(|| source.build())?;
+    search::index(book, new)?;
+    let edition = Edition::detect(&source.root, &book.imprint);
+    print::write(book, new, &edition, address::known(&book.imprint).as_ref())?;
+    finish(book, new)?;
     list::write(new)
 }
 
 /// Puts the last hand to the style sheets, scripts and pages of a built book. A file has its name when it changes no more, and
 /// a page its policy when it names all files as they are.
-fn finish(book: &Path) -> anyhow::Result<()> {
-    rewrite(book, "css", &|text| Ok(minify::style(text)))?;
-    rewrite(book, "js", &|text| Ok(minify::script(text)))?;
-    rewrite(book, "html", &|text| Ok(minify::page(&with_way_past_the_list(&cards::labelled(text)))))?;
-    fingerprints::renew(book)?;
-    rewrite(book, "html", &policy::guarded)
+fn finish(book: &Book, folder: &Path) -> anyhow::Result<()> {
+    rewrite(folder, "css", &|text| Ok(minify::style(text)))?;
+    rewrite(folder, "js", &|text| Ok(minify::script(text)))?;
+    rewrite(folder, "html", &|text| Ok(minify::page(&with_way_past_the_list(&phone_tables::labelled(text)))))?;
+    fingerprints::renew(folder)?;
+    rewrite(folder, "html", &|page| policy::guarded(page, book.modules))
 }
 
 /// A page that begins with a link past the list of chapters, for readers with a keyboard.
@@ -91,19 +104,19 @@ fn rewrite(folder: &Path, kind: &str, change: &dyn Fn(&str) -> anyhow::Result<St
     Ok(())
 }
 
-/// Compiles and runs every Rust block of the book of the workspace `root`.
+/// Compiles and runs every Rust block of a book, whose chapters are in the workspace `root`.
 ///
 /// rustdoc needs exactly one library for each crate, and a `target` directory may hold several; so Cargo is
-/// asked for those of one build of the root package, and they are linked into `target/book-libs`. mdBook
+/// asked for those of one build of the examples' package, and they are linked into `target/book-libs`. mdBook
 /// itself writes what rustdoc says about a failing block to standard error.
-pub fn test(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<()> {
-    let mut book = warnings::refuse(|| load(root, preprocessor))?;
-    let libraries = libraries::link(root)?;
+pub fn test(book: &'static Book, root: &Path) -> anyhow::Result<()> {
+    let mut source = warnings::refuse(|| load(root, Press(book)))?;
+    let libraries = libraries::link(root, book.examples.package)?;
     let path = libraries
         .to_str()
         .with_context(|| format!("{} is not UTF-8: move the workspace to a path that is", libraries.display()))?;
-    warnings::refuse(|| book.test(vec![path]))
-        .with_context(|| format!("the blocks of the book in {}", book.root.display()))
+    warnings::refuse(|| source.test(vec![path]))
+        .with_context(|| format!("the blocks of the book in {}", source.root.display()))
 }
 
 fn load(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<MDBook> {
@@ -120,9 +133,11 @@ fn load(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Resul
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pages::generate_summary;
+    use crate::samples::BOOK;
     use anyhow::ensure;
     use mdbook_preprocessor::PreprocessorContext;
-    use mdbook_preprocessor::book::Book;
+    use mdbook_preprocessor::book::Book as Chapters;
     use std::fs;
     use tempfile::TempDir;
 
@@ -133,10 +148,10 @@ mod tests {
 
     impl Preprocessor for Still {
         fn name(&self) -> &str {
-            "geneva"
+            BOOK.imprint.program
         }
 
-        fn run(&self, _: &PreprocessorContext, book: Book) -> anyhow::Result<Book> {
+        fn run(&self, _: &PreprocessorContext, book: Chapters) -> anyhow::Result<Chapters> {
             ensure!(!self.fails, "chapter.md: line 3: no such claim");
             Ok(book)
         }
@@ -147,7 +162,7 @@ mod tests {
         let root = TempDir::new().unwrap();
         let source = root.path().join("book/src");
         fs::create_dir_all(&source).unwrap();
-        let settings = "[book]\ntitle = \"A trial\"\n[preprocessor.geneva]\ncommand = \"false\"\n";
+        let settings = "[book]\ntitle = \"A trial\"\n[preprocessor.sample]\ncommand = \"false\"\n";
         fs::write(root.path().join("book/book.toml"), settings).unwrap();
         fs::write(source.join("SUMMARY.md"), "- [Chapter](chapter.md)\n").unwrap();
         fs::write(source.join("chapter.md"), "# Chapter\n\nText.\n").unwrap();
@@ -155,7 +170,7 @@ mod tests {
     }
 
     fn attempt(root: &TempDir, out: &str, fails: bool) -> Result<PathBuf, String> {
-        let built = build(root.path(), &root.path().join(out), Still { fails });
+        let built = build_with(&BOOK, root.path(), &root.path().join(out), Still { fails });
         built.map(|built| built.first_page).map_err(|error| format!("{error:#}"))
     }
 
@@ -164,6 +179,75 @@ mod tests {
         let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
+    }
+
+    /// A workspace with a book of one chapter, at which the preprocessor looks.
+    fn workspace_of(chapter: &str) -> TempDir {
+        let root = workspace();
+        let source = root.path().join("book/src");
+        fs::remove_file(source.join("chapter.md")).unwrap();
+        let (summary_path, summary) = generate_summary(&BOOK.pages[1..]);
+        assert!(summary_path.ends_with("src/SUMMARY.md"));
+        fs::write(source.join("SUMMARY.md"), summary).unwrap();
+        for page in &BOOK.pages[1..] {
+            let text = match page.name {
+                "pin" => chapter,
+                "about" => "# Sources\n\n{{works}}\n",
+                "errata" => "# Errata\n\n{{records:errata}}\n",
+                "ledger" => "# All claims\n\n{{records:ledger}}\n",
+                _ => "# Another\n\nText.\n",
+            };
+            fs::write(source.join(page.name).with_extension("md"), text).unwrap();
+        }
+        root
+    }
+
+    #[test]
+    fn a_book_has_its_own_keys_figures_tables_and_works() {
+        let root = workspace_of(
+            "# Chapter\n\nTwice 21 is {{double:21}} as in {{cite:johnson}}.\n\n{{figure:circle}}\n\n{{table:rows}}\n\nSee {{ref:rows}}. \
+             It takes {{claim:leaflet.time}}.\n\n{{erratum:leaflet.speed}}\n\n{{compare:leaflet}}\n",
+        );
+        let first = build(&BOOK, root.path(), &root.path().join("out")).expect("built").first_page;
+        let read = |file: &str| fs::read_to_string(first.with_file_name(file)).expect(file);
+        let page = read("pin.html");
+        for part in [
+            "Twice 21 is 42",
+            "about.html#work-johnson",
+            "<svg></svg>",
+            "<strong>Figure\u{a0}1.1.</strong>",
+            "<a href=\"#table-rows\">Table\u{a0}1.1</a>",
+            "A sample, version 1.2.3",
+            "2.02\u{a0}s</span>",
+            "href=\"errata.html#slip-leaflet.speed\"",
+        ] {
+            assert!(page.contains(part), "the page has no `{part}`: {page}");
+        }
+        assert!(read("about.html").contains("<li id=\"work-johnson\">"));
+        assert!(read("errata.html").contains("id=\"slip-leaflet.speed\""));
+        let ledger = read("ledger.html");
+        assert_eq!(ledger.matches("<li id=\"leaflet.").count(), BOOK.ledger.claims().len());
+        assert!(ledger.contains("<option value=\"documents\">the document</option>"), "{ledger}");
+        assert_eq!(read("data/circle.csv"), "x\n1\n");
+        assert_eq!(read("data/table-rows.csv"), "x,y\n1,2\n");
+        assert!(read("data/claims.json").contains("\"title\": \"A sample\""));
+        assert!(read(print::FILE).contains("<p class=\"title\">A sample</p>"));
+    }
+
+    #[test]
+    fn an_unknown_key_and_a_misspelt_argument_stop_the_build_with_file_line_and_the_nearest_name() {
+        for (braces, why) in [
+            ("{{doubel:21}}", "no placeholder `doubel`; the nearest is `double`"),
+            ("{{figure:circel}}", "no figure `circel`; the nearest is `circle`"),
+            ("{{table:row}}", "no table `row`; the nearest is `rows`"),
+            ("{{cite:jonson}}", "no work `jonson`; the nearest is `johnson`"),
+        ] {
+            let root = workspace_of(&format!("# Chapter\n\nOf {braces}.\n"));
+            let error = build(&BOOK, root.path(), &root.path().join("out")).expect_err(braces);
+            let error = format!("{error:#}");
+            assert!(error.contains(&format!("pin.md: line 3: {why}")), "{error}");
+            assert_eq!(names(root.path()), ["book"], "a book is there");
+        }
     }
 
     #[test]

@@ -1,40 +1,23 @@
 //! How to cite the book and a claim in it: in words, as BibTeX, and as `CITATION.cff`, from the same facts.
 
 use crate::address::Address;
+use crate::book::Book;
 use crate::edition::Edition;
 use crate::html::escape;
+use crate::imprint::Imprint;
 use crate::lookup;
-use crate::pages::address_of_claim;
-
-/// The title of the book.
-pub const TITLE: &str = "Geneva, verified";
-/// What is below the title.
-pub const SUBTITLE: &str = "Four texts on Geneva-type mechanisms, computed again";
-/// Who answers for it.
-pub const AUTHORS: &str = "The authors of Geneva, verified";
-/// The version of the project.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
-/// What the book is about, in two lines for `CITATION.cff`.
-const ABSTRACT: [&str; 2] = [
-    "A book about Geneva mechanisms in which every number, equation, figure and statement of its sources that can be",
-    "checked has a verdict, which a test derives.",
-];
-/// The licence of the book's text, figures and data, as SPDX names it.
-pub const LICENCE: &str = "CC-BY-4.0";
-/// Where its text is.
-pub const LICENCE_ADDRESS: &str = "https://creativecommons.org/licenses/by/4.0/";
-/// The licences of the programs, either of which may be chosen, which is what a list means in a CFF file.
-const LICENCES: [&str; 2] = ["MIT", "Apache-2.0"];
-const KEYWORDS: [&str; 4] = ["Geneva mechanism", "intermittent motion", "kinematics", "reproducibility"];
+use crate::pages::PageRole;
 
 /// The project's `CITATION.cff`, in version 1.2.0 of the Citation File Format. The date is that of the version's release,
 /// if it has been released.
-pub fn cff(released: Option<&str>, address: Option<&Address>) -> String {
+pub fn cff(imprint: &Imprint, released: Option<&str>, address: Option<&Address>) -> String {
+    let Imprint { title, subtitle, authors, version, .. } = imprint;
+    let folded = |lines: &[&str]| lines.iter().map(|line| format!("  {line}\n")).collect::<String>();
     let mut out = format!(
-        "cff-version: 1.2.0\nmessage: >-\n  If you use a verdict or a number of this book, please cite it. Its text,\n  figures and \
-         data are under CC BY 4.0, its programs under MIT or Apache 2.0.\ntitle: \"{TITLE}. {SUBTITLE}\"\nabstract: >-\n  \
-         {}\n  {}\ntype: software\nauthors:\n  - name: {AUTHORS}\nversion: {VERSION}\n",
-        ABSTRACT[0], ABSTRACT[1]
+        "cff-version: 1.2.0\nmessage: >-\n{}title: \"{title}. {subtitle}\"\nabstract: >-\n{}type: software\nauthors:\n  - \
+         name: {authors}\nversion: {version}\n",
+        folded(imprint.request),
+        folded(imprint.summary)
     );
     if let Some(date) = released {
         out.push_str(&format!("date-released: \"{date}\"\n"));
@@ -45,7 +28,7 @@ pub fn cff(released: Option<&str>, address: Option<&Address>) -> String {
             out.push_str(&format!("repository-code: {}\n", address.source));
         }
     }
-    for (key, list) in [("license", &LICENCES[..]), ("keywords", &KEYWORDS[..])] {
+    for (key, list) in [("license", imprint.program_licences), ("keywords", imprint.keywords)] {
         out.push_str(&format!("{key}:\n"));
         out.extend(list.iter().map(|item| format!("  - {item}\n")));
     }
@@ -53,8 +36,11 @@ pub fn cff(released: Option<&str>, address: Option<&Address>) -> String {
 }
 
 /// The book as an entry of BibTeX.
-pub fn bibtex(edition: &Edition, address: Option<&Address>) -> String {
-    let mut fields = vec![("author", format!("{{{AUTHORS}}}")), ("title", format!("{TITLE}. {SUBTITLE}"))];
+pub fn bibtex(imprint: &Imprint, edition: &Edition, address: Option<&Address>) -> String {
+    let mut fields = vec![
+        ("author", format!("{{{}}}", imprint.authors)),
+        ("title", format!("{}. {}", imprint.title, imprint.subtitle)),
+    ];
     if let Some(year) = edition.date.as_deref().and_then(|date| date.get(..4)) {
         fields.push(("year", year.to_owned()));
     }
@@ -64,55 +50,77 @@ pub fn bibtex(edition: &Edition, address: Option<&Address>) -> String {
         fields.push(("url", address.book.clone()));
     }
     let fields: Vec<_> = fields.iter().map(|(key, value)| format!("  {key} = \"{value}\"")).collect();
-    format!("@misc{{geneva-verified,\n{}\n}}\n", fields.join(",\n"))
+    format!("@misc{{{},\n{}\n}}\n", imprint.key, fields.join(",\n"))
 }
 
 /// The book in words, as HTML.
-pub fn in_words(edition: &Edition, address: Option<&Address>) -> String {
+pub fn citation_in_words(imprint: &Imprint, edition: &Edition, address: Option<&Address>) -> String {
     let read = address.map_or_else(String::new, |address| format!(" <a href=\"{0}\">{0}</a>.", escape(&address.book)));
     let archived = edition.swhid().map_or_else(String::new, |id| format!(" <code>{id}</code>."));
     format!(
         "{}: <em>{}. {}.</em> {}.{archived}{read}",
-        escape(AUTHORS),
-        escape(TITLE),
-        escape(SUBTITLE),
+        escape(imprint.authors),
+        escape(imprint.title),
+        escape(imprint.subtitle),
         escape(&edition.words())
     )
 }
 
 /// One claim in words, as HTML, with the address of its row in the ledger.
-pub fn claim(id: &str, edition: &Edition, address: Option<&Address>) -> anyhow::Result<String> {
-    let place = address_of_claim(lookup::judged(id)?.claim.id);
+pub fn claim_citation(book: &Book, id: &str, edition: &Edition, address: Option<&Address>) -> anyhow::Result<String> {
+    let imprint = &book.imprint;
+    let place = book.address_of_claim(lookup::verdict(book.ledger, id)?.claim.id);
     let said = escape(&address.map_or_else(|| place.clone(), |address| address.page(&place)));
     Ok(format!(
         "{}: Claim <code>{}</code>. In: <em>{}</em>, {}, <a href=\"{}\">{said}</a>.",
-        escape(AUTHORS),
+        escape(imprint.authors),
         escape(id),
-        escape(TITLE),
+        escape(imprint.title),
         escape(&edition.words()),
         escape(&place)
     ))
 }
 
+/// The foot of every page, which leads to the page of sources if the book has one.
+pub fn footer(book: &Book, edition: &Edition, address: Option<&Address>) -> String {
+    let read = address
+        .map_or_else(String::new, |address| format!(" Read it at <a href=\"{0}\">{0}</a>.", escape(&address.book)));
+    let sources = book
+        .pages
+        .iter()
+        .find(|page| page.role == PageRole::Sources)
+        .map_or_else(String::new, |page| format!(" <a href=\"{}.html\">{}</a>.", page.name, escape(page.title)));
+    format!(
+        "\n<footer class=\"edition\">{}, {}.{read}{sources}</footer>\n",
+        escape(book.imprint.title),
+        escape(&edition.words())
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::{BOOK, IMPRINT};
+
+    const NONE: Edition = Edition::without_commit(IMPRINT.version);
 
     fn edition() -> Edition {
-        Edition {
-            commit: Some("abcdef0".repeat(6)[..40].to_owned()),
-            date: Some("2026-11-26".to_owned()),
-            is_changed: false,
-        }
+        Edition { commit: Some("abcdef0".repeat(6)[..40].to_owned()), date: Some("2026-11-26".to_owned()), ..NONE }
     }
 
     #[test]
     fn the_same_facts_are_in_every_form() {
-        let address = Address::of("https://example.org/geneva/", "https://example.org/source").expect("an address");
+        let address =
+            Address::from_manifest("https://example.org/geneva/", "https://example.org/source").expect("an address");
         for address in [None, Some(&address)] {
-            let forms = [cff(None, address), bibtex(&edition(), address), in_words(&edition(), address)];
+            let forms = [
+                cff(&IMPRINT, None, address),
+                bibtex(&IMPRINT, &edition(), address),
+                citation_in_words(&IMPRINT, &edition(), address),
+            ];
             for form in &forms {
-                assert!(form.contains(TITLE) && form.contains(AUTHORS) && form.contains(VERSION), "{form}");
+                let facts = [IMPRINT.title, IMPRINT.authors, IMPRINT.version];
+                assert!(facts.iter().all(|fact| form.contains(fact)), "{form}");
                 assert_eq!(form.contains("https://example.org/geneva/"), address.is_some(), "{form}");
                 assert_eq!(form.contains("http"), address.is_some(), "an address that is none: {form}");
             }
@@ -122,35 +130,47 @@ mod tests {
 
     #[test]
     fn a_claim_is_cited_with_its_address() {
-        let address = Address::of("https://example.org/geneva/", "").expect("an address");
-        let cited = claim("pin.radius", &edition(), Some(&address)).expect("a claim");
-        assert!(
-            cited.contains("<a href=\"ledger.html#pin.radius\">https://example.org/geneva/ledger.html#pin.radius</a>"),
-            "{cited}"
-        );
-        let cited = claim("pin.radius", &edition(), None).expect("a claim");
-        assert!(cited.contains("<a href=\"ledger.html#pin.radius\">ledger.html#pin.radius</a>"), "{cited}");
-        assert!(claim("pin.radiuss", &edition(), None).is_err());
+        let address = Address::from_manifest("https://example.org/geneva/", "").expect("an address");
+        let id = BOOK.ledger.claims()[0].id;
+        let row = format!("ledger.html#{id}");
+        let cited = claim_citation(&BOOK, id, &edition(), Some(&address)).expect("a claim");
+        assert!(cited.contains(&format!("<a href=\"{row}\">https://example.org/geneva/{row}</a>")), "{cited}");
+        let cited = claim_citation(&BOOK, id, &edition(), None).expect("a claim");
+        assert!(cited.contains(&format!("<a href=\"{row}\">{row}</a>")), "{cited}");
+        assert!(claim_citation(&BOOK, &format!("{id}s"), &edition(), None).is_err());
     }
 
     #[test]
     fn an_edition_without_a_repository_has_neither_commit_nor_year() {
-        let bare = Edition::default();
-        assert!(!bibtex(&bare, None).contains("year") && !bibtex(&bare, None).contains("commit"));
-        assert!(bibtex(&edition(), None).contains("year = \"2026\""));
-        assert_eq!(bare.words(), format!("version {VERSION}"));
-        assert_eq!(bare.reference(), format!("Version {VERSION}"));
+        let bibtex = |edition: &Edition| bibtex(&IMPRINT, edition, None);
+        assert!(!bibtex(&NONE).contains("year") && !bibtex(&NONE).contains("commit"));
+        assert!(bibtex(&edition()).contains("year = \"2026\""));
+        assert_eq!(NONE.words(), format!("version {}", IMPRINT.version));
+        assert_eq!(NONE.reference(), format!("Version {}", IMPRINT.version));
     }
 
     #[test]
     fn only_sources_as_committed_are_cited_by_their_name_in_an_archive() {
         let id = format!("swh:1:rev:{}", edition().commit.expect("a commit"));
-        let forms = |edition: &Edition| [bibtex(edition, None), in_words(edition, None)];
+        let forms = |edition: &Edition| [bibtex(&IMPRINT, edition, None), citation_in_words(&IMPRINT, edition, None)];
         for form in forms(&edition()) {
             assert!(form.contains(&id) && !form.contains("changed"), "{form}");
         }
         for form in forms(&Edition { is_changed: true, ..edition() }) {
             assert!(form.contains("commit abcdef0") && form.contains(", changed") && !form.contains("swh:"), "{form}");
+        }
+    }
+
+    #[test]
+    fn the_foot_of_a_page_names_an_address_only_if_there_is_one() {
+        let address = Address::from_manifest("https://example.org/geneva/", "").expect("an address");
+        let edition = Edition { commit: Some("abcdef0".to_owned()), date: Some("2026-11-26".to_owned()), ..NONE };
+        let (without, with) = (footer(&BOOK, &edition, None), footer(&BOOK, &edition, Some(&address)));
+        assert!(with.contains(" Read it at <a href=\"https://example.org/geneva/\">https://example.org/geneva/</a>."));
+        assert!(!without.contains("http") && !without.contains("Read it"), "{without}");
+        for footer in [without, with] {
+            let edition = format!("version {}, commit abcdef0 of 2026-11-26.", IMPRINT.version);
+            assert!(footer.contains(&edition), "{footer}");
         }
     }
 }

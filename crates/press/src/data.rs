@@ -2,9 +2,7 @@
 //!
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
-use crate::citing::LICENCE_ADDRESS;
-use crate::edition::Edition;
-use crate::{fields, ledger_pages, records};
+use crate::fields;
 use anyhow::{Context, bail};
 use std::fs;
 use std::path::Path;
@@ -13,43 +11,36 @@ use std::path::Path;
 pub const FOLDER: &str = "data";
 
 /// A file of data.
-pub struct File {
+pub struct PageFile {
     name: String,
     text: String,
 }
 
-impl File {
+impl PageFile {
     /// The numbers of a figure or a table, as CSV.
-    pub fn of(name: &str, csv: String) -> Self {
+    pub fn csv(name: &str, csv: String) -> Self {
         Self { name: format!("{name}.csv"), text: csv }
     }
 
-    /// What a file of [`File::of`] shows, as metadata for tables on the web (CSVW): a title with the units that the
-    /// caption names, the licence, and the book and edition that it comes from.
-    pub fn describing(&self, title: &str, source: &str) -> anyhow::Result<Self> {
+    /// What a file of [`PageFile::csv`] shows, as metadata for tables on the web (CSVW): a title with the units that the
+    /// caption names, the book and edition that it comes from, and the address of the licence.
+    pub fn metadata(&self, title: &str, source: &str, licence: &str) -> anyhow::Result<Self> {
         let text = fields::json(&serde_json::json!({
             "@context": "http://www.w3.org/ns/csvw",
             "url": self.name,
             "dc:title": title,
             "dc:source": source,
-            "dc:license": { "@id": LICENCE_ADDRESS },
+            "dc:license": { "@id": licence },
         }))?;
         Ok(Self { name: format!("{}-metadata.json", self.name), text })
     }
 
-    /// Of this edition all claims, slips and lines of sources, and what the page of all claims loads.
-    pub fn records(edition: &Edition) -> anyhow::Result<impl Iterator<Item = Self>> {
-        let files = records::files(edition)?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text });
-        Ok(files.chain(ledger_pages::ledger::files()?))
-    }
-
-    /// A script or a style sheet.
-    pub fn script(name: &str, text: String) -> Self {
+    /// A file under this name, such as a script or a style sheet.
+    pub fn text_file(name: &str, text: String) -> Self {
         Self { name: name.to_owned(), text }
     }
 
     /// What is in it.
-    #[cfg(test)]
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -76,7 +67,7 @@ pub fn is_led_to(page: &str) -> bool {
 /// A file that stands as it should is left alone, so that a builder that watches the chapters is not woken.
 ///
 /// Where there are no chapters, as when a book is handed over without its folder, nothing is written.
-pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
+pub fn write(chapters: &Path, files: &[PageFile]) -> anyhow::Result<()> {
     if !has_place(chapters) {
         return Ok(());
     }

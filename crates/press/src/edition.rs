@@ -1,15 +1,15 @@
 //! Which edition of the book this is: at the foot of every page, in the data and where the book is cited.
 
-use crate::address::Address;
-use crate::citing::{TITLE, VERSION};
-use crate::html::escape;
+use crate::imprint::Imprint;
 use geneva_host::git::Repository;
 use std::path::Path;
 
-/// The commit that a book is made from, with its date, and whether the sources are as the commit has them. A book that is
-/// not made from a repository of its own has no commit.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// The version of a book and the commit that it is made from, with its date, and whether the sources are as the commit has
+/// them. A book that is not made from a repository of its own has no commit.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edition {
+    /// The version of the project.
+    pub version: &'static str,
     /// The commit's whole name, in hexadecimal digits.
     pub commit: Option<String>,
     /// The commit's date, as in 2026-11-26.
@@ -19,23 +19,23 @@ pub struct Edition {
     pub is_changed: bool,
 }
 
-/// The commit that this program is compiled from and its date, as `git log -1 --format='%H %cs'` prints them, if whoever
-/// compiles it says so. A release does.
-const COMPILED: Option<&str> = option_env!("GENEVA_COMMIT");
-
 impl Edition {
     /// The edition of a book that is not made from a repository.
-    pub const NONE: Self = Self { commit: None, date: None, is_changed: false };
+    pub const fn without_commit(version: &'static str) -> Self {
+        Self { version, commit: None, date: None, is_changed: false }
+    }
 
     /// The edition of the book in this folder. The reader's own settings of git do not change what it says.
-    pub fn of(book: &Path) -> Self {
-        Self::committed(book).unwrap_or_default().made_by(&Self::compiled())
+    pub fn detect(book: &Path, imprint: &Imprint) -> Self {
+        let edition = Self::committed(book, imprint.version);
+        edition.unwrap_or(Self::without_commit(imprint.version)).made_by(&Self::compiled(imprint))
     }
 
     /// The edition that this program was compiled from. Without a commit, none was recorded when it was compiled.
-    pub fn compiled() -> Self {
-        let (commit, date) = COMPILED.and_then(|said| said.trim().split_once(' ')).unzip();
-        Self { commit: commit.map(str::to_owned), date: date.map(str::to_owned), is_changed: false }
+    pub fn compiled(imprint: &Imprint) -> Self {
+        let (commit, date) = imprint.compiled_from.and_then(|said| said.trim().split_once(' ')).unzip();
+        let [commit, date] = [commit, date].map(|of| of.map(str::to_owned));
+        Self { commit, date, ..Self::without_commit(imprint.version) }
     }
 
     /// The edition of a book that a program of this edition makes: the verdicts come from the program.
@@ -46,7 +46,7 @@ impl Edition {
 
     /// The edition that a repository has, if the settings of the book are among its files. They are not where the project
     /// was unpacked inside the repository of another one.
-    fn committed(book: &Path) -> Option<Self> {
+    fn committed(book: &Path, version: &'static str) -> Option<Self> {
         let repository = Repository::around(book)?;
         let settings = std::fs::canonicalize(book).ok()?.join("book.toml");
         let settings = settings.strip_prefix(repository.top()).ok()?;
@@ -59,13 +59,13 @@ impl Edition {
         // A file that git doesn't know can be part of a book as well, and git that gives no answer clears nobody.
         let changes = repository.ask(status.into_iter().chain([project.unwrap_or(Path::new("."))]));
         let is_changed = changes.map_or(true, |changes| !changes.is_empty());
-        Some(Self { commit: Some(commit.to_owned()), date: Some(date.to_owned()), is_changed })
+        Some(Self { version, commit: Some(commit.to_owned()), date: Some(date.to_owned()), is_changed })
     }
 
     /// Version, and commit with its date if there is one.
     pub fn words(&self) -> String {
         let commit = self.commit_in_words().map_or_else(String::new, |commit| format!(", {commit}"));
-        format!("version {VERSION}{commit}")
+        format!("version {}{commit}", self.version)
     }
 
     /// Commit and date, and whether the sources are as it has them.
@@ -88,7 +88,7 @@ impl Edition {
     /// Version and commit for a reference.
     pub fn reference(&self) -> String {
         let commit = self.short_commit().map_or_else(String::new, |commit| format!(", {commit}{}", self.mark()));
-        format!("Version {VERSION}{commit}")
+        format!("Version {}{commit}", self.version)
     }
 
     /// The name of the sources at Software Heritage, the archive of source code, which follows from the commit. Sources
@@ -97,26 +97,18 @@ impl Edition {
         let commit = self.commit.as_deref().filter(|commit| !self.is_changed && commit.len() == 40)?;
         Some(format!("swh:1:rev:{commit}"))
     }
-
-    /// The foot of every page.
-    pub fn footer(&self, address: Option<&Address>) -> String {
-        let read = address
-            .map_or_else(String::new, |address| format!(" Read it at <a href=\"{0}\">{0}</a>.", escape(&address.book)));
-        format!(
-            "\n<footer class=\"edition\">{}, {}.{read} <a href=\"about.html\">Sources, data, how to cite</a>.</footer>\n",
-            escape(TITLE),
-            escape(&self.words())
-        )
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::IMPRINT;
     use std::fs;
     use std::io::Write;
     use std::process::{Command, Stdio};
     use tempfile::TempDir;
+
+    const NONE: Edition = Edition::without_commit(IMPRINT.version);
 
     /// Runs git with this input and gives its answer.
     fn git(repository: &Path, arguments: &[&str], input: &str) -> String {
@@ -140,9 +132,9 @@ mod tests {
         fs::write(book.join("book.toml"), "").unwrap();
         fs::write(book.join("src/only.md"), "Text.\n").unwrap();
         fs::write(folder.join(".gitignore"), "target\n").unwrap();
-        assert_eq!(Edition::of(&book), Edition::NONE, "no commit yet");
+        assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "no commit yet");
         git(folder, &["add", "."], "");
-        assert_eq!(Edition::of(&book), Edition::NONE, "no commit yet");
+        assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "no commit yet");
         // A commit with a signature, for a program that has something to say about it.
         let tree = git(folder, &["write-tree"], "");
         let who = "A <a@example.org> 1700000000 +0000";
@@ -160,9 +152,9 @@ mod tests {
         let Some((repository, id)) = committed("") else { return }; // Without git no page names a commit.
         let (folder, book) = (repository.path(), repository.path().join("book"));
         let date = Some("2023-11-14".to_owned());
-        let expected = Edition { commit: Some(id.clone()), date, is_changed: false };
-        assert_eq!(Edition::of(&book), expected);
-        assert_eq!(expected.words(), format!("version {VERSION}, commit {} of 2023-11-14", &id[..7]));
+        let expected = Edition { commit: Some(id.clone()), date, ..NONE };
+        assert_eq!(Edition::detect(&book, &IMPRINT), expected);
+        assert_eq!(expected.words(), format!("version {}, commit {} of 2023-11-14", IMPRINT.version, &id[..7]));
 
         let checker = repository.path().join("target");
         fs::write(&checker, "#!/bin/sh\necho 'no such key' >&2\nexit 1\n").unwrap();
@@ -180,11 +172,11 @@ mod tests {
             ("status.short", "true"),
         ] {
             git(folder, &["config", setting, value], "");
-            assert_eq!(Edition::of(&book), expected, "{setting} {value}");
+            assert_eq!(Edition::detect(&book, &IMPRINT), expected, "{setting} {value}");
         }
         git(folder, &["config", "status.showUntrackedFiles", "no"], "");
         fs::write(book.join("src/new.md"), "").unwrap();
-        assert!(Edition::of(&book).is_changed);
+        assert!(Edition::detect(&book, &IMPRINT).is_changed);
     }
 
     #[test]
@@ -194,7 +186,7 @@ mod tests {
             let book = repository.path().join(project).join("book");
             let page = book.join("src/only.md");
             let named = |is_changed: bool| {
-                let edition = Edition::of(&book);
+                let edition = Edition::detect(&book, &IMPRINT);
                 assert_eq!((edition.commit.as_deref(), edition.is_changed), (Some(&*id), is_changed), "{project}");
                 assert_eq!(edition.words().ends_with(" of 2023-11-14, changed"), is_changed, "{}", edition.words());
                 assert_eq!(edition.reference().ends_with(", changed"), is_changed);
@@ -211,16 +203,16 @@ mod tests {
             git(repository.path(), &["add", "."], "");
             named(true);
             git(repository.path(), &["rm", "--quiet", "--cached", "-r", "."], "");
-            assert_eq!(Edition::of(&book), Edition::NONE, "no longer among the files of the repository");
+            assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "no longer among the files of the repository");
         }
     }
 
     #[test]
     fn a_book_of_a_program_from_another_commit_is_called_changed() {
-        let edition = |commit: &str| Edition { commit: Some(commit.to_owned()), date: None, is_changed: false };
+        let edition = |commit: &str| Edition { commit: Some(commit.to_owned()), ..NONE };
         assert!(edition("a").made_by(&edition("b")).is_changed);
-        assert!(!edition("a").made_by(&edition("a")).is_changed && !edition("a").made_by(&Edition::NONE).is_changed);
-        assert_eq!(Edition::NONE.made_by(&edition("b")), Edition::NONE);
+        assert!(!edition("a").made_by(&edition("a")).is_changed && !edition("a").made_by(&NONE).is_changed);
+        assert_eq!(NONE.made_by(&edition("b")), NONE);
     }
 
     #[test]
@@ -230,21 +222,8 @@ mod tests {
             let book = repository.path().join(place).join("book");
             fs::create_dir_all(&book).unwrap();
             fs::write(book.join("book.toml"), "").unwrap();
-            assert_eq!(Edition::of(&book), Edition::NONE, "{place}");
+            assert_eq!(Edition::detect(&book, &IMPRINT), NONE, "{place}");
         }
-        assert_eq!(Edition::of(&repository.path().join("nowhere")), Edition::NONE);
-    }
-
-    #[test]
-    fn the_foot_of_a_page_names_an_address_only_if_there_is_one() {
-        let address = Address::of("https://example.org/geneva/", "").expect("an address");
-        let edition =
-            Edition { commit: Some("abcdef0".to_owned()), date: Some("2026-11-26".to_owned()), is_changed: false };
-        let (without, with) = (edition.footer(None), edition.footer(Some(&address)));
-        assert!(with.contains(" Read it at <a href=\"https://example.org/geneva/\">https://example.org/geneva/</a>."));
-        assert!(!without.contains("http") && !without.contains("Read it"), "{without}");
-        for footer in [without, with] {
-            assert!(footer.contains(&format!("version {VERSION}, commit abcdef0 of 2026-11-26.")), "{footer}");
-        }
+        assert_eq!(Edition::detect(&repository.path().join("nowhere"), &IMPRINT), NONE);
     }
 }

@@ -5,22 +5,10 @@ use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use crate::html::escape;
 use crate::maths::{apply, line};
 
-/// The crates that a chapter may use.
-pub const CRATES: [&str; 8] = [
-    "geneva_kinematics",
-    "geneva_dynamics",
-    "geneva_mimic",
-    "geneva_case1973",
-    "geneva_documents",
-    "geneva_figures",
-    "approx",
-    "nalgebra",
-];
-
 /// Names `crates` on the first line of each Rust block that will be compiled.
 ///
 /// For the renderer `test` only: `mdbook test` gives rustdoc a folder of libraries but names none of them,
-/// so `use geneva_kinematics::…` would not resolve. No line is added, so that the lines in messages stay
+/// so `use some_crate::…` would not resolve. No line is added, so that the lines in messages stay
 /// the author's; a hidden first line stays hidden.
 pub fn add_extern_crates(chapter: &str, crates: &[&str]) -> String {
     let declarations: String =

@@ -1,6 +1,6 @@
 //! Values under keys as JSON and CSV: in JSON a list of fields is an object, in CSV a row.
 
-pub use geneva_ask::{Row, Value};
+pub use geneva_fields::{Row, Value};
 use serde::Serialize;
 
 /// A header, which is that of any such row, and the rows.

@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use crate::html::tex_or_text;
+use crate::html::escape;
 use anyhow::{Context, anyhow, ensure};
 use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 
@@ -27,17 +27,24 @@ pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
     let in_one_row = markup.strip_prefix(NUMBERED[0]).and_then(|rest| rest.strip_suffix(NUMBERED[2]));
     Ok(match in_one_row.and_then(|row| row.split_once(NUMBERED[1])).filter(|(row, _)| !row.contains("<mtr>")) {
         Some((equation, number)) => {
-            let pieces = broken(&format!("<math display=\"block\">{equation}</math>"));
+            let pieces = breakable(&format!("<math display=\"block\">{equation}</math>"));
             format!(
                 "<span class=\"display numbered{}\"><span>{pieces}</span><math>{number}</math></span>",
                 long(&pieces)
             )
         }
         None => {
-            let pieces = broken(&markup);
+            let pieces = breakable(&markup);
             format!("<span class=\"display{}\">{pieces}</span>", long(&pieces))
         }
     })
+}
+
+/// A piece of TeX as markup if it is TeX, else as text.
+pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
+    // Dots between words are no formula.
+    let words = text.replace(r" \ldots", "\u{a0}…");
+    if words.contains(['\\', '{', '=']) { formula(text, false) } else { Ok(escape(&words)) }
 }
 
 /// The class of a display with a piece of many signs, which is set smaller on a phone.
@@ -62,7 +69,7 @@ const NUMBERED: [&str; 3] = [
 /// A formula in pieces, each a `math` element: its line may break between them, as TeX breaks it, before a sign that relates
 /// or adds and behind a wide space, but not within braces, fractions and roots. No browser breaks inside one element. A
 /// formula of few signs fits every screen, and stays whole.
-pub fn broken(markup: &str) -> String {
+pub fn breakable(markup: &str) -> String {
     const FEW: usize = 14;
     if signs(markup) <= FEW {
         return markup.to_owned();
@@ -202,7 +209,7 @@ fn has_sign(c: char) -> bool {
 /// A piece of TeX, or a few words, with what differs from another marked where one stretch of letters does.
 ///
 /// A change that begins or ends inside a fraction or an exponent is widened until the piece can be set.
-pub fn changed(tex: &str, other: &str) -> anyhow::Result<String> {
+pub fn mark_changes(tex: &str, other: &str) -> anyhow::Result<String> {
     let plain = tex_or_text(tex)?;
     let (ours, theirs) = (tokens(tex), tokens(other));
     let head = ours.iter().zip(&theirs).take_while(|(one, other)| one == other).count();
@@ -269,6 +276,12 @@ fn tokens(tex: &str) -> Vec<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_stay_words_and_tex_becomes_markup() {
+        assert_eq!(tex_or_text("10 mm").expect("text"), "10 mm");
+        assert!(tex_or_text(r"\sqrt{2}").expect("TeX").contains("math"));
+    }
 
     #[test]
     fn a_display_may_bear_the_number_of_its_source() {
@@ -341,16 +354,16 @@ mod tests {
     fn a_misprint_is_marked_where_it_stands() {
         let mark = "<mrow class=\"changed\"><mn>3</mn></mrow>";
         for (tex, other) in [("x^{3/2}+y", "x^{5/2}+y"), (r"\frac{3}{2}a", r"\frac{5}{2}a"), ("x=3", "x=5")] {
-            let marked = changed(tex, other).unwrap();
+            let marked = mark_changes(tex, other).unwrap();
             assert_eq!(marked.matches(mark).count(), 1, "{marked}");
-            assert_eq!(marked.replace(mark, "<mn>3</mn>"), changed(tex, tex).unwrap());
+            assert_eq!(marked.replace(mark, "<mn>3</mn>"), mark_changes(tex, tex).unwrap());
         }
         // A change from the top of a fraction to its foot takes in the fraction.
-        let wide = changed(r"a+\frac{b}{c}", r"a+\frac{d}{e}").unwrap();
+        let wide = mark_changes(r"a+\frac{b}{c}", r"a+\frac{d}{e}").unwrap();
         assert!(wide.contains("<mrow class=\"changed\"><mfrac>"), "{wide}");
-        let same_end = changed(r"2 \frac{a - 1}{n}", r"2 \frac{a + 1}{2n}").unwrap();
+        let same_end = mark_changes(r"2 \frac{a - 1}{n}", r"2 \frac{a + 1}{2n}").unwrap();
         assert!(same_end.ends_with("<mi>n</mi></mfrac></mrow></math>"), "{same_end}");
-        assert_eq!(changed("lost words", "found words").unwrap(), "lost words");
+        assert_eq!(mark_changes("lost words", "found words").unwrap(), "lost words");
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! Small pieces of HTML that survive the Markdown parser.
 
-use crate::maths;
 use std::panic::Location;
 
 /// Text as HTML that stands in Markdown and in HTML blocks alike: no character of it is markup in either, and no dashes
@@ -24,6 +23,9 @@ pub fn escape(text: &str) -> String {
     }
     out
 }
+
+/// Begins a stretch of a line that does not break.
+pub const GLUED: &str = "<span class=\"glued\">";
 
 /// Text as [`escape`] has it, with the index of a letter lowered: what stands behind a single letter and an underscore.
 pub fn prose(text: &str) -> String {
@@ -49,13 +51,6 @@ pub fn prose(text: &str) -> String {
 /// Several lines of text for a program, as a block.
 pub fn code(text: &str) -> String {
     format!("<pre><code class=\"language-text\">{}</code></pre>", escape(text))
-}
-
-/// A piece of TeX as markup if it is TeX, else as text.
-pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
-    // Dots between words are no formula.
-    let words = text.replace(r" \ldots", "\u{a0}…");
-    if words.contains(['\\', '{', '=']) { maths::formula(text, false) } else { Ok(escape(&words)) }
 }
 
 /// What a table holds, which decides how its cells are set.
@@ -103,8 +98,8 @@ impl Table {
         Self { legend, ..self }
     }
 
-    /// Whether a cell holds this piece of HTML.
-    pub fn holds(&self, piece: &str) -> bool {
+    /// Whether a cell contains this piece of HTML.
+    pub fn contains(&self, piece: &str) -> bool {
         self.rows.iter().flatten().any(|cell| cell.contains(piece))
     }
 
@@ -247,8 +242,6 @@ mod tests {
         assert_eq!(escape("--set a-b ... c."), "&#45;&#45;set a-b &#46;&#46;&#46; c.");
         assert_eq!(prose("I_f/I_D and y_{n+1}"), "I<sub>f</sub>/I<sub>D</sub> and y<sub>n+1</sub>");
         assert_eq!(prose("a name_of_it, _ and x_"), escape("a name_of_it, _ and x_"));
-        assert_eq!(tex_or_text("10 mm").expect("text"), "10 mm");
-        assert!(tex_or_text(r"\sqrt{2}").expect("TeX").contains("math"));
     }
 
     #[test]

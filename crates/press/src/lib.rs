@@ -1,57 +1,59 @@
-//! The book builder: turns chapters into pages.
+//! The book builder: turns a [`Book`] into pages.
 //!
-//! It knows Markdown, mathematics and mdBook, and what stands on which page. A chapter's formulas become markup, its
-//! placeholders give way to what the ledger and the figures have to say, and the renderer of mdBook makes the page.
-//! Nothing here prints a line, and nothing derives a formula: a table or a figure calls the solvers for what it shows.
+//! It knows Markdown, mathematics and mdBook, claims and verdicts; what a book is about, it takes from the book. A chapter's
+//! formulas become markup, its placeholders give way to what the ledger, the tables and the figures have to say, and the
+//! renderer of mdBook makes the page. Nothing here prints a line, and nothing derives a formula.
 
-// The book.
+// A book as a value.
+pub mod book;
+pub mod imprint;
+pub mod pages;
+
+// The pages of a book in a folder.
 pub mod address;
 pub mod building;
-mod cards;
 pub mod citing;
 pub mod edition;
 mod fingerprints;
 mod libraries;
 mod minify;
-pub mod pages;
+mod modules;
+mod phone_tables;
 mod policy;
 pub mod print;
-pub mod readme;
 mod search;
 
 // A chapter.
 mod braces;
 mod chapter_tests;
 pub mod fences;
-mod formula;
 pub mod maths;
-mod options;
+mod nowrap_options;
+mod nowrap_units;
 pub mod placeholders;
 mod preprocessor;
+pub mod readings;
 
 // Data.
-mod data;
+pub mod data;
 pub mod fields;
 pub mod records;
 
 // What stands for a placeholder.
-pub mod asked;
-pub mod bibliography;
-pub mod computed;
-pub mod figures;
-mod ledger_pages;
-pub mod live;
-pub mod proofread;
-mod tables;
+pub mod ledger_pages;
+pub mod works;
 
 // What these need.
 mod base64;
-mod found;
-mod html;
-mod lookup;
-mod measurements;
-mod numbers;
-mod rows;
-mod units;
+pub mod chain;
+pub mod formula;
+pub mod html;
+pub mod lookup;
+pub mod numbers;
+#[cfg(test)]
+mod samples;
 
-pub use preprocessor::Geneva;
+pub use book::Book;
+pub use building::{build, test};
+pub use preprocessor::Press;
+pub use readings::readings;

@@ -9,15 +9,15 @@ use std::process::Command;
 
 use anyhow::{Context, ensure};
 
-/// Fills `target/book-libs` with the libraries of one build of the root package, and no others.
-pub fn link(root: &Path) -> anyhow::Result<PathBuf> {
+/// Fills `target/book-libs` with the libraries of one build of a package, and no others.
+pub fn link(root: &Path, package: &str) -> anyhow::Result<PathBuf> {
     let folder = root.join("target").join("book-libs");
     let trouble = || format!("cannot write {}", folder.display());
     if folder.exists() {
         fs::remove_dir_all(&folder).with_context(trouble)?;
     }
     fs::create_dir_all(&folder).with_context(trouble)?;
-    for library in built(root)? {
+    for library in built(root, package)? {
         let Some(name) = library.file_name() else { continue };
         let link = folder.join(name);
         if !link.exists() && fs::hard_link(&library, &link).is_err() {
@@ -27,12 +27,12 @@ pub fn link(root: &Path) -> anyhow::Result<PathBuf> {
     folder.canonicalize().with_context(trouble)
 }
 
-/// Builds the library of the root package and lists the libraries that went into it.
-fn built(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
+/// Builds the library of a package and lists the libraries that went into it.
+fn built(root: &Path, package: &str) -> anyhow::Result<Vec<PathBuf>> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
         .current_dir(root)
-        .args(["build", "--quiet", "--package", "geneva-suite", "--lib"])
+        .args(["build", "--quiet", "--package", package, "--lib"])
         .arg("--message-format=json-render-diagnostics")
         .output()
         .context("cannot run cargo: install Rust from https://rustup.rs")?;

@@ -1,34 +1,31 @@
-//! Finding things by name; the error tells the nearest name or all there are.
+//! Finding things by name; the error tells the nearest name.
 
 use anyhow::anyhow;
-use geneva_documents::LEDGER;
-use geneva_evidence::Document;
-use geneva_evidence::{Claim, Consequence, Judged};
+use geneva_evidence::{Claim, Consequence, Document, Judged, Ledger};
 
-/// What bears this name in a list.
-pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
+/// What bears this name in a list. The error tells the nearest name and all there are.
+pub fn find_named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
     let found = list.iter().find(|(known, _)| *known == name).map(|(_, found)| *found);
     found.ok_or_else(|| {
         let names: Vec<_> = list.iter().map(|(name, _)| *name).collect();
-        anyhow!("no {what} `{name}`; there are: {}", names.join(", "))
+        anyhow!("{}; there are: {}", unknown(what, name, names.iter().copied()), names.join(", "))
     })
 }
 
 /// The claim with this id, without its verdict.
-pub fn claim(id: &str) -> anyhow::Result<&'static Claim> {
-    let found = LEDGER.claims().iter().copied().find(|claim| claim.id == id);
-    found.ok_or_else(|| unknown("claim", id, LEDGER.claims().iter().map(|claim| claim.id)))
+pub fn claim(ledger: &'static Ledger, id: &str) -> anyhow::Result<&'static Claim> {
+    ledger.claim(id).ok_or_else(|| unknown("claim", id, ledger.claims().iter().map(|claim| claim.id)))
 }
 
 /// The judged claim with this id.
-pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
-    LEDGER.verdict(id).ok_or_else(|| unknown("claim", id, LEDGER.claims().iter().map(|claim| claim.id)))
+pub fn verdict(ledger: &'static Ledger, id: &str) -> anyhow::Result<&'static Judged> {
+    ledger.verdict(id).ok_or_else(|| unknown("claim", id, ledger.claims().iter().map(|claim| claim.id)))
 }
 
 /// The source with this slug.
-pub fn work(slug: &str) -> anyhow::Result<&'static Document> {
-    let found = LEDGER.documents().iter().copied().find(|work| work.slug == slug);
-    found.ok_or_else(|| unknown("source", slug, LEDGER.documents().iter().map(|work| work.slug)))
+pub fn document(ledger: &'static Ledger, slug: &str) -> anyhow::Result<&'static Document> {
+    let names = || ledger.documents().iter().map(|document| document.slug);
+    ledger.document(slug).ok_or_else(|| unknown("source", slug, names()))
 }
 
 /// The consequence with this slug.
@@ -38,13 +35,13 @@ pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
 }
 
 /// The judged claims of a source.
-pub fn of_work(work: &'static Document) -> impl Iterator<Item = &'static Judged> {
-    LEDGER.verdicts_of(work).into_iter()
+pub fn verdicts_of(ledger: &'static Ledger, document: &'static Document) -> impl Iterator<Item = &'static Judged> {
+    ledger.verdicts_of(document).into_iter()
 }
 
-/// The judged claims of the documents: without what is said elsewhere.
-pub fn of_documents() -> impl Iterator<Item = &'static Judged> {
-    LEDGER.verdicts().iter().copied().filter(|judged| judged.claim.document.is_mirrored())
+/// The judged claims of the mirrored documents: without what is said elsewhere.
+pub fn verdicts_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'static Judged> {
+    ledger.verdicts().iter().copied().filter(|judged| judged.claim.document.is_mirrored())
 }
 
 /// That nothing of this kind bears the name, with the nearest that something bears.
@@ -59,10 +56,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_unknown_name_is_answered_with_those_there_are() {
-        let error = named("table", "terms", &[("quick-return-terms", 0), ("joints", 1)]).expect_err("unknown");
-        assert_eq!(error.to_string(), "no table `terms`; there are: quick-return-terms, joints");
-        let error = work("jasar").expect_err("unknown").to_string();
-        assert_eq!(error, "no source `jasar`; the nearest is `jazar`");
+    fn an_unknown_name_is_answered_with_the_nearest_and_those_there_are() {
+        let error = find_named("table", "terms", &[("quick-return-terms", 0), ("joints", 1)]).expect_err("unknown");
+        let expected = "no table `terms`; the nearest is `quick-return-terms`; there are: quick-return-terms, joints";
+        assert_eq!(error.to_string(), expected);
+        let error = consequence("resuld").expect_err("unknown").to_string();
+        assert_eq!(error, "no consequence `resuld`; the nearest is `result`");
     }
 }

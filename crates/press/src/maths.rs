@@ -10,7 +10,7 @@ use anyhow::bail;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 pub use crate::formula::formula;
-use crate::ledger_pages::inline::GLUED;
+use crate::html::GLUED;
 
 /// Replaces every `$…$` and `$$…$$` of a chapter by its markup.
 ///

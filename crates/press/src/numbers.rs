@@ -1,6 +1,9 @@
 //! Numbers as the pages show them.
 
-use geneva_figures::with_minus_sign;
+/// Puts a minus sign in place of each hyphen of a text.
+pub fn with_minus_sign(text: &str) -> String {
+    text.replace('-', "−")
+}
 
 /// A number with so many decimals.
 pub fn fixed(number: f64, decimals: usize) -> String {
@@ -20,6 +23,19 @@ pub fn signed(number: f64, decimals: usize) -> String {
     let text = format!("{number:+.decimals$}");
     let is_zero = !text.contains(|c: char| c.is_ascii_digit() && c != '0');
     if is_zero { text[1..].to_owned() } else { with_minus_sign(&text) }
+}
+
+/// A number of things as a sentence says it: a small one in a word.
+pub fn in_words(count: usize) -> String {
+    const WORDS: [&str; 10] = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
+    WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned())
+}
+
+/// Words as a sentence begins with them.
+pub fn sentence_start(words: &str) -> String {
+    let mut rest = words.chars();
+    let first = rest.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(rest).collect()
 }
 
 #[cfg(test)]

@@ -3,120 +3,137 @@
 //! A placeholder is `{{key:argument}}` or `{{key}}`. The braces of Rust and of mdBook's own `{{#include}}` are left alone; those
 //! of other keys stop the build before (`braces.rs`).
 
-mod reading;
-
-pub use reading::readings;
-
-use crate::citing::TITLE;
-use crate::data::File;
+use crate::book::{Book, Expansion, InteractiveFigure, PageFigure, PlaceholderKey};
+use crate::data::PageFile;
 use crate::edition::Edition;
 use crate::html::{Table, code, escape, plain};
-use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
-use crate::pages::LEDGER;
-use crate::{
-    address, asked, bibliography, citing, computed, figures, live, maths, measurements, options, proofread, tables,
-    units,
-};
+use crate::ledger_pages::{compare, errata, inline, lists, open, records};
+use crate::lookup::unknown;
+use crate::{address, citing, maths, nowrap_options, nowrap_units, works};
+use Expansion::{Bare, Dated, DatedOf, Interactive, Marked, Numbered, Of};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// What is put in the place of a placeholder.
-#[derive(Clone, Copy)]
-enum Put {
-    /// What needs no argument.
-    Alone(fn() -> anyhow::Result<String>),
-    /// What needs one.
-    Of(fn(&str) -> anyhow::Result<String>),
-    /// What bears the mark of a claim, whose note is put at the end of the page.
-    Marked(fn(&str) -> anyhow::Result<String>),
-    /// What says which edition of the book this is.
-    Dated(fn(&Edition) -> anyhow::Result<String>),
-    /// What says something that the argument names about the edition.
-    DatedOf(fn(&str, &Edition) -> anyhow::Result<String>),
-    /// A figure with its number in the chapter.
-    Figure,
-    /// A figure with its number in the chapter and with what a reader may move.
-    Live,
-    /// A table with its number in the chapter.
-    Numbered(fn(&str) -> anyhow::Result<Table>),
-    /// The number of a figure or a table, as a link.
-    Reference,
-}
-use Put::{Alone, Dated, DatedOf, Marked, Numbered, Of};
-
-/// Every key, what it says or shows, and how that is made.
-const KEYS: &[(&str, &str, Put)] = &[
-    ("ask", "a number of a mechanism's answer: QUESTION.KEY, and after a colon its digits", Of(asked::number)),
-    ("bibtex", "how to cite the book, as BibTeX", Dated(|of| Ok(code(&citing::bibtex(of, address::known()))))),
-    ("citation", "what the source is", Of(inline::citation)),
-    ("cite", "a work of others, by its key, and after a semicolon where in it", Of(bibliography::cite)),
-    ("cite-book", "how to cite the book, in words", Dated(|of| Ok(citing::in_words(of, address::known())))),
-    ("cite-claim", "how to cite a claim, in words", DatedOf(|id, of| citing::claim(id, of, address::known()))),
-    ("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
-    (
-        "compare",
+/// The keys of every book: what each says or shows, and how that is made.
+pub const ENGINE_KEYS: &[PlaceholderKey] = &[
+    PlaceholderKey::new(
+        "bibtex",
+        "how to cite the book, as BibTeX",
+        Dated(|book, of| Ok(code(&citing::bibtex(&book.imprint, of, address::known(&book.imprint).as_ref())))),
+    ),
+    PlaceholderKey::new("citation", "what the source is", Of(inline::citation)),
+    PlaceholderKey::new("cite", "a work of others, by its key, and after a semicolon where in it", Of(works::cite)),
+    PlaceholderKey::new(
+        "cite-book",
+        "how to cite the book, in words",
+        Dated(|book, of| Ok(citing::citation_in_words(&book.imprint, of, address::known(&book.imprint).as_ref()))),
+    ),
+    PlaceholderKey::new(
+        "cite-claim",
+        "how to cite a claim, in words",
+        DatedOf(|book, id, of| citing::claim_citation(book, id, of, address::known(&book.imprint).as_ref())),
+    ),
+    PlaceholderKey::new("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
+    PlaceholderKey::new(
+        COMPARE,
         "a table of printed against computed numbers: claims, and a caption after a semicolon",
         Numbered(compare::table),
     ),
-    ("computed", "a number of ours, by name", Of(computed::by_name)),
-    ("consequences", "how many slips there are, by what they do", Alone(|| Ok(errata::summary()?.html()))),
-    ("count", "a number of claims: of a source, or of all documents", Of(inline::count)),
-    ("erratum", "one erratum", Of(errata::one)),
-    ("elsewhere", "every statement elsewhere that is wrong, in a fold", Alone(elsewhere::statements)),
-    ("elsewhere-addresses", "where statements were read, and how many", Alone(|| Ok(elsewhere::addresses()?.html()))),
-    ("elsewhere-examples", "examples that do not fit, in a table", Alone(|| Ok(elsewhere::wrong_examples()?.html()))),
-    ("elsewhere-wrong", "what is wrong elsewhere, in a table", Alone(|| Ok(elsewhere::wrong()?.html()))),
-    ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
-    (
+    PlaceholderKey::new(
+        "consequences",
+        "how many slips there are, by what they do",
+        Bare(|book| Ok(errata::consequences_table(book)?.html())),
+    ),
+    PlaceholderKey::new("count", "a number of claims: of a source, or of all documents", Of(inline::claim_count)),
+    PlaceholderKey::new("erratum", "one erratum", Of(errata::erratum_fold)),
+    PlaceholderKey::new(
+        "evidence",
+        "the kinds of evidence and how many claims use each",
+        Bare(|book| Ok(lists::evidence(book)?.html())),
+    ),
+    PlaceholderKey::new(
         "fields",
         "the fields of a file of the records: claims, errata or coverage",
-        Of(|of| Ok(records::fields(of)?.html())),
+        Of(|book, file| Ok(records::fields(book, file)?.html())),
     ),
-    ("figure", "a numbered figure", Put::Figure),
-    ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
-    ("letter", "what a letter stands for in the chapters on a source", Of(lists::letter)),
-    ("live", "a numbered figure that a reader moves", Put::Live),
-    ("notation", "the letters of the triangle in the whole book", Alone(|| Ok(lists::notation()?.html()))),
-    ("open", "the open claims of a group, with what each lacks", Of(open::list)),
-    ("open-count", "how many open claims a group has", Of(open::count)),
-    ("picture", "a figure without number and caption", Of(figures::picture)),
-    ("printed", "a claim's printed characters", Of(inline::printed)),
-    ("proofread", "the form for a text of the reader's own, with an example", Alone(proofread::form)),
-    ("proofread-weight", "what that form loads at most", Alone(|| Ok(proofread::weight()))),
-    ("question", "a question to a mechanism, as it is typed at the command line", Of(asked::question)),
-    (
-        "recorded",
-        "what the record of the benchmarks says of its making: processor, cores, compiler, date",
-        Of(|name| Ok(escape(measurements::condition(name)?))),
+    PlaceholderKey::new("figure", "a numbered figure", Expansion::Figure),
+    PlaceholderKey::new(
+        "grave-errata",
+        "what changes a result or a conclusion, in a table",
+        Bare(|book| Ok(errata::grave_errata(book)?.html())),
     ),
-    ("records", "what the list of pages puts on this page: claims, slips or lines of sources", Of(records::page)),
-    ("ref", "the number of a figure or a table, as a link", Put::Reference),
-    ("right", "the right number of a claim whose printed one is not", Of(inline::right)),
-    ("slips", "a number of slips: of a consequence, or of all but those of the copy", Of(errata::count)),
-    ("symbols", "a source's letters and the book's", Of(|of| Ok(lists::symbols(of)?.html()))),
-    ("table", "a chapter's table of computed numbers, by name", Numbered(tables::by_name)),
-    ("tolerances", "the table of tolerances", Alone(|| Ok(lists::tolerances()?.html()))),
-    ("value", "a claim's computed number", Of(inline::value)),
-    ("verdict", "a claim's mark", Marked(inline::mark)),
-    ("verdicts", "the classes of verdict and how many claims have each", Alone(|| Ok(lists::verdicts()?.html()))),
-    ("works", "all works of others that the chapters cite", Alone(bibliography::list)),
-    ("wheels", "a table of wheels, from one number of stations to another", Numbered(tables::wheels)),
+    PlaceholderKey::new("letter", "what a letter stands for in the chapters on a source", Of(lists::letter)),
+    PlaceholderKey::new("notation", "the letters of the whole book", Bare(|book| Ok(lists::notation(book)?.html()))),
+    PlaceholderKey::new("open", "the open claims of a group, with what each lacks", Of(open::open_list)),
+    PlaceholderKey::new("open-count", "how many open claims a group has", Of(open::open_count)),
+    PlaceholderKey::new("picture", "a figure without number and caption", Of(picture)).without_text(),
+    PlaceholderKey::new("printed", "a claim's printed characters", Of(inline::printed)),
+    PlaceholderKey::new(
+        "records",
+        "what the list of pages puts on this page: claims, slips or lines of sources",
+        Of(records::page),
+    )
+    .without_text(),
+    PlaceholderKey::new("ref", "the number of a figure or a table, as a link", Expansion::Reference),
+    PlaceholderKey::new("right", "the right number of a claim whose printed one is not", Of(inline::right)),
+    PlaceholderKey::new(
+        "slips",
+        "a number of slips: of a consequence, or of all but those of the copy",
+        Of(errata::slip_count),
+    ),
+    PlaceholderKey::new(
+        "symbols",
+        "a source's letters and the book's",
+        Of(|book, of| Ok(lists::symbols(book, of)?.html())),
+    ),
+    PlaceholderKey::new(TABLE, "a chapter's table of computed numbers, by name", Numbered(table_of_name)),
+    PlaceholderKey::new("tolerances", "the table of tolerances", Bare(|book| Ok(lists::tolerances(book)?.html()))),
+    PlaceholderKey::new("value", "a claim's computed number", Of(inline::value)),
+    PlaceholderKey::new("verdict", "a claim's mark", Marked(inline::mark)),
+    PlaceholderKey::new(
+        "verdicts",
+        "the classes of verdict and how many claims have each",
+        Bare(|book| Ok(lists::verdicts(book)?.html())),
+    ),
+    PlaceholderKey::new("works", "all works of others that the chapters cite", Bare(works::works_list)),
 ];
 
+/// The key of a table by its name.
+const TABLE: &str = "table";
+/// The key of a table of claims, which is named by its page.
+const COMPARE: &str = "compare";
+
+/// The table of this name.
+fn table_of_name(book: &Book, name: &str) -> anyhow::Result<Table> {
+    crate::lookup::find_named(TABLE, name, book.tables)?()
+}
+
+/// A drawing alone, without number and caption: a picture of a page that has no number.
+fn picture(book: &Book, name: &str) -> anyhow::Result<String> {
+    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", (book.figures)(name)?.drawing))
+}
+
+/// Every key that a chapter of this book may have: those of every book and its own.
+pub fn keys(book: &Book) -> impl Iterator<Item = &'static PlaceholderKey> + Clone {
+    ENGINE_KEYS.iter().chain(book.keys)
+}
+
 /// A placeholder in a chapter.
-struct Placeholder<'a> {
-    range: Range<usize>,
-    key: &'static str,
-    /// What the key says or shows.
-    what: &'static str,
-    put: Put,
-    argument: Option<&'a str>,
+pub struct Placeholder<'a> {
+    /// Where it stands in the chapter, in bytes.
+    pub range: Range<usize>,
+    /// Its key.
+    pub key: &'static PlaceholderKey,
+    /// What is behind the colon.
+    pub argument: Option<&'a str>,
 }
 
 /// The page that a chapter becomes.
 #[derive(Clone, Copy)]
-pub struct Page<'a> {
+pub struct ChapterContext<'a> {
+    /// The book.
+    pub book: &'a Book,
     /// Its file, without the ending.
     pub name: &'a str,
     /// The chapter's number, with a point behind it, or nothing.
@@ -128,7 +145,7 @@ pub struct Page<'a> {
 }
 
 /// A figure or a table in its frame.
-struct Framed<'a> {
+struct FigureFrame<'a> {
     /// The attributes of the figure element, its class among them.
     attributes: &'a str,
     /// Its caption, in HTML.
@@ -142,7 +159,7 @@ struct Framed<'a> {
 }
 
 /// A figure or a table where it stands in the book.
-pub struct Shown {
+pub struct NumberedItem {
     /// By which a chapter refers to it.
     name: String,
     /// `Figure` or `Table`.
@@ -156,29 +173,30 @@ pub struct Shown {
 }
 
 /// The figures and tables of a chapter, in their order.
-pub fn shown(chapter: &str, page: Page<'_>) -> Vec<Shown> {
+pub fn numbered_items(chapter: &str, page: ChapterContext<'_>) -> Vec<NumberedItem> {
     let (mut figures, mut tables) = (0, 0);
-    let all = placeholders(chapter).into_iter().filter_map(|placeholder| {
-        let (kind, count) = match placeholder.put {
-            Put::Figure | Put::Live => ("Figure", &mut figures),
+    let all = placeholders(page.book, chapter).into_iter().filter_map(|placeholder| {
+        let (kind, count) = match placeholder.key.expansion {
+            Expansion::Figure | Interactive(..) => ("Figure", &mut figures),
             Numbered(_) => ("Table", &mut tables),
             _ => return None,
         };
         *count += 1;
         let argument = placeholder.argument.unwrap_or_default();
-        let name = match placeholder.key {
-            "compare" => format!("{}-printed-{count}", page.name),
-            "wheels" => "wheels".to_owned(),
-            "live" => geneva_live::by_name(argument).map_or(argument, |live| live.figure).to_owned(),
-            _ => argument.to_owned(),
+        let name = match (placeholder.key.expansion, placeholder.key.name) {
+            (Interactive(name, _), _) => name(argument).unwrap_or(argument).to_owned(),
+            (Numbered(_), COMPARE) => format!("{}-printed-{count}", page.name),
+            (Expansion::Figure, _) | (_, TABLE) => argument.to_owned(),
+            // A book shows a table of a key of its own once.
+            (_, key) => key.to_owned(),
         };
         let number = format!("{}{count}", page.number);
-        Some(Shown { name, kind, number, page: page.name.to_owned(), at: placeholder.range.start })
+        Some(NumberedItem { name, kind, number, page: page.name.to_owned(), at: placeholder.range.start })
     });
     all.collect()
 }
 
-impl Shown {
+impl NumberedItem {
     /// The anchor on its page.
     fn anchor(&self) -> String {
         format!("{}-{}", if self.kind == "Figure" { "fig" } else { "table" }, self.name)
@@ -190,15 +208,16 @@ impl Shown {
     }
 
     /// Caption and drawing or table, and what it was made of as a file, with another one that describes it.
-    fn framed(&self, framed: Framed<'_>, page: Page<'_>) -> anyhow::Result<(String, [File; 2])> {
-        let Framed { attributes, caption, inner, source, csv } = framed;
-        let file = File::of(&self.file(), csv);
+    fn framed(&self, frame: FigureFrame<'_>, page: ChapterContext<'_>) -> anyhow::Result<(String, [PageFile; 2])> {
+        let FigureFrame { attributes, caption, inner, source, csv } = frame;
+        let imprint = &page.book.imprint;
+        let file = PageFile::csv(&self.file(), csv);
         let (kind, number, path) = (self.kind, &self.number, file.path());
         // A caption that moves is compared with what its script writes.
-        let caption = if attributes.contains("live") { caption.to_owned() } else { units::tied(caption) };
+        let caption = if attributes.contains("live") { caption.to_owned() } else { nowrap_units::tied(caption) };
         let title = format!("{} {}. {}", self.kind, self.number, plain(&caption));
-        let book = format!("{TITLE}, {}, page {}", page.edition.words(), page.name);
-        let described = file.describing(&title, &book)?;
+        let book = format!("{}, {}, page {}", imprint.title, page.edition.words(), page.name);
+        let described = file.metadata(&title, &book, imprint.licence_address)?;
         let caption = format!(
             "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
              title=\"made by {}\" download>Data (CSV)</a></small></figcaption>",
@@ -212,43 +231,43 @@ impl Shown {
 
 /// Replaces the placeholders of a chapter, in a book that shows these figures and tables. Returns also the files to
 /// which the page leads.
-pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(String, Vec<File>)> {
+pub fn expand(
+    chapter: &str,
+    page: ChapterContext<'_>,
+    all: &[NumberedItem],
+) -> anyhow::Result<(String, Vec<PageFile>)> {
     let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
-    let found = placeholders(chapter);
-    let lines = lines(chapter, &found, page.written);
+    let found = placeholders(page.book, chapter);
+    let lines = lines(chapter, &found, page);
     for (placeholder, line) in found.iter().zip(lines) {
-        if let (Marked(_), Some(id)) = (placeholder.put, placeholder.argument) {
+        if let (Marked(_), Some(id)) = (placeholder.key.expansion, placeholder.argument) {
             marked.insert(id);
         }
-        match text(placeholder, page, all, &mut files) {
+        match expansion(placeholder, page, all, &mut files) {
             Ok(text) => edits.push((placeholder.range.clone(), text)),
             Err(error) => errors.push(format!("line {line}: {error:#}")),
         }
     }
     ensure!(errors.is_empty(), "{}", errors.join("\n"));
-    let tie = if page.name == LEDGER { units::tied_without_tags } else { units::tied };
-    let mut page = inline::glued(&maths::apply(chapter, &edits));
+    let is_ledger = page.book.is_ledger_page(page.name);
+    let tie = if is_ledger { nowrap_units::tied_without_tags } else { nowrap_units::tied };
+    let mut text = inline::glued(&maths::apply(chapter, &edits));
     for id in marked {
-        page.push_str(&format!("\n{}\n", inline::note(id)?));
+        text.push_str(&format!("\n{}\n", inline::note(page.book, id)?));
     }
-    Ok((options::in_one_piece(&tie(&page)), files))
+    Ok((nowrap_options::in_one_piece(&tie(&text)), files))
 }
 
 /// The lines of these placeholders in the chapter as its author wrote it, which formulas and folded programs have changed
 /// since. They still follow one another.
-fn lines(chapter: &str, found: &[Placeholder], written: &str) -> Vec<usize> {
-    let before = placeholders(written);
-    let (text, found) = if before.len() == found.len() { (written, &*before) } else { (chapter, found) };
+fn lines(chapter: &str, found: &[Placeholder], page: ChapterContext<'_>) -> Vec<usize> {
+    let before = placeholders(page.book, page.written);
+    let (text, found) = if before.len() == found.len() { (page.written, &*before) } else { (chapter, found) };
     found.iter().map(|placeholder| maths::line(text, placeholder.range.start)).collect()
 }
 
-/// Every key of a placeholder.
-pub fn keys() -> impl Iterator<Item = &'static str> {
-    KEYS.iter().map(|(key, ..)| *key)
-}
-
-/// The placeholders of our keys.
-fn placeholders(chapter: &str) -> Vec<Placeholder<'_>> {
+/// The placeholders of a chapter whose keys the book has.
+pub fn placeholders<'a>(book: &Book, chapter: &'a str) -> Vec<Placeholder<'a>> {
     let mut found = Vec::new();
     let mut from = 0;
     while let Some(open) = chapter[from..].find("{{").map(|at| from + at) {
@@ -258,131 +277,108 @@ fn placeholders(chapter: &str) -> Vec<Placeholder<'_>> {
             Some((name, argument)) => (name, Some(argument.trim())),
             None => (inside, None),
         };
-        if let Some(&(key, what, put)) = KEYS.iter().find(|(key, ..)| *key == name) {
+        if let Some(key) = keys(book).find(|key| key.name == name) {
             from += inside.len() + 2;
-            found.push(Placeholder { range: open..from, key, what, put, argument });
+            found.push(Placeholder { range: open..from, key, argument });
         }
     }
     found
 }
 
 /// What stands for a placeholder on a page; the files to which it leads are added to those of the page.
-fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Vec<File>) -> anyhow::Result<String> {
+pub fn expansion(
+    placeholder: &Placeholder,
+    page: ChapterContext<'_>,
+    all: &[NumberedItem],
+    files: &mut Vec<PageFile>,
+) -> anyhow::Result<String> {
+    let PlaceholderKey { name: key, meaning, expansion, .. } = *placeholder.key;
     let here = || {
-        let is_it = |shown: &&Shown| shown.page == page.name && shown.at == placeholder.range.start;
-        all.iter().find(is_it).with_context(|| format!("`{}` is in no list", placeholder.key))
+        let is_it = |item: &&NumberedItem| item.page == page.name && item.at == placeholder.range.start;
+        all.iter().find(is_it).with_context(|| format!("`{key}` is in no list"))
     };
-    let show = |framed: Framed<'_>, files: &mut Vec<File>| {
-        let (html, of_it) = here()?.framed(framed, page)?;
+    let show = |frame: FigureFrame<'_>, files: &mut Vec<PageFile>| {
+        let (html, of_it) = here()?.framed(frame, page)?;
         files.extend(of_it);
         Ok(html)
     };
-    let Placeholder { key, what, .. } = placeholder;
-    match (placeholder.put, placeholder.argument) {
-        (Alone(put), None) => put(),
-        (Alone(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
-        (Of(put) | Marked(put), Some(argument)) => put(argument),
-        (Dated(put), None) => put(page.edition),
-        (Dated(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
-        (DatedOf(put), Some(argument)) => put(argument, page.edition),
-        (Put::Figure, Some(name)) => {
-            let figure = figures::by_name(name)?;
-            let svg = figure.on_a_page();
-            let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
-            show(
-                Framed { attributes: "class=\"fig\"", caption: &caption, inner: &svg, source: figure.source, csv },
-                files,
-            )
-        }
-        (Put::Live, Some(name)) => {
-            let live::Moved { figure, html, attributes } = live::moved(name)?;
-            let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
-            let attributes = format!("class=\"fig live\"{attributes}");
-            show(Framed { attributes: &attributes, caption: &caption, inner: &html, source: figure.source, csv }, files)
+    let show_figure = |attributes: &str, figure: PageFigure, files: &mut Vec<PageFile>| {
+        let PageFigure { drawing, caption, csv, source } = figure;
+        show(FigureFrame { attributes, caption: &escape(&caption), inner: &drawing, source, csv }, files)
+    };
+    let book = page.book;
+    match (expansion, placeholder.argument) {
+        (Bare(make), None) => make(book),
+        (Of(make) | Marked(make), Some(argument)) => make(book, argument),
+        (Dated(make), None) => make(book, page.edition),
+        (Bare(_) | Dated(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
+        (DatedOf(make), Some(argument)) => make(book, argument, page.edition),
+        (Expansion::Figure, Some(name)) => show_figure("class=\"fig\"", (book.figures)(name)?, files),
+        (Interactive(_, make), Some(name)) => {
+            let InteractiveFigure { figure, attributes } = make(book, name)?;
+            show_figure(&format!("class=\"fig live\"{attributes}"), figure, files)
         }
         (Numbered(make), Some(argument)) => {
-            let table = make(argument)?;
+            let table = make(book, argument)?;
             let caption = format!("{}.", escape(table.caption()));
             let (html, csv) = (table.html(), table.csv()?);
-            let framed =
-                Framed { attributes: "class=\"tab\"", caption: &caption, inner: &html, source: table.source(), csv };
-            show(framed, files)
+            let (inner, source) = (&html, table.source());
+            show(FigureFrame { attributes: "class=\"tab\"", caption: &caption, inner, source, csv }, files)
         }
-        (Put::Reference, Some(name)) => match all.iter().find(|shown| shown.name == name) {
-            Some(shown) => {
-                let file = if shown.page == page.name { String::new() } else { format!("{}.html", shown.page) };
-                Ok(format!("<a href=\"{file}#{}\">{}&nbsp;{}</a>", shown.anchor(), shown.kind, shown.number))
+        (Expansion::Reference, Some(name)) => match all.iter().find(|item| item.name == name) {
+            Some(item) => {
+                let file = if item.page == page.name { String::new() } else { format!("{}.html", item.page) };
+                Ok(format!("<a href=\"{file}#{}\">{}&nbsp;{}</a>", item.anchor(), item.kind, item.number))
             }
             None => {
-                let names: Vec<_> = all.iter().map(|shown| shown.name.as_str()).collect();
-                bail!("no figure or table `{name}` in the book; it shows: {}", names.join(", "))
+                let names: Vec<_> = all.iter().map(|item| item.name.as_str()).collect();
+                let unknown = unknown("figure or table", name, names.iter().copied());
+                bail!("{unknown}; the book shows: {}", names.join(", "))
             }
         },
-        (_, None) => bail!("`{{{{{key}}}}}` needs an argument, `{{{{{key}:…}}}}`: {what}"),
+        (_, None) => bail!("`{{{{{key}}}}}` needs an argument, `{{{{{key}:…}}}}`: {meaning}"),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::BOOK;
 
-    const PAGE: Page<'_> = Page { name: "pin", number: "1.", edition: &Edition::NONE, written: "" };
+    static EDITION: Edition = Edition::without_commit(BOOK.imprint.version);
+    const PAGE: ChapterContext<'_> =
+        ChapterContext { book: &BOOK, name: "pin", number: "1.", edition: &EDITION, written: "" };
 
-    fn put(chapter: &str) -> anyhow::Result<String> {
-        Ok(put_in(chapter, PAGE, &shown(chapter, PAGE))?.0)
+    fn expanded(chapter: &str) -> anyhow::Result<String> {
+        Ok(expand(chapter, PAGE, &numbered_items(chapter, PAGE))?.0)
     }
 
     #[test]
-    fn braces_that_are_not_ours_stay() {
+    fn braces_of_others_stay() {
         let text = "format!(\"{{}}\") {{#include x}} {{ unclosed";
-        assert_eq!(put(text).expect("nothing to draw"), text);
+        assert_eq!(expanded(text).expect("nothing to draw"), text);
     }
 
     #[test]
     fn every_key_is_drawn_or_asks_for_its_argument() {
-        for (key, _, kind) in KEYS {
-            let bare = put(&format!("{{{{{key}}}}}"));
-            assert_eq!(bare.is_ok(), matches!(kind, Alone(_) | Dated(_)), "{key}: {bare:?}");
+        for key in keys(&BOOK) {
+            let bare = expanded(&format!("{{{{{}}}}}", key.name));
+            assert_eq!(bare.is_ok(), matches!(key.expansion, Bare(_) | Dated(_)), "{}: {bare:?}", key.name);
         }
     }
 
     #[test]
-    fn an_unknown_id_is_named_with_its_line_and_a_neighbour() {
-        let error = put("one\n\n{{value:pin.radiuss}}").expect_err("no such claim").to_string();
+    fn figures_and_tables_are_numbered_where_they_stand_and_an_unknown_one_is_answered_with_the_nearest() {
+        let page = expanded("{{ref:rows}}\n\n{{figure:circle}}\n\n{{table:rows}}\n").expect("all are drawn");
         assert!(
-            error.starts_with("line 3:") && error.contains("pin.radiuss") && error.contains("pin.radius`"),
-            "{error}"
+            page.contains("<a href=\"#table-rows\">Table\u{a0}1.1</a>") && page.contains("Figure\u{a0}1.1"),
+            "{page}"
         );
-    }
-
-    #[test]
-    fn an_error_has_the_line_that_its_author_wrote() {
-        let written = "one\n\n$$\na\n= b\n$$\n\n```rust\n// A program.\nf();\n```\n\n{{value:pin.radiuss}}\n";
-        let chapter = crate::fences::fold(&maths::render(written).expect("a formula"));
-        let error = put_in(&chapter, Page { written, ..PAGE }, &[]).err().expect("no such claim").to_string();
-        assert!(error.starts_with("line 13: "), "{error}");
-    }
-
-    #[test]
-    fn figures_and_tables_are_numbered_where_they_stand() {
-        let chapter =
-            "see {{ref:pin-velocity}}\n\n{{figure:pin-position}}\n\n{{wheels:3 4}}\n\n{{figure:pin-velocity}}\n";
-        let page = put(chapter).expect("all are drawn");
-        assert!(page.contains("<a href=\"#fig-pin-velocity\">Figure\u{a0}1.2</a>"), "{page}");
-        assert!(page.contains("Figure\u{a0}1.1") && page.contains("Table\u{a0}1.1"));
-        assert!(put("{{ref:pin-position}}").is_err());
-        let other = put_in(
-            "{{ref:wheels}}",
-            Page { name: "other", number: "2.", edition: &Edition::NONE, written: "" },
-            &shown(chapter, PAGE),
-        );
-        assert_eq!(other.expect("known").0, "<a href=\"pin.html#table-wheels\">Table\u{a0}1.1</a>");
-    }
-
-    #[test]
-    fn a_mark_has_one_note_on_its_page() {
-        let page = put("at rest{{verdict:pin.standstill}} twice{{verdict:pin.standstill}}").expect("a claim");
-        assert_eq!(page.matches("popovertarget=\"note-pin.standstill\"").count(), 2);
-        assert_eq!(page.matches("id=\"note-pin.standstill\"").count(), 1);
+        for (placeholder, nearest) in
+            [("{{figure:circel}}", "circle"), ("{{table:row}}", "rows"), ("{{table:rows}} {{ref:row}}", "rows")]
+        {
+            let error = expanded(&format!("one\n\n{placeholder}")).expect_err(placeholder).to_string();
+            assert!(error.starts_with("line 3: ") && error.contains(&format!("the nearest is `{nearest}`")), "{error}");
+        }
     }
 }

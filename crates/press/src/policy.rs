@@ -15,16 +15,17 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use crate::base64::base64;
+use crate::book::PageModule;
 
 /// The element behind which the policy stands: as the pages have it, and as those that lead on to another have it.
 const BEFORE: [&str; 2] = ["<meta charset=\"UTF-8\">", "<meta charset=\"utf-8\">"];
 
-/// A page with its policy, which is the first thing that a browser reads.
-pub fn guarded(page: &str) -> anyhow::Result<String> {
+/// A page with its policy, which is the first thing that a browser reads. These modules may answer it.
+pub fn guarded(page: &str, modules: &[PageModule]) -> anyhow::Result<String> {
     let split = BEFORE.iter().find_map(|before| page.split_once(before).map(|(head, rest)| (head, before, rest)));
     let (head, before, rest) = split.with_context(|| format!("it has no `{}`", BEFORE[0]))?;
     ensure!(!head.contains("<script"), "a script stands before `{before}`");
-    let policy = policy(&inline(page));
+    let policy = policy(&inline(page, modules));
     Ok(format!("{head}{before}<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">{rest}"))
 }
 
@@ -49,18 +50,20 @@ fn policy(inline: &Inline) -> String {
     )
 }
 
-fn inline(page: &str) -> Inline {
-    let tokenizer = Tokenizer::new(Found::default(), TokenizerOpts::default());
+fn inline(page: &str, modules: &[PageModule]) -> Inline {
+    let tokenizer = Tokenizer::new(InlineSink { modules, state: RefCell::default() }, TokenizerOpts::default());
     let queue = BufferQueue::default();
     queue.push_back(page.into());
     // A page holds no script that would have to run while it is read.
     let _ = tokenizer.feed(&queue);
     tokenizer.end();
-    tokenizer.sink.0.into_inner().inline
+    tokenizer.sink.state.into_inner().inline
 }
 
-#[derive(Default)]
-struct Found(RefCell<State>);
+struct InlineSink<'a> {
+    modules: &'a [PageModule],
+    state: RefCell<State>,
+}
 
 #[derive(Default)]
 struct State {
@@ -69,15 +72,15 @@ struct State {
     open: Option<String>,
 }
 
-impl TokenSink for Found {
+impl TokenSink for InlineSink<'_> {
     type Handle = ();
 
     fn process_token(&self, token: Token, _: u64) -> TokenSinkResult<()> {
-        let mut state = self.0.borrow_mut();
+        let mut state = self.state.borrow_mut();
         match token {
             Token::TagToken(tag) if tag.kind == StartTag => {
                 let has = |name: &str| tag.attrs.iter().any(|of| &*of.name.local == name);
-                state.inline.moves |= has("data-live") || has("data-proofread");
+                state.inline.moves |= self.modules.iter().any(|module| has(module.asking()));
                 let raw = match &*tag.name {
                     "script" => RawKind::ScriptData,
                     "style" => RawKind::Rawtext,
@@ -107,12 +110,13 @@ impl TokenSink for Found {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::BOOK;
 
     #[test]
     fn scripts_and_styles_in_a_page_are_allowed_by_their_hashes() {
         let page = "<html><head><meta charset=\"UTF-8\"><script>alert('Hello, world.');</script><script src=\"a.js\"></script>\
                     <style>a{}</style></head><body><pre>&lt;script&gt;no&lt;/script&gt;</pre></body></html>";
-        let guarded = guarded(page).expect("a policy");
+        let guarded = guarded(page, BOOK.modules).expect("a policy");
         let policy = guarded.split("content=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a policy");
         // The hash is the example of the specification, Content Security Policy Level 3, section 8.
         let script = "script-src 'self' 'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng=';";
@@ -128,13 +132,13 @@ mod tests {
     #[test]
     fn a_module_is_allowed_where_a_figure_moves() {
         let page = "<head><meta charset=\"UTF-8\"></head><figure data-live=\"wheel\"></figure>";
-        let guarded = guarded(page).expect("a policy");
+        let guarded = guarded(page, BOOK.modules).expect("a policy");
         assert!(guarded.contains("script-src 'self' 'wasm-unsafe-eval';") && guarded.contains("worker-src blob:"));
     }
 
     #[test]
     fn a_page_without_a_place_for_its_policy_is_refused() {
-        assert!(guarded("<head></head>").is_err());
-        assert!(guarded("<script>a</script><meta charset=\"UTF-8\">").is_err());
+        assert!(guarded("<head></head>", &[]).is_err());
+        assert!(guarded("<script>a</script><meta charset=\"UTF-8\">", &[]).is_err());
     }
 }

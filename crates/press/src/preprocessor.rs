@@ -1,11 +1,15 @@
 //! The preprocessor that mdBook calls, in process or as a program.
 
+use crate::book::Book;
+use crate::data::PageFile;
 use crate::edition::Edition;
 use crate::html::escape;
-use crate::placeholders::Page;
-use crate::{address, braces, chapter_tests, data, fences, live, maths, placeholders};
+use crate::ledger_pages::ledger;
+use crate::pages::PageRole;
+use crate::placeholders::{self, ChapterContext, ENGINE_KEYS};
+use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, records};
 use anyhow::{bail, ensure};
-use mdbook_preprocessor::book::{Book, Chapter};
+use mdbook_preprocessor::book::{Book as Chapters, Chapter};
 use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{MDBOOK_VERSION, Preprocessor, PreprocessorContext};
 use std::path::Path;
@@ -14,62 +18,72 @@ use std::path::Path;
 const PAGES: &str = "html";
 const TESTS: &str = "test";
 
-/// Turns a chapter with formulas and placeholders into one that is all there.
+/// Turns a chapter of a book with formulas and placeholders into one that is all there.
 ///
 /// For pages, formulas become markup and placeholders give way to the ledger's numbers, tables and figures. For tests, the
 /// examples are told which crates they may use; the rest stays as it is.
-pub struct Geneva;
+#[derive(Clone, Copy)]
+pub struct Press(pub &'static Book);
 
-impl Preprocessor for Geneva {
+impl Preprocessor for Press {
     fn name(&self) -> &str {
-        "geneva"
+        self.0.imprint.program
     }
 
-    fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        check_caller(context)?;
-        let chapters = context.root.join(&context.config.book.src);
+    fn run(&self, context: &PreprocessorContext, mut chapters: Chapters) -> Result<Chapters> {
+        let book = self.0;
+        book.check(ENGINE_KEYS)?;
+        check_caller(book, context)?;
+        let folder = context.root.join(&context.config.book.src);
         if context.renderer == TESTS {
             let mut errors = Vec::new();
-            book.for_each_chapter_mut(|chapter| errors.extend(misbraced(chapter, &chapters)));
+            chapters.for_each_chapter_mut(|chapter| errors.extend(misbraced(book, chapter, &folder)));
             ensure!(errors.is_empty(), "{}", errors.join("\n"));
-            book.for_each_chapter_mut(|chapter| {
-                chapter.content = fences::add_extern_crates(&chapter.content, &fences::CRATES);
+            chapters.for_each_chapter_mut(|chapter| {
+                chapter.content = fences::add_extern_crates(&chapter.content, book.examples.crates);
             });
-            return Ok(book);
+            return Ok(chapters);
         }
-        let mut programs = String::new();
-        book.for_each_chapter_mut(|chapter| {
-            let name = Place::of(chapter).name;
-            programs += &chapter_tests::take(&name, &chapter.name, &mut chapter.content);
-        });
-        book.for_each_chapter_mut(|chapter| {
-            let name = Place::of(chapter).name;
-            chapter_tests::put(&name, &programs, &mut chapter.content);
-        });
+        if let Some(page) = book.page_of_role(PageRole::Programs) {
+            let mut programs = String::new();
+            chapters.for_each_chapter_mut(|chapter| {
+                let name = ChapterPlace::of(chapter).name;
+                programs += &chapter_tests::take_programs(page, &name, &chapter.name, &mut chapter.content);
+            });
+            chapters.for_each_chapter_mut(|chapter| {
+                if ChapterPlace::of(chapter).name == page {
+                    chapter_tests::insert_programs(&programs, &mut chapter.content);
+                }
+            });
+        }
         let mut errors = Vec::new();
         let mut written = Vec::new();
-        book.for_each_chapter_mut(|chapter| {
+        chapters.for_each_chapter_mut(|chapter| {
             written.push(chapter.content.clone());
-            errors.extend(misbraced(chapter, &chapters));
+            errors.extend(misbraced(book, chapter, &folder));
             match maths::render(&chapter.content) {
                 Ok(content) => chapter.content = fences::fold(&content),
                 Err(error) => errors.push(located(chapter, &error)),
             }
         });
-        let edition = Edition::of(&context.root);
-        let shown: Vec<_> = book
+        let edition = Edition::detect(&context.root, &book.imprint);
+        let items: Vec<_> = chapters
             .chapters()
-            .flat_map(|chapter| placeholders::shown(&chapter.content, Place::of(chapter).page(&edition, "")))
+            .flat_map(|chapter| {
+                let place = ChapterPlace::of(chapter);
+                placeholders::numbered_items(&chapter.content, place.context(book, &edition, ""))
+            })
             .collect();
-        let titles: Vec<_> = book.chapters().map(|chapter| (Place::of(chapter).name, chapter.name.clone())).collect();
-        let footer = edition.footer(address::known());
+        let titles: Vec<_> =
+            chapters.chapters().map(|chapter| (ChapterPlace::of(chapter).name, chapter.name.clone())).collect();
+        let footer = citing::footer(book, &edition, address::known(&book.imprint).as_ref());
         let mut files = Vec::new();
         let mut written = written.into_iter();
-        book.for_each_chapter_mut(|chapter| {
-            let place = Place::of(chapter);
+        chapters.for_each_chapter_mut(|chapter| {
+            let place = ChapterPlace::of(chapter);
             let beside = neighbours(&titles, &place.name);
             let written = written.next().unwrap_or_default();
-            match placeholders::put_in(&chapter.content, place.page(&edition, &written), &shown) {
+            match placeholders::expand(&chapter.content, place.context(book, &edition, &written), &items) {
                 Ok((content, led_to)) => {
                     chapter.content = content + &beside + &footer;
                     files.extend(led_to);
@@ -79,17 +93,19 @@ impl Preprocessor for Geneva {
         });
         ensure!(errors.is_empty(), "{}", errors.join("\n"));
         // Every verdict is derived for the records, so a book has them only if it leads to them.
-        if data::has_place(&chapters) && book.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
-            files.extend(data::File::records(&edition)?);
+        if data::has_place(&folder) && chapters.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
+            let records = records::files(book, &edition)?.into_iter();
+            files.extend(records.map(|(name, text)| PageFile::text_file(name, text)));
+            files.extend(ledger::files(book)?);
         }
         let root = context.root.parent().unwrap_or(&context.root);
         let mut contents = Vec::new();
-        book.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
-        files.extend(live::on_pages(&mut contents.iter_mut(), root));
+        chapters.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
+        files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), root));
         let mut contents = contents.into_iter();
-        book.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
-        data::write(&chapters, &files)?;
-        Ok(book)
+        chapters.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
+        data::write(&folder, &files)?;
+        Ok(chapters)
     }
 
     /// Every renderer is answered: mdBook would leave out in silence whoever says no, and render the chapters without it.
@@ -99,12 +115,13 @@ impl Preprocessor for Geneva {
 }
 
 /// Refuses a renderer for which the book isn't made, and an mdBook that may mean something else by what it says.
-fn check_caller(context: &PreprocessorContext) -> Result<()> {
+fn check_caller(book: &Book, context: &PreprocessorContext) -> Result<()> {
+    let program = book.imprint.program;
     let PreprocessorContext { renderer, mdbook_version, .. } = context;
     if ![PAGES, TESTS].contains(&&**renderer) {
         bail!(
             "this book is made for the renderer `{PAGES}`, not for `{renderer}`: formulas, figures and marks are HTML. Take \
-             `[output.{renderer}]` out of book.toml; for a PDF, run `geneva book print`"
+             `[output.{renderer}]` out of book.toml; for a PDF, run `{program} book print`"
         );
     }
     // Before 1.0, the second number changes when the format does.
@@ -112,18 +129,20 @@ fn check_caller(context: &PreprocessorContext) -> Result<()> {
     ensure!(
         format(mdbook_version) == format(MDBOOK_VERSION),
         "mdBook {mdbook_version} calls a preprocessor for mdBook {MDBOOK_VERSION}, whose books may have another format: install \
-         it with `cargo install mdbook --version {MDBOOK_VERSION}`, or build the book with `geneva book`"
+         it with `cargo install mdbook --version {MDBOOK_VERSION}`, or build the book with `{program} book`"
     );
     Ok(())
 }
 
 /// What is wrong with the double braces of a chapter below this folder, each with its file and line.
-fn misbraced(chapter: &Chapter, chapters: &Path) -> Vec<String> {
+fn misbraced(book: &Book, chapter: &Chapter, chapters: &Path) -> Vec<String> {
     let folder = chapters.join(chapter.source_path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")));
     let mut text = chapter.content.clone();
     // On their page, the programs of all chapters have their place.
-    chapter_tests::put(&Place::of(chapter).name, "", &mut text);
-    let faults = braces::faults(&text, &folder);
+    if book.page_of_role(PageRole::Programs) == Some(&*ChapterPlace::of(chapter).name) {
+        chapter_tests::insert_programs("", &mut text);
+    }
+    let faults = braces::faults(book, &text, &folder);
     faults.into_iter().map(|fault| format!("{}: {fault}", file(chapter))).collect()
 }
 
@@ -151,26 +170,27 @@ fn file(chapter: &Chapter) -> String {
 }
 
 /// Where a chapter stands: its page, and its number.
-struct Place {
+struct ChapterPlace {
     name: String,
     number: String,
 }
 
-impl Place {
+impl ChapterPlace {
     fn of(chapter: &Chapter) -> Self {
         let stem = chapter.path.as_deref().and_then(|path| path.file_stem());
         let name = stem.map_or_else(|| chapter.name.clone(), |stem| stem.to_string_lossy().into_owned());
         Self { name, number: chapter.number.as_ref().map_or_else(String::new, ToString::to_string) }
     }
 
-    fn page<'a>(&'a self, edition: &'a Edition, written: &'a str) -> Page<'a> {
-        Page { name: &self.name, number: &self.number, edition, written }
+    fn context<'a>(&'a self, book: &'a Book, edition: &'a Edition, written: &'a str) -> ChapterContext<'a> {
+        ChapterContext { book, name: &self.name, number: &self.number, edition, written }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::BOOK;
     use mdbook_preprocessor::book::BookItem;
     use mdbook_preprocessor::config::Config;
 
@@ -182,8 +202,8 @@ mod tests {
     fn processed(chapter: Chapter, renderer: &str, version: &str) -> std::result::Result<String, String> {
         let mut context = PreprocessorContext::new("nowhere/book".into(), Config::default(), renderer.to_owned());
         context.mdbook_version = version.to_owned();
-        let book = Book::new_with_items(vec![BookItem::Chapter(chapter)]);
-        let book = Geneva.run(&context, book).map_err(|error| format!("{error:#}"))?;
+        let book = Chapters::new_with_items(vec![BookItem::Chapter(chapter)]);
+        let book = Press(&BOOK).run(&context, book).map_err(|error| format!("{error:#}"))?;
         Ok(book.chapters().map(|chapter| chapter.content.clone()).collect())
     }
 
@@ -195,12 +215,12 @@ mod tests {
     fn a_renderer_for_which_the_book_is_not_made_is_refused_with_a_way_out() {
         for renderer in ["markdown", "epub", "pandoc", "linkcheck"] {
             assert!(
-                Geneva.supports_renderer(renderer).expect("an answer"),
+                Press(&BOOK).supports_renderer(renderer).expect("an answer"),
                 "{renderer} would be left alone in silence"
             );
             let error = asked("# Only\n", renderer, MDBOOK_VERSION).expect_err("no such renderer");
             assert!(
-                error.contains(&format!("`[output.{renderer}]`")) && error.contains("geneva book print"),
+                error.contains(&format!("`[output.{renderer}]`")) && error.contains("sample book print"),
                 "{error}"
             );
         }

@@ -3,8 +3,8 @@
 //! It is made from the finished pages. Everything in it stands on the paper as a reader needs it:
 //!
 //! - What a chapter folds is open: solutions, derivations, tables. Of an example in Rust only its first line is printed, which
-//!   says what it shows; of a mistake only the line that names it, because the chapter *Errata* prints all on a mistake in the
-//!   four documents.
+//!   says what it shows; of a mistake only the line that names it, because the pages of errata print all on a mistake in the
+//!   documents.
 //! - The notes on single claims, the controls of figures that move and the links to data are left out, and so are the pages
 //!   that only list records: the ledger, the coverage of the sources, the fields of the data, and the architecture.
 //! - Links lead to places in the document. A link to a page that is left out leads to the book's address if that is known.
@@ -13,11 +13,11 @@
 pub mod numbers;
 
 use crate::address::Address;
-use crate::citing::{AUTHORS, SUBTITLE, TITLE};
+use crate::book::Book;
 use crate::edition::Edition;
 use crate::html::escape;
-use crate::live;
-use crate::pages::{Numbering, PAGES, Place};
+use crate::modules;
+use crate::pages::{Numbering, PagePlace};
 use anyhow::Context;
 use html5ever::tokenizer::states::RawKind;
 use html5ever::tokenizer::{
@@ -30,23 +30,16 @@ use std::path::Path;
 /// The document's file in the book.
 pub const FILE: &str = "print.html";
 /// The style sheet that it alone loads.
-const STYLE: (&str, &str) = ("theme/print.css", include_str!("../../../book/theme/print.css"));
-/// Pages behind the book that belong to what a reader reads.
-const APPENDICES: [&str; 2] = ["solver", "mimic"];
+const STYLE: (&str, &str) = ("theme/print.css", include_str!("../theme/print.css"));
 /// What has no place on paper, by the class of the element.
 const LEFT_OUT: [&str; 4] = ["beside", "edition", "source", "controls"];
-
-/// Whether a page is part of the document.
-fn is_printed(name: &str, place: Place) -> bool {
-    place != Place::Behind || APPENDICES.contains(&name)
-}
 
 /// A page of the book as it is in the document.
 struct Chapter {
     name: &'static str,
     /// With a point behind it, or empty.
     number: String,
-    title: String,
+    title: &'static str,
     /// The part of the book that begins with this chapter.
     part: Option<&'static str>,
     html: String,
@@ -54,13 +47,13 @@ struct Chapter {
     sections: Vec<(String, String)>,
 }
 
-/// Writes the document into a built book. A book that has none of our pages gets none.
-pub fn write(book: &Path, edition: &Edition, address: Option<&Address>) -> anyhow::Result<()> {
+/// Writes the document of a book into the folder in which it is built. Where none of its pages is there, there is none.
+pub fn write(book: &Book, folder: &Path, edition: &Edition, address: Option<&Address>) -> anyhow::Result<()> {
     let mut styles = String::new();
     let mut chapters = Vec::new();
     let (mut numbering, mut part) = (Numbering::default(), "");
-    for page in PAGES.iter().filter(|page| is_printed(page.name, page.place)) {
-        let path = book.join(format!("{}.html", page.name));
+    for page in book.pages.iter().filter(|page| page.is_printed) {
+        let path = folder.join(format!("{}.html", page.name));
         if !path.is_file() {
             continue;
         }
@@ -73,30 +66,34 @@ pub fn write(book: &Path, edition: &Edition, address: Option<&Address>) -> anyho
         }
         let number = numbering.next(page.place);
         let of = match page.place {
-            Place::In(of) => of,
-            Place::Behind => "Appendices",
-            Place::Before | Place::Below => part,
+            PagePlace::In(of) => of,
+            PagePlace::Behind => "Appendices",
+            PagePlace::Before | PagePlace::Below => part,
         };
         let begins = (std::mem::replace(&mut part, of) != of).then_some(of);
-        let (html, sections) = reset(main, page.name, &number, address);
-        chapters.push(Chapter { name: page.name, number, title: page.title.clone(), part: begins, html, sections });
+        let (html, sections) = reset(book, main, page.name, &number, address);
+        chapters.push(Chapter { name: page.name, number, title: page.title, part: begins, html, sections });
     }
     if chapters.is_empty() {
         return Ok(());
     }
     // What is live is set by a sheet of its own, which is there where it is.
-    for style in live::styles().filter(|style| book.join(style).is_file()) {
+    for style in modules::styles(book).filter(|style| folder.join(style).is_file()) {
         styles.push_str(&format!("\n<link rel=\"stylesheet\" href=\"{style}\">"));
     }
-    for (name, text) in [STYLE, (FILE, &*document(&styles, &chapters, edition, address))] {
-        let path = book.join(name);
+    for (name, text) in [STYLE, (FILE, &*document(book, &styles, &chapters, edition, address))] {
+        let path = folder.join(name);
+        // Only a book with sheets of its own has a folder for them.
+        fs::create_dir_all(path.parent().unwrap_or(folder))
+            .with_context(|| format!("cannot make the folder of {}", path.display()))?;
         fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
     Ok(())
 }
 
 /// The whole document.
-fn document(styles: &str, chapters: &[Chapter], edition: &Edition, address: Option<&Address>) -> String {
+fn document(book: &Book, styles: &str, chapters: &[Chapter], edition: &Edition, address: Option<&Address>) -> String {
+    let imprint = &book.imprint;
     let mut contents = String::new();
     for chapter in chapters {
         if let Some(part) = chapter.part {
@@ -116,16 +113,17 @@ fn document(styles: &str, chapters: &[Chapter], edition: &Edition, address: Opti
         "<!DOCTYPE HTML>\n<html lang=\"en\" class=\"light\">\n<head>\n<meta charset=\"UTF-8\">\n<title>{title} (to be printed)</title>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{styles}\n<link rel=\"stylesheet\" href=\"{style}\">\n\
          </head>\n<body>\n<div class=\"content\">\n<header class=\"title-page\">\n<p class=\"title\">{title}</p>\n<p \
-         class=\"subtitle\">{subtitle}</p>\n<p>{authors}</p>\n<p>{said}</p>{read}\n<p class=\"notice\">This is the whole book for \
+         class=\"subtitle\">{subtitle}</p>\n<p>{authors}</p>\n<p>{edition}</p>{read}\n<p class=\"notice\">This is the whole book for \
          paper. The marks ✓ ≈ ✗ ? say that we checked what is before them: right, right as finely as we could read it off, wrong, \
          open. The ledger of all claims, the coverage of the sources and the data are not printed, and of an example in Rust you \
-         see only the line that says what it shows. Text and figures: CC BY 4.0.</p>\n</header>\n<nav class=\"contents\" \
+         see only the line that says what it shows. Text and figures: {licence}.</p>\n</header>\n<nav class=\"contents\" \
          aria-label=\"Contents\">\n<h1 id=\"contents\">Contents</h1>\n<ol>\n{contents}</ol>\n</nav>\n<main>\n{chapters}</main>\n<footer \
-         class=\"edition\">{title}, {said}.</footer>\n</div>\n</body>\n</html>\n",
-        title = escape(TITLE),
-        subtitle = escape(SUBTITLE),
-        authors = escape(AUTHORS),
-        said = escape(&edition.words()),
+         class=\"edition\">{title}, {edition}.</footer>\n</div>\n</body>\n</html>\n",
+        title = escape(imprint.title),
+        subtitle = escape(imprint.subtitle),
+        authors = escape(imprint.authors),
+        edition = escape(&edition.words()),
+        licence = escape(imprint.licence_words),
         style = STYLE.0,
     )
 }
@@ -139,9 +137,14 @@ fn line(id: &str, class: &str, title: &str) -> String {
 }
 
 /// The text of a page set anew for the document, and the headings of its sections.
-fn reset(main: &str, page: &str, number: &str, address: Option<&Address>) -> (String, Vec<(String, String)>) {
-    let state =
-        State { page: page.to_owned(), number: number.to_owned(), address: address.cloned(), ..State::default() };
+fn reset(
+    book: &Book,
+    main: &str,
+    page: &str,
+    number: &str,
+    address: Option<&Address>,
+) -> (String, Vec<(String, String)>) {
+    let state = State::new(book, page, number, address);
     let tokenizer = Tokenizer::new(Anew(RefCell::new(state)), TokenizerOpts::default());
     let queue = BufferQueue::default();
     queue.push_back(main.into());
@@ -152,10 +155,10 @@ fn reset(main: &str, page: &str, number: &str, address: Option<&Address>) -> (St
     (state.out, state.sections)
 }
 
-struct Anew(RefCell<State>);
+struct Anew<'a>(RefCell<State<'a>>);
 
-#[derive(Default)]
-struct State {
+struct State<'a> {
+    book: &'a Book,
     page: String,
     number: String,
     address: Option<Address>,
@@ -169,7 +172,7 @@ struct State {
     is_raw: bool,
 }
 
-impl TokenSink for Anew {
+impl TokenSink for Anew<'_> {
     type Handle = ();
 
     fn process_token(&self, token: Token, _: u64) -> TokenSinkResult<()> {
@@ -190,7 +193,22 @@ impl TokenSink for Anew {
     }
 }
 
-impl State {
+impl<'a> State<'a> {
+    fn new(book: &'a Book, page: &str, number: &str, address: Option<&Address>) -> Self {
+        Self {
+            book,
+            page: page.to_owned(),
+            number: number.to_owned(),
+            address: address.cloned(),
+            out: String::new(),
+            sections: Vec::new(),
+            passed: None,
+            folds: Vec::new(),
+            is_in_section: false,
+            is_raw: false,
+        }
+    }
+
     fn open(&mut self, tag: &Tag) {
         let name: &str = &tag.name;
         if let Some((passed, depth)) = &mut self.passed {
@@ -225,9 +243,7 @@ impl State {
                     continue;
                 }
                 "open" => continue,
-                _ if key.starts_with("data-live") || key.starts_with("data-proofread") || key == "data-given" => {
-                    continue;
-                }
+                _ if modules::is_own_attribute(self.book, key) => continue,
                 "id" | "for" => format!("{}--{value}", self.page),
                 "aria-labelledby" | "aria-describedby" | "aria-controls" => {
                     value.split(' ').map(|id| format!("{}--{id}", self.page)).collect::<Vec<_>>().join(" ")
@@ -301,10 +317,10 @@ impl State {
         let (file, fragment) = link.split_once('#').unwrap_or((link, ""));
         let name = match file.trim_end_matches(".html") {
             "" => &self.page,
-            "index" => "preface",
+            "index" => self.book.pages.first().map_or("index", |page| page.name),
             name => name,
         };
-        let is_here = PAGES.iter().any(|page| page.name == name && is_printed(page.name, page.place));
+        let is_here = self.book.pages.iter().any(|page| page.name == name && page.is_printed);
         match (is_here, fragment) {
             (true, "") => Some(format!("#{name}")),
             (true, _) => Some(format!("#{name}--{fragment}")),
@@ -321,9 +337,10 @@ fn is_single(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::BOOK;
 
     fn set(main: &str, address: Option<&Address>) -> String {
-        reset(main, "pin", "1.", address).0
+        reset(&BOOK, main, "pin", "1.", address).0
     }
 
     #[test]
@@ -333,7 +350,7 @@ mod tests {
         let expected = "<h1 id=\"pin--t\">1. <a class=\"header\">T</a></h1><a href=\"#pin--x\">1</a><a href=\"#jazar--y\">2</a><a \
                         href=\"#preface\">3</a><a>4</a><a href=\"https://example.org/?a&amp;b\">5</a>";
         assert_eq!(set(page, None), expected);
-        let address = Address::of("https://example.org/geneva", "").expect("an address");
+        let address = Address::from_manifest("https://example.org/geneva", "").expect("an address");
         assert!(set(page, Some(&address)).contains("<a href=\"https://example.org/geneva/ledger.html#pin.x\">4</a>"));
     }
 
@@ -358,7 +375,7 @@ mod tests {
 
     #[test]
     fn the_sections_of_a_chapter_are_in_the_contents() {
-        let (_, sections) = reset("<h2 id=\"a\"><a>One</a> two</h2><h3 id=\"b\">Three</h3>", "pin", "", None);
+        let (_, sections) = reset(&BOOK, "<h2 id=\"a\"><a>One</a> two</h2><h3 id=\"b\">Three</h3>", "pin", "", None);
         assert_eq!(sections, [("pin--a".to_owned(), "One two".to_owned())]);
     }
 }

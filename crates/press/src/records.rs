@@ -1,37 +1,34 @@
 //! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
 
-use crate::citing::{LICENCE, TITLE, VERSION};
+use crate::book::Book;
 use crate::edition::Edition;
 use crate::fields::{self, Row, Value};
-use crate::{address, bibliography};
-use geneva_documents::LEDGER;
-use geneva_evidence::Document;
+use crate::lookup::unknown;
+use crate::{address, works};
 use geneva_evidence::{
-    Check, Consequence, Entry, Finding, Judged, Line, Slip, TracedSlip, entry_numbers, without_ellipses,
+    Check, Consequence, Document, Entry, Finding, Judged, Ledger, Line, Slip, TracedSlip, entry_numbers,
+    without_ellipses,
 };
 use std::collections::BTreeSet;
 
 /// A field of the files by its path, a point before the field of an object, and what it says.
-pub type Field = (&'static str, &'static str);
+pub type FieldMeaning = (&'static str, &'static str);
 
 /// What the fields on the origin of a mistake say.
 const ORIGIN: &str =
     "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic`, `concept` or `unknown`.";
 
 /// What the fields of a claim say.
-pub const OF_A_CLAIM: &[Field] = &[
+pub const OF_A_CLAIM: &[FieldMeaning] = &[
     ("id", "The name of the claim. It stays the same from version to version."),
-    (
-        "source",
-        "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere).",
-    ),
+    ("source", "The source, by the name with which the ids of its claims begin."),
     (
         "locator",
         "Where in the source the claim is. For a page elsewhere, this is its address and the day on which we read it.",
     ),
     (
         "kind",
-        "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",
+        "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (what a program builds).",
     ),
     ("meaning", "What the source says here, in our words."),
     (
@@ -46,7 +43,7 @@ pub const OF_A_CLAIM: &[Field] = &[
     ),
     ("witnessed", "The number that the second route gives, which is meant to share no formula with the first."),
     ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
-    ("verdict", "The verdict that the program derived. *How it is checked* explains each verdict."),
+    ("verdict", "The verdict that the program derived."),
     ("expected", "The verdict on record. We write it down by hand, and a test compares it with the derived one."),
     (
         "holds",
@@ -102,7 +99,7 @@ pub const OF_A_CLAIM: &[Field] = &[
 ];
 
 /// What the fields of a mistake say.
-pub const OF_A_SLIP: &[Field] = &[
+pub const OF_A_SLIP: &[FieldMeaning] = &[
     ("id", "The name of the mistake, which is the id of the claim in which it is made."),
     ("source", "The source, as in claims.json."),
     ("locator", "Where the mistake is made."),
@@ -121,7 +118,7 @@ pub const OF_A_SLIP: &[Field] = &[
 ];
 
 /// What the fields of an entry in a line say.
-pub const OF_AN_ENTRY: &[Field] = &[
+pub const OF_AN_ENTRY: &[FieldMeaning] = &[
     ("source", "The source, as in claims.json. Pages elsewhere are left out."),
     ("line", "The number of the line in the text of the copy, counted from 1."),
     (
@@ -138,52 +135,61 @@ pub const OF_AN_ENTRY: &[Field] = &[
 ];
 
 /// The files of the records of this edition: their names and texts.
-pub fn files(edition: &Edition) -> anyhow::Result<Vec<(&'static str, String)>> {
-    let of_sources = LEDGER.slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
-    let copies: Vec<_> = slips_of_copies().map(slip).collect();
-    let entries = entries()?;
-    let works: Vec<_> = bibliography::rows().collect();
+pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str, String)>> {
+    let ledger = book.ledger;
+    let of_sources = ledger.slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
+    let copies: Vec<_> = slips_of_copies(ledger).map(slip).collect();
+    let entries = entries(ledger)?;
+    let works: Vec<_> = works::rows(book.works).collect();
+    let claims = ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged));
+    let versioned = |what, rows: &mut dyn Iterator<Item = Row>| versioned(book, what, edition, rows);
     Ok(vec![
-        ("claims.json", versioned("claims", edition, LEDGER.verdicts().iter().copied().map(claim))?),
-        ("errata.json", versioned("errata", edition, of_sources.map(slip))?),
-        ("copies.json", versioned("copies", edition, copies.iter().cloned())?),
+        ("claims.json", versioned("claims", &mut claims.into_iter())?),
+        ("errata.json", versioned("errata", &mut of_sources.map(slip))?),
+        ("copies.json", versioned("copies", &mut copies.iter().cloned())?),
         ("copies.csv", fields::csv(copies.first(), copies.iter().cloned())?),
-        ("coverage.json", versioned("entries", edition, entries.iter().cloned())?),
+        ("coverage.json", versioned("entries", &mut entries.iter().cloned())?),
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
-        ("CITATION.cff", include_str!("../../../CITATION.cff").to_owned()),
+        ("CITATION.cff", book.citation_file.to_owned()),
     ])
 }
 
 /// Rows in a file that says what it belongs to, in which edition of the project.
-fn versioned(what: &'static str, edition: &Edition, rows: impl Iterator<Item = Row>) -> anyhow::Result<String> {
+fn versioned(
+    book: &Book,
+    what: &'static str,
+    edition: &Edition,
+    rows: &mut dyn Iterator<Item = Row>,
+) -> anyhow::Result<String> {
+    let imprint = &book.imprint;
     fields::json(&Row(vec![
-        ("title", TITLE.into()),
-        ("version", VERSION.into()),
+        ("title", imprint.title.into()),
+        ("version", imprint.version.into()),
         ("commit", edition.commit.as_deref().into()),
         ("changed", edition.commit.as_ref().map(|_| edition.is_changed).into()),
-        ("license", LICENCE.into()),
-        ("address", address::known().map(|address| address.book.as_str()).into()),
+        ("license", imprint.licence.into()),
+        ("address", address::known(imprint).map(|address| address.book).into()),
         (what, Value::List(rows.map(Value::Object).collect())),
     ]))
 }
 
 /// What was lost or changed on the way to the copies, of pages elsewhere too.
-pub fn slips_of_copies() -> impl Iterator<Item = &'static TracedSlip> {
-    LEDGER.slips().iter().filter(|places| places.slip.consequence == Consequence::Copy)
+pub fn slips_of_copies(ledger: &'static Ledger) -> impl Iterator<Item = &'static TracedSlip> {
+    ledger.slips().iter().filter(|places| places.slip.consequence == Consequence::Copy)
 }
 
 /// Every entry of every line of the documents.
-fn entries() -> anyhow::Result<Vec<Row>> {
+pub fn entries(ledger: &'static Ledger) -> anyhow::Result<Vec<Row>> {
     let mut rows = Vec::new();
-    for work in LEDGER.mirrored() {
-        let lines = work.lines()?.iter();
-        rows.extend(lines.flat_map(|line| line.entries.iter().map(move |of| entry(work, line, of))));
+    for document in ledger.mirrored() {
+        let lines = document.lines()?.iter();
+        rows.extend(lines.flat_map(|line| line.entries.iter().map(move |of| entry(document, line, of))));
     }
     Ok(rows)
 }
 
-fn entry(work: &'static Document, line: &Line, entry: &Entry) -> Row {
+fn entry(document: &'static Document, line: &Line, entry: &Entry) -> Row {
     let (kind, id) = match entry {
         Entry::Claim(id) => ("claim", *id),
         Entry::Rest(id, _) => ("rest", *id),
@@ -194,23 +200,35 @@ fn entry(work: &'static Document, line: &Line, entry: &Entry) -> Row {
     };
     let reason = if let Entry::Exception { reason, .. } = entry { Some(reason.clone()) } else { None };
     Row(vec![
-        ("source", work.slug.into()),
+        ("source", document.slug.into()),
         ("line", line.number.into()),
         ("entry", kind.into()),
         ("id", id.into()),
-        ("numbers", entry_numbers(work, entry).into()),
+        ("numbers", entry_numbers(document, entry).into()),
         ("reason", reason.into()),
     ])
 }
 
-/// The fields of a file's rows, and one row to each of the ledger's to see of what type they are.
-pub fn described(file: &str) -> anyhow::Result<(&'static [Field], Vec<Row>)> {
-    match file {
-        "claims" => Ok((OF_A_CLAIM, LEDGER.verdicts().iter().copied().map(claim).collect())),
-        "errata" => Ok((OF_A_SLIP, LEDGER.slips().iter().map(slip).collect())),
-        "coverage" => Ok((OF_AN_ENTRY, entries()?)),
-        _ => anyhow::bail!("no file `{file}` is described; there are: claims, errata, coverage"),
-    }
+/// The names of the files that are described, with what their fields say.
+const DESCRIBED: [(&str, &[FieldMeaning]); 3] =
+    [("claims", OF_A_CLAIM), ("errata", OF_A_SLIP), ("coverage", OF_AN_ENTRY)];
+
+/// The fields of a file's rows, with what each says in this book, and one row to each of the ledger's to see of what type they
+/// are.
+pub fn described(book: &Book, file: &str) -> anyhow::Result<(Vec<FieldMeaning>, Vec<Row>)> {
+    let ledger = book.ledger;
+    let found = DESCRIBED.iter().find(|(name, _)| *name == file);
+    let (_, fields) = found.ok_or_else(|| unknown("file that is described", file, DESCRIBED.iter().map(|of| of.0)))?;
+    let in_this_book = |(path, meaning): &FieldMeaning| {
+        let own = book.field_meanings.iter().find(|(of, known, _)| *of == file && known == path);
+        (*path, own.map_or(*meaning, |(.., own)| own))
+    };
+    let rows = match file {
+        "claims" => ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged)).collect(),
+        "errata" => ledger.slips().iter().map(slip).collect(),
+        _ => entries(ledger)?,
+    };
+    Ok((fields.iter().map(in_this_book).collect(), rows))
 }
 
 /// Of what types the values at a path are, in words.
@@ -238,7 +256,7 @@ fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
 }
 
 /// All that is known of a claim.
-pub fn claim(judged: &Judged) -> Row {
+pub fn claim(ledger: &'static Ledger, judged: &Judged) -> Row {
     let (claim, slip) = (judged.claim, judged.claim.erratum.as_ref().map(|erratum| &erratum.slip));
     let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug).collect();
     let findings: Vec<_> = judged.findings.iter().map(|(form, finding)| found(form, finding)).collect();
@@ -278,7 +296,7 @@ pub fn claim(judged: &Judged) -> Row {
         ("neighbour", neighbour.into()),
         // Which datum is missing and why.
         ("missing", missing.into()),
-        ("erratum", Value::Object(erratum(judged, slip))),
+        ("erratum", Value::Object(erratum(ledger, judged, slip))),
     ])
 }
 
@@ -289,11 +307,11 @@ fn found(form: &str, finding: &Finding) -> Value {
 }
 
 /// For `printed` read `corrected`; all is missing where there is no slip.
-fn erratum(judged: &Judged, slip: Option<&Slip>) -> Row {
+fn erratum(ledger: &'static Ledger, judged: &Judged, slip: Option<&Slip>) -> Row {
     let claim = judged.claim;
     // The other claims that the slip reaches, in the record of the one in which it is made.
     let inherited = || {
-        let places = LEDGER.slip(claim.id);
+        let places = ledger.slip(claim.id);
         let all = places.into_iter().flat_map(|places| &places.claims).map(|judged| judged.claim.id);
         all.filter(|id| *id != claim.id).collect::<Vec<_>>()
     };
@@ -331,112 +349,4 @@ pub fn slip(places: &TracedSlip) -> Row {
         ("wrong_numbers", places.wrong_numbers().count().into()),
         ("greatest_change", places.greatest_change().into()),
     ])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use geneva_documents::LEDGER;
-    use serde_json::Value as Json;
-
-    /// The paths of all keys below a value.
-    fn keys(value: &Json, before: &str, found: &mut BTreeSet<String>) {
-        match value {
-            Json::Object(fields) => {
-                for (key, value) in fields {
-                    let path = if before.is_empty() { key.clone() } else { format!("{before}.{key}") };
-                    keys(value, &path, found);
-                    found.insert(path);
-                }
-            }
-            Json::Array(values) => values.iter().for_each(|value| keys(value, before, found)),
-            _ => {}
-        }
-    }
-
-    #[test]
-    fn every_field_of_the_files_is_described_and_the_version_is_in_each() {
-        let mut seen = 0;
-        let edition = Edition { commit: Some("abcdef0".to_owned()), date: None, is_changed: true };
-        for (name, text) in files(&edition).expect("files") {
-            let Some(of) = name.strip_suffix(".json") else { continue };
-            let whole: Json = serde_json::from_str(&text).expect("JSON");
-            assert_eq!(whole["version"], VERSION, "{name}");
-            assert_eq!(whole["title"], TITLE, "{name}");
-            let address = address::known().map(|address| address.book.as_str());
-            assert_eq!(whole["address"].as_str(), address, "{name}");
-            let (list, fields) = match of {
-                "claims" => ("claims", OF_A_CLAIM),
-                "errata" => ("errata", OF_A_SLIP),
-                "copies" => ("copies", OF_A_SLIP),
-                _ => ("entries", OF_AN_ENTRY),
-            };
-            assert_eq!(whole["license"], LICENCE, "{name}");
-            assert_eq!((&whole["commit"], &whole["changed"]), (&Json::from("abcdef0"), &Json::from(true)), "{name}");
-            assert_eq!(whole.as_object().expect("an object").len(), 7, "{name}");
-            assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
-            let mut found = BTreeSet::new();
-            keys(&whole[list], "", &mut found);
-            let described: BTreeSet<_> = fields.iter().map(|(path, _)| (*path).to_owned()).collect();
-            assert_eq!(found, described, "{name}");
-            seen += 1;
-        }
-        assert_eq!(seen, 4);
-        let (_, claims) = files(&Edition::NONE).expect("files").swap_remove(0);
-        let claims: Json = serde_json::from_str(&claims).expect("JSON");
-        assert!(claims["commit"].is_null() && claims["changed"].is_null(), "no repository");
-    }
-
-    #[test]
-    fn a_field_is_of_the_types_that_its_values_have() {
-        let (_, rows) = described("claims").expect("claims");
-        for (path, expected) in [
-            ("id", "text"),
-            ("computed", "number or null"),
-            ("holds", "true or false"),
-            ("findings", "list"),
-            ("findings.holds", "true or false"),
-            ("erratum", "object or null"),
-        ] {
-            assert_eq!(types(&rows, path), expected, "{path}");
-        }
-        assert!(described("claim").is_err());
-    }
-
-    #[test]
-    fn the_lines_of_the_sources_and_the_characters_of_the_copies_are_all_in_their_files() {
-        let numbers = |work: &&'static Document| {
-            work.lines().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>()
-        };
-        let listed = entries().expect("entries");
-        let in_rows: usize = listed
-            .iter()
-            .map(|row| match &row.0[4].1 {
-                Value::List(numbers) => numbers.len(),
-                _ => 0,
-            })
-            .sum();
-        assert_eq!(in_rows, LEDGER.mirrored().iter().map(numbers).sum::<usize>());
-        for claim in LEDGER.claims().iter().filter(|claim| claim.document.is_mirrored()) {
-            let id = Value::from(claim.id);
-            assert!(listed.iter().any(|row| row.0[3].1 == id), "{} is in no line", claim.id);
-        }
-    }
-
-    #[test]
-    fn every_mistake_is_in_one_of_two_files() {
-        let files = files(&Edition::NONE).expect("files");
-        let of = |name: &str| {
-            let (_, text) = files.iter().find(|(file, _)| *file == name).expect("a file");
-            serde_json::from_str::<Json>(text).expect("JSON")
-        };
-        let (errata, copies) = (of("errata.json"), of("copies.json"));
-        let listed =
-            [&errata["errata"], &copies["copies"]].into_iter().flat_map(|list| list.as_array().expect("a list"));
-        let listed: Vec<_> = listed.map(|slip| slip["id"].as_str().expect("an id")).collect();
-        for places in LEDGER.slips() {
-            assert_eq!(listed.iter().filter(|id| **id == places.slip.id).count(), 1, "{}", places.slip.id);
-        }
-        assert_eq!(listed.len(), LEDGER.slips().len());
-    }
 }

@@ -7,7 +7,7 @@
 //! by the root of its length, and the fields of records are given a greater length. Only the id of a claim, which no
 //! chapter explains, keeps its weight.
 
-use crate::pages::is_looked_up;
+use crate::book::Book;
 use anyhow::{Context, ensure};
 use elasticlunr::{Index, IndexBuilder};
 use html5ever::tokenizer::{
@@ -28,9 +28,9 @@ const LITTLE: f64 = 0.001;
 const OPENING: &str = "window.search = Object.assign(window.search, JSON.parse('";
 const CLOSING: &str = "'));";
 
-/// Makes the index of a built book anew. A book without one, which its settings may want, is left alone.
-pub fn index(book: &Path) -> anyhow::Result<()> {
-    let Some(file) = file(book)? else { return Ok(()) };
+/// Makes the index of a book that is built in a folder anew. One without an index, which its settings may want, is left alone.
+pub fn index(book: &Book, folder: &Path) -> anyhow::Result<()> {
+    let Some(file) = file(folder)? else { return Ok(()) };
     let cannot = || format!("cannot read the search index {}", file.display());
     let text = fs::read_to_string(&file).with_context(cannot)?;
     let json = text.trim().strip_prefix(OPENING).and_then(|rest| rest.strip_suffix(CLOSING)).with_context(cannot)?;
@@ -41,14 +41,14 @@ pub fn index(book: &Path) -> anyhow::Result<()> {
     let builder = builder.add_field_with_tokenizer("body", tokens()).add_field_with_tokenizer("breadcrumbs", tokens());
     let (mut index, mut urls): (Index, Vec<Value>) = (builder.build(), Vec::new());
     let (mut records, mut claims) = (Vec::new(), BTreeSet::new());
-    for page in pages(book)? {
+    for page in pages(folder)? {
         let name = page.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let html = fs::read_to_string(&page).with_context(|| format!("cannot read {}", page.display()))?;
         for entry in entries(&html) {
             let url = if entry.id.is_empty() { name.clone() } else { format!("{name}#{}", entry.id) };
             let place = urls.len().to_string();
             index.add_doc(&place, [entry.title.trim(), entry.body.trim(), entry.path.trim()]);
-            if is_looked_up(name.trim_end_matches(".html")) {
+            if book.is_looked_up(name.trim_end_matches(".html")) {
                 records.push(place.clone());
             }
             if entry.is_claim {
@@ -57,7 +57,7 @@ pub fn index(book: &Path) -> anyhow::Result<()> {
             urls.push(url.into());
         }
     }
-    ensure!(!urls.is_empty(), "no page of {} has anything to search for", book.display());
+    ensure!(!urls.is_empty(), "no page of {} has anything to search for", folder.display());
     whole["doc_urls"] = urls.into();
     let mut index = serde_json::to_value(index)?;
     put_behind(&mut index, &records, &claims);

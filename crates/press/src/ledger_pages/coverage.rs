@@ -1,25 +1,24 @@
 //! How the sources are covered, in sums: the lists themselves are files of data.
 
+use crate::book::Book;
 use crate::html::{Cells, table};
 use crate::lookup;
 use crate::records::slips_of_copies;
 use anyhow::bail;
-use geneva_documents::LEDGER;
-use geneva_evidence::{Document, line_gap};
-use geneva_evidence::{Entry, Line, TracedSlip};
+use geneva_evidence::{Document, Entry, Ledger, Line, TracedSlip, line_gap};
 
 /// How much of each document the claims account for, and which characters its copy has lost or changed.
-pub fn page() -> anyhow::Result<String> {
+pub fn page(book: &Book) -> anyhow::Result<String> {
     let mut rows = Vec::new();
-    for work in LEDGER.mirrored() {
-        rows.push(row(work, work.lines()?));
+    for document in book.ledger.mirrored() {
+        rows.push(row(book.ledger, document, document.lines()?));
     }
     let head = ["Source", "Lines", "Numbers", "Claims", "Exceptions", "Characters of the copy"];
     let sums = table("Coverage of the sources", Cells::NamedNumbers, &head, rows)?.html();
     // As text, not as code: there are many. Each bears the anchor that it had on a page of its own.
-    let copies = of_documents().map(|places| {
+    let copies = slips_of_documents(book.ledger).map(|places| {
         let id = places.slip.id;
-        format!("<a id=\"slip-{id}\" href=\"{}\">{id}</a>", crate::pages::address_of_claim(id))
+        format!("<a id=\"slip-{id}\" href=\"{}\">{id}</a>", book.address_of_claim(id))
     });
     let copies = copies.collect::<Vec<_>>().join(", ");
     Ok(format!(
@@ -30,36 +29,22 @@ pub fn page() -> anyhow::Result<String> {
 }
 
 /// What the copies of the documents have lost or changed.
-fn of_documents() -> impl Iterator<Item = &'static TracedSlip> {
-    slips_of_copies().filter(|places| places.is_mirrored())
+pub fn slips_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'static TracedSlip> {
+    slips_of_copies(ledger).filter(|places| places.is_mirrored())
 }
 
 /// The sums of a source.
-fn row(work: &'static Document, lines: &[Line]) -> anyhow::Result<Vec<String>> {
-    if let Some(line) = lines.iter().find(|line| line_gap(work, line).is_some()) {
-        bail!("line {} of {work} has numbers that nothing accounts for", line.number);
+pub fn row(ledger: &'static Ledger, document: &'static Document, lines: &[Line]) -> anyhow::Result<Vec<String>> {
+    if let Some(line) = lines.iter().find(|line| line_gap(document, line).is_some()) {
+        bail!("line {} of {document} has numbers that nothing accounts for", line.number);
     }
     let entries = || lines.iter().flat_map(|line| &line.entries);
     let sums = [
         lines.len(),
         lines.iter().map(|line| line.numbers.len()).sum(),
-        lookup::of_work(work).count(),
+        lookup::verdicts_of(ledger, document).count(),
         entries().filter(|entry| matches!(entry, Entry::Exception { .. })).count(),
-        of_documents().filter(|places| places.main().claim.document == work).count(),
+        slips_of_documents(ledger).filter(|places| places.main().claim.document == document).count(),
     ];
-    Ok([vec![work.to_string()], sums.map(|sum| sum.to_string()).into()].concat())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_character_of_a_copy_is_counted_with_its_source_and_has_an_anchor() {
-        let page = page().expect("a page");
-        let all = of_documents().count();
-        assert_eq!(page.matches("<a id=\"slip-").count(), all);
-        let of = |work: &&'static Document| row(work, work.lines().expect("lines")).expect("a row")[5].parse::<usize>();
-        assert_eq!(LEDGER.mirrored().iter().map(|work| of(work).expect("a number")).sum::<usize>(), all);
-    }
+    Ok([vec![document.to_string()], sums.map(|sum| sum.to_string()).into()].concat())
 }

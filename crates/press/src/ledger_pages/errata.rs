@@ -2,35 +2,39 @@
 
 use super::findings::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
-use crate::formula::{broken, changed};
-use crate::html::{Cells, Table, escape, prose, table, tex_or_text};
+use crate::book::Book;
+use crate::formula::{breakable, mark_changes, tex_or_text};
+use crate::html::{Cells, Table, escape, prose, table};
 use crate::lookup;
-use crate::pages::page_of_slip;
 use anyhow::anyhow;
-use geneva_documents::LEDGER;
 use geneva_evidence::{Consequence, Judged, TracedSlip, without_ellipses};
 
 /// The erratum of a claim: one line, which opens.
-pub fn one(id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(id)?;
+pub fn erratum_fold(book: &Book, id: &str) -> anyhow::Result<String> {
+    let judged = lookup::verdict(book.ledger, id)?;
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
-    let places = LEDGER.slip(erratum.slip.id).ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?;
+    let places =
+        book.ledger.slip(erratum.slip.id).ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?;
     Ok(format!(
         "<details class=\"erratum\">\n<summary>{}</summary>\n{}\n</details>",
-        in_a_line(judged)?,
-        entries(judged, places, false)?
+        in_a_line(book, judged)?,
+        entries(book, judged, places, false)?
     ))
 }
 
 /// Where a slip shows, and for a number or a few words what is printed there and what is right.
-fn in_a_line(judged: &Judged) -> anyhow::Result<String> {
+fn in_a_line(book: &Book, judged: &Judged) -> anyhow::Result<String> {
     /// Most characters of a form that stands in a line.
     const SHORT: usize = 24;
     let claim = judged.claim;
     let mut line = format!("<strong>Erratum</strong>, {}: {}", escape(claim.locator), escape(claim.meaning));
     let (printed, corrected) = (without_ellipses(claim), judged.corrected().unwrap_or_default());
     if printed.chars().count() <= SHORT && corrected.chars().count() <= SHORT {
-        line += &format!("; printed {}, right {}", with_unit(&tex_or_text(&printed)?, claim.unit)?, right(judged)?);
+        line += &format!(
+            "; printed {}, right {}",
+            with_unit(book, &tex_or_text(&printed)?, claim.unit)?,
+            right(book, judged)?
+        );
     } else {
         // The words before say what the source says.
         line += "; wrong as printed";
@@ -39,23 +43,22 @@ fn in_a_line(judged: &Judged) -> anyhow::Result<String> {
 }
 
 /// All slips of the documents with a consequence, under a heading that says what they do.
-pub fn all(consequence: &Consequence) -> anyhow::Result<String> {
-    let slip = |places: &TracedSlip| Ok(format!("\n{}\n", boxed(places)?));
-    let slips = LEDGER.slips_of(*consequence).map(slip).collect::<anyhow::Result<String>>()?;
+pub fn errata_list(book: &Book, consequence: Consequence) -> anyhow::Result<String> {
+    let slip = |places: &TracedSlip| Ok(format!("\n{}\n", boxed(book, places)?));
+    let slips = book.ledger.slips_of(consequence).map(slip).collect::<anyhow::Result<String>>()?;
     Ok(format!("\n\n## {}\n{slips}", consequence.heading()))
 }
 
 /// What changes a result or a conclusion, a row each.
-pub fn grave() -> anyhow::Result<Table> {
-    let grave =
-        [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(|consequence| LEDGER.slips_of(consequence));
+pub fn grave_errata(book: &Book) -> anyhow::Result<Table> {
+    let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(|of| book.ledger.slips_of(of));
     let rows = grave.map(|places| {
         let (claim, slip) = (places.main().claim, &places.slip);
-        let (work, locator, meaning) = (claim.document, escape(claim.locator), escape(claim.meaning));
+        let (document, locator, meaning) = (claim.document, escape(claim.locator), escape(claim.meaning));
         Ok(vec![
-            format!("<a href=\"#slip-{}\">{work}, {locator}</a>: {meaning}", slip.id),
-            with_unit(&tex_or_text(&without_ellipses(claim))?, claim.unit)?,
-            right(places.main())?,
+            format!("<a href=\"#slip-{}\">{document}, {locator}</a>: {meaning}", slip.id),
+            with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?,
+            right(book, places.main())?,
             prose(slip.changes) + &numbers(places),
         ])
     });
@@ -64,12 +67,10 @@ pub fn grave() -> anyhow::Result<Table> {
 }
 
 /// How many slips of the documents there are of each consequence, and how many without those of the copy.
-pub fn summary() -> anyhow::Result<Table> {
+pub fn consequences_table(book: &Book) -> anyhow::Result<Table> {
     let rows = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(|consequence| {
-        let (slips, places) = (
-            LEDGER.slips_of(*consequence).count(),
-            LEDGER.slips_of(*consequence).map(|of| of.claims.len()).sum::<usize>(),
-        );
+        let all = || book.ledger.slips_of(*consequence);
+        let (slips, places) = (all().count(), all().map(|of| of.claims.len()).sum::<usize>());
         Ok(vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()])
     });
     table(
@@ -81,19 +82,19 @@ pub fn summary() -> anyhow::Result<Table> {
 }
 
 /// How many slips of the documents there are of a consequence, or of all but those of the copy.
-pub fn count(of_what: &str) -> anyhow::Result<String> {
+pub fn slip_count(book: &Book, of_what: &str) -> anyhow::Result<String> {
     let number = match of_what {
         "all" => {
             let told = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy);
-            told.map(|of| LEDGER.slips_of(*of).count()).sum()
+            told.map(|of| book.ledger.slips_of(*of).count()).sum()
         }
-        slug => LEDGER.slips_of(lookup::consequence(slug)?).count(),
+        slug => book.ledger.slips_of(lookup::consequence(slug)?).count(),
     };
     Ok(number.to_string())
 }
 
 /// A slip in a box, in full.
-fn boxed(places: &TracedSlip) -> anyhow::Result<String> {
+fn boxed(book: &Book, places: &TracedSlip) -> anyhow::Result<String> {
     let (judged, slip) = (places.main(), &places.slip);
     Ok(format!(
         "<aside class=\"erratum\" id=\"slip-{}\" aria-label=\"Erratum {}\">\n<p><strong>{}</strong>: {}. {}</p>\n{}\n</aside>",
@@ -102,16 +103,16 @@ fn boxed(places: &TracedSlip) -> anyhow::Result<String> {
         escape(judged.claim.locator),
         escape(judged.claim.meaning),
         badge(judged.verdict),
-        entries(judged, places, true)?
+        entries(book, judged, places, true)?
     ))
 }
 
 /// What an erratum says; in full also how it was found, and where else the slip shows.
-pub fn entries(judged: &Judged, places: &TracedSlip, in_full_detail: bool) -> anyhow::Result<String> {
+pub fn entries(book: &Book, judged: &Judged, places: &TracedSlip, in_full_detail: bool) -> anyhow::Result<String> {
     let (claim, slip) = (judged.claim, &places.slip);
     let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    let [printed, corrected] = forms(judged)?;
+    let [printed, corrected] = forms(book, judged)?;
     entry("Printed", printed);
     entry("Right", corrected);
     if !slip.changes.is_empty() {
@@ -120,35 +121,40 @@ pub fn entries(judged: &Judged, places: &TracedSlip, in_full_detail: bool) -> an
     entry("Why", prose(slip.reason));
     entry("Second witness", prose(slip.witness));
     if in_full_detail {
-        found(judged, places, &mut entry)?;
+        explain(book, judged, places, &mut entry)?;
     }
-    let more = format!(", <a href=\"{}.html#slip-{}\">how it was found</a>", page_of_slip(slip), slip.id);
+    let more = format!(", <a href=\"{}.html#slip-{}\">how it was found</a>", book.page_of_slip(slip), slip.id);
     let more = if in_full_detail { String::new() } else { more };
-    out.push_str(&format!("</dl>\n<p>{}{more}</p>", linked_id(claim.id)));
+    out.push_str(&format!("</dl>\n<p>{}{more}</p>", linked_id(book, claim.id)));
     Ok(out)
 }
 
 /// The printed characters and what should stand in their place, with what differs between the two marked in each.
-pub fn forms(judged: &Judged) -> anyhow::Result<[String; 2]> {
+pub fn forms(book: &Book, judged: &Judged) -> anyhow::Result<[String; 2]> {
     let (printed, corrected) = (without_ellipses(judged.claim), judged.corrected().unwrap_or_default());
-    let form = |of: &str, other: &str| with_unit(&broken(&changed(of, other)?), judged.claim.unit);
+    let form = |of: &str, other: &str| with_unit(book, &breakable(&mark_changes(of, other)?), judged.claim.unit);
     Ok([form(&printed, &corrected)?, form(&corrected, &printed)?])
 }
 
-/// How an erratum was found.
-fn found(judged: &Judged, places: &TracedSlip, entry: &mut impl FnMut(&str, String)) -> anyhow::Result<()> {
+/// Says how an erratum was found.
+fn explain(
+    book: &Book,
+    judged: &Judged,
+    places: &TracedSlip,
+    entry: &mut impl FnMut(&str, String),
+) -> anyhow::Result<()> {
     let (claim, evidence) = (judged.claim, judged.claim.check.evidence());
     for (term, number, kind) in [
         ("Computed", judged.computed, evidence.first()),
         ("Second witness's number", judged.witnessed, evidence.last()),
     ] {
         if let (Some(number), Some(kind)) = (number, kind) {
-            entry(term, format!("{} ({})", with_unit(&rounded(judged, number), claim.unit)?, kind.name));
+            entry(term, format!("{} ({})", with_unit(book, &rounded(judged, number), claim.unit)?, kind.name));
         }
     }
     // Where the source's own way leads to another number, the right one rests on more than its printed places.
     if let Some(right) = judged.right_value.filter(|right| judged.computed.is_some_and(|own| own != *right)) {
-        entry("Right number, to more digits", with_unit(&rounded(judged, right), claim.unit)?);
+        entry("Right number, to more digits", with_unit(book, &rounded(judged, right), claim.unit)?);
     }
     if let Some(reading) = claim.reading.filter(|_| judged.findings.is_empty()) {
         entry("How we read it", escape(reading));
@@ -158,14 +164,14 @@ fn found(judged: &Judged, places: &TracedSlip, entry: &mut impl FnMut(&str, Stri
         entry("How it was found", format!("<p>{}</p>", how(judged).replace("<br> ", "</p><p>")));
     }
     if places.claims.len() > 1 {
-        entry("Other places", others(judged, places));
+        entry("Other places", others(book, judged, places));
     }
     Ok(())
 }
 
 /// What should stand in the place of the printed characters.
-pub fn right(judged: &Judged) -> anyhow::Result<String> {
-    with_unit(&tex_or_text(&judged.corrected().unwrap_or_default())?, judged.claim.unit)
+pub fn right(book: &Book, judged: &Judged) -> anyhow::Result<String> {
+    with_unit(book, &tex_or_text(&judged.corrected().unwrap_or_default())?, judged.claim.unit)
 }
 
 /// How many printed numbers a slip makes wrong, and by how much.
@@ -182,10 +188,10 @@ fn numbers(places: &TracedSlip) -> String {
 }
 
 /// The other claims that a slip reaches; of many in one table only the first.
-fn others(judged: &Judged, places: &TracedSlip) -> String {
+fn others(book: &Book, judged: &Judged, places: &TracedSlip) -> String {
     const MOST: usize = 8;
     let ids = places.claims.iter().map(|other| other.claim.id).filter(|id| *id != judged.claim.id);
-    let links: Vec<_> = ids.clone().take(MOST).map(linked_id).collect();
+    let links: Vec<_> = ids.clone().take(MOST).map(|id| linked_id(book, id)).collect();
     let more = ids.count() - links.len();
     links.join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() }
 }

@@ -1,43 +1,45 @@
 //! Pieces of the ledger inside a sentence.
 
-use crate::formula::broken;
-use crate::html::{escape, prose, tex_or_text};
-use crate::pages::address_of_claim;
+use crate::book::Book;
+use crate::formula::{breakable, tex_or_text};
+use crate::html::{GLUED, escape, prose};
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
-use geneva_documents::wild;
 use geneva_evidence::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, without_ellipses};
 
 /// The printed characters with their unit.
-pub fn printed(id: &str) -> anyhow::Result<String> {
-    let claim = lookup::judged(id)?.claim;
-    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(&without_ellipses(claim))?, claim.unit)?))
+pub fn printed(book: &Book, id: &str) -> anyhow::Result<String> {
+    let claim = lookup::verdict(book.ledger, id)?.claim;
+    Ok(format!(
+        "<span class=\"claim\">{}</span>",
+        with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?
+    ))
 }
 
 /// The computed number with its unit.
-pub fn value(id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(id)?;
+pub fn value(book: &Book, id: &str) -> anyhow::Result<String> {
+    let judged = lookup::verdict(book.ledger, id)?;
     let number = computed(judged).ok_or_else(|| anyhow!("claim `{id}` computes no number"))?;
-    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&number, judged.claim.unit)?))
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(book, &number, judged.claim.unit)?))
 }
 
 /// The right number with its unit, where the printed one is not right.
-pub fn right(id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(id)?;
+pub fn right(book: &Book, id: &str) -> anyhow::Result<String> {
+    let judged = lookup::verdict(book.ledger, id)?;
     let in_places = || judged.right_value.map(|right| rounded(judged, right));
     let right = judged.corrected().or_else(in_places);
     let right = right.ok_or_else(|| anyhow!("claim `{id}` has no other number that is right"))?;
-    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(&right)?, judged.claim.unit)?))
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(book, &tex_or_text(&right)?, judged.claim.unit)?))
 }
 
 /// The printed characters with their unit and mark.
-pub fn claim(id: &str) -> anyhow::Result<String> {
-    Ok(printed(id)? + &mark(id)?)
+pub fn claim(book: &Book, id: &str) -> anyhow::Result<String> {
+    Ok(printed(book, id)? + &mark(book, id)?)
 }
 
 /// A mark that says whether what is printed is right, and opens the [`note`] on how we know.
-pub fn mark(id: &str) -> anyhow::Result<String> {
-    let verdict = lookup::judged(id)?.verdict;
+pub fn mark(book: &Book, id: &str) -> anyhow::Result<String> {
+    let verdict = lookup::verdict(book.ledger, id)?.verdict;
     Ok(format!(
         "{MARK}verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how this was checked\">{}{MARKED}",
         sign(verdict)
@@ -80,9 +82,6 @@ pub fn glued(page: &str) -> String {
     out + rest
 }
 
-/// Begins a stretch of a line that does not break.
-pub const GLUED: &str = "<span class=\"glued\">";
-
 /// Where the last word of a text begins, if it can be put into an element as it is.
 fn start_of_word(text: &str) -> Option<usize> {
     let line = text.rfind('\n').map_or(0, |at| at + 1);
@@ -113,23 +112,23 @@ fn sign(verdict: Verdict) -> &'static str {
 }
 
 /// What a mark opens: where the claim stands, what is printed, what is right, by what evidence.
-pub fn note(id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(id)?;
+pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
+    let judged = lookup::verdict(book.ledger, id)?;
     let claim = judged.claim;
     let mut out = format!(
         "<div popover class=\"note\" id=\"note-{id}\">\n<p>{}, {}: {}. {}</p>\n<dl>\n",
         escape(&claim.document.to_string()),
-        place(claim),
+        place(book, claim),
         prose(claim.meaning),
         badge(judged.verdict)
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    entry("Printed", with_unit(&broken(&tex_or_text(&without_ellipses(claim))?), claim.unit)?);
+    entry("Printed", with_unit(book, &breakable(&tex_or_text(&without_ellipses(claim))?), claim.unit)?);
     if let Some(number) = computed(judged) {
-        entry("Computed", with_unit(&number, claim.unit)?);
+        entry("Computed", with_unit(book, &number, claim.unit)?);
     }
     if let Some(corrected) = judged.corrected() {
-        entry("Right", with_unit(&broken(&tex_or_text(&corrected)?), claim.unit)?);
+        entry("Right", with_unit(book, &breakable(&tex_or_text(&corrected)?), claim.unit)?);
     }
     let is_of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
     if claim.erratum.as_ref().is_some_and(is_of_copy) {
@@ -143,21 +142,21 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     for (number, kind) in evidence.iter().enumerate() {
         entry(["Checked by", "and by"][number.min(1)], escape(kind.meaning));
     }
-    out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", address_of_claim(id)));
+    out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", book.address_of_claim(id)));
     Ok(out)
 }
 
 /// The number of claims of a source, or of `all` documents.
-pub fn count(of: &str) -> anyhow::Result<String> {
+pub fn claim_count(book: &Book, of: &str) -> anyhow::Result<String> {
     match of {
-        "all" => Ok(lookup::of_documents().count().to_string()),
-        slug => Ok(lookup::of_work(lookup::work(slug)?).count().to_string()),
+        "all" => Ok(lookup::verdicts_of_documents(book.ledger).count().to_string()),
+        slug => Ok(lookup::verdicts_of(book.ledger, lookup::document(book.ledger, slug)?).count().to_string()),
     }
 }
 
 /// Where a claim stands in its source; of one that stands on a page elsewhere a link to it, and when it was read.
-pub fn place(claim: &Claim) -> String {
-    match wild::read(claim.locator) {
+pub fn place(book: &Book, claim: &Claim) -> String {
+    match (book.address_and_day)(claim.locator) {
         Some((address, day)) => format!("{}, as read on {day}", linked_page(address)),
         None => escape(claim.locator),
     }
@@ -184,19 +183,19 @@ pub fn linked_page(address: &str) -> String {
 }
 
 /// What the source is.
-pub fn citation(slug: &str) -> anyhow::Result<String> {
-    Ok(escape(lookup::work(slug)?.citation))
+pub fn citation(book: &Book, slug: &str) -> anyhow::Result<String> {
+    Ok(escape(lookup::document(book.ledger, slug)?.citation))
 }
 
 /// The verdict of a claim as a badge that leads to the claim's row in the ledger.
-pub fn linked_badge(judged: &Judged) -> String {
-    let address = address_of_claim(judged.claim.id);
+pub fn linked_badge(book: &Book, judged: &Judged) -> String {
+    let address = book.address_of_claim(judged.claim.id);
     format!("<a class=\"to-ledger\" href=\"{address}\">{}</a>", badge(judged.verdict))
 }
 
 /// The id of a claim, leading to its row in the ledger.
-pub fn linked_id(id: &str) -> String {
-    format!("<a href=\"{}\"><code>{id}</code></a>", address_of_claim(id))
+pub fn linked_id(book: &Book, id: &str) -> String {
+    format!("<a href=\"{}\"><code>{id}</code></a>", book.address_of_claim(id))
 }
 
 /// A verdict as a badge: the word, to which style only adds.
@@ -222,38 +221,12 @@ pub fn rounded(judged: &Judged, number: f64) -> String {
 }
 
 /// A number, already HTML, with its unit behind.
-pub fn with_unit(number: &str, unit: &str) -> anyhow::Result<String> {
+pub fn with_unit(book: &Book, number: &str, unit: &str) -> anyhow::Result<String> {
     Ok(match unit {
         "" => number.to_owned(),
         "°" => format!("{number}°"),
         _ if unit.ends_with("^2") => format!("{number}&nbsp;{}²", escape(unit.trim_end_matches("^2"))),
-        // Lengths in crank radii have a letter for a unit.
-        "R" => format!("{number}&nbsp;{}", maths::formula("R", false)?),
+        _ if book.letter_units.contains(&unit) => format!("{number}&nbsp;{}", maths::formula(unit, false)?),
         _ => format!("{number}&nbsp;{}", tex_or_text(unit)?.replace("10&#94;-6", "10<sup>−6</sup>")),
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_mark_stays_with_its_word_and_the_sign_behind_it() {
-        let mark = mark("pin.crank-angle").expect("a claim");
-        let glued_to = |before: &str, behind: &str| glued(&format!("A {before}{mark}{behind}"));
-        for word in ["word", "<math><mi>a</mi></math>", "<span class=\"claim\">5 mm</span>"] {
-            let expected = format!("A {GLUED}{word}{mark}.</span> Then");
-            assert_eq!(glued_to(word, ". Then"), expected);
-            let twice = format!("A {GLUED}{word}{mark}{mark},</span> and");
-            assert_eq!(glued_to(word, &format!("{mark}, and")), twice);
-        }
-        // What would not be closed within it, or is as wide as a line, is left alone.
-        let formulas = "<span class=\"claim\"><math></math><math></math></span>";
-        for (before, behind) in [("*word*", "."), ("[word](pin.md)", "."), (formulas, ".")] {
-            assert_eq!(glued_to(before, behind), format!("A {before}{mark}{behind}"));
-        }
-        assert_eq!(glued("| a cell of a table |"), "| a cell of a table |");
-        let row = format!("| 5 mm{mark} |");
-        assert_eq!(glued(&row), row);
-    }
 }

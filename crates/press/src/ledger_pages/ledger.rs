@@ -4,22 +4,23 @@
 //! when the first claim is opened. Without scripts every row is there, and `claims.json` has the rest.
 
 use super::errata::forms;
-use super::findings::{how, in_words};
+use super::findings::{how, with_minus_signs};
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
-use crate::data::{FOLDER, File};
-use crate::formula::broken;
-use crate::html::{prose, tex_or_text};
+use crate::book::Book;
+use crate::data::{FOLDER, PageFile};
+use crate::formula::{breakable, tex_or_text};
+use crate::html::prose;
 use crate::lookup;
-use crate::pages::{SECTIONS, Section, page_of_slip};
-use crate::units::tied_without_tags;
-use geneva_documents::LEDGER;
+use crate::nowrap_units::tied_without_tags;
+use crate::numbers::in_words;
+use crate::pages::LedgerSection;
 use geneva_evidence::{Consequence, Judged, Kind, Truth, Verdict, without_ellipses};
 use std::collections::BTreeMap;
 
 /// What filters the rows and opens them, and how they look.
-const SCRIPT: &str = include_str!("../../../../book/theme/ledger.js");
-const STYLE: &str = include_str!("../../../../book/theme/ledger.css");
+const SCRIPT: &str = include_str!("../../theme/ledger.js");
+const STYLE: &str = include_str!("../../theme/ledger.css");
 const SCRIPT_NAME: &str = "ledger.js";
 const STYLE_NAME: &str = "ledger.css";
 const DETAILS_NAME: &str = "ledger-details.js";
@@ -30,36 +31,43 @@ const DOCUMENTS: &str = "documents";
 const MISCOPIED: &str = "miscopied";
 
 /// All claims, by section and in the order of the sources, with the filter and what it must load.
-pub fn page() -> anyhow::Result<String> {
-    let sections = SECTIONS.iter().map(section).collect::<anyhow::Result<String>>()?;
+pub fn page(book: &Book) -> anyhow::Result<String> {
+    let sections = book.ledger_sections();
+    let sections = sections.iter().map(|of| section(book, of)).collect::<anyhow::Result<String>>()?;
     Ok(format!(
         "<link rel=\"stylesheet\" href=\"{FOLDER}/{STYLE_NAME}\">\n\n{}\n\n{sections}\n\n<script src=\"{FOLDER}/{SCRIPT_NAME}\" \
          defer></script>\n",
-        filter()
+        filter(book)
     ))
 }
 
 /// The scripts and the style of the page, and what is known of each claim.
-pub fn files() -> anyhow::Result<[File; 3]> {
-    let details = LEDGER.verdicts().iter().map(|judged| Ok((judged.claim.id, tied_without_tags(&details(judged)?))));
+pub fn files(book: &Book) -> anyhow::Result<[PageFile; 3]> {
+    let verdicts = book.ledger.verdicts().iter();
+    let details = verdicts.map(|judged| Ok((judged.claim.id, tied_without_tags(&details(book, judged)?))));
     let details: BTreeMap<_, _> = details.collect::<anyhow::Result<_>>()?;
     // A claim a line, so that two editions can be compared.
     let text = serde_json::to_string(&details)?.replace("\",\"", "\",\n\"");
     Ok([
-        File::script(SCRIPT_NAME, SCRIPT.to_owned()),
-        File::script(STYLE_NAME, STYLE.to_owned()),
-        File::script(DETAILS_NAME, format!("genevaDetails({text});\n")),
+        PageFile::text_file(SCRIPT_NAME, SCRIPT.to_owned()),
+        PageFile::text_file(STYLE_NAME, STYLE.to_owned()),
+        PageFile::text_file(DETAILS_NAME, format!("genevaDetails({text});\n")),
     ])
 }
 
 /// The form that filters, which the script shows.
-fn filter() -> String {
+pub fn filter(book: &Book) -> String {
     let option = |value: &str, more: &str, text: &str| format!("<option value=\"{value}\"{more}>{text}</option>");
     let select = |name: &str, label: &str, options: String| {
         format!("<label>{label} <select name=\"{name}\"><option value=\"\">all</option>{options}</select></label>")
     };
-    let sources = LEDGER.documents().iter().map(|work| option(work.slug, "", work.title));
-    let sources = [option(DOCUMENTS, "", "the four documents")].into_iter().chain(sources).collect();
+    let documents = book.ledger.documents();
+    let sources = documents.iter().map(|document| option(document.slug, "", document.title));
+    let mirrored = match book.ledger.mirrored().len() {
+        1 => "the document".to_owned(),
+        count => format!("the {} documents", in_words(count)),
+    };
+    let sources = [option(DOCUMENTS, "", &mirrored)].into_iter().chain(sources).collect();
     let verdicts = Verdict::ALL.iter().map(|verdict| {
         option(verdict.slug(), &format!(" data-truth=\"{}\"", verdict.truth().slug()), &verdict.to_string())
     });
@@ -88,25 +96,26 @@ fn kind_name(kind: Kind) -> &'static str {
 }
 
 /// The claims of a section; every row can be linked to by the claim's id.
-fn section(section: &Section) -> anyhow::Result<String> {
-    let rows = section.ids().map(|id| row(lookup::judged(id)?)).collect::<anyhow::Result<String>>()?;
-    let (title, name, work) = (section.title, section.name, section.work.slug);
-    Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{work}\">\n{rows}</ul>\n\n"))
+fn section(book: &Book, section: &LedgerSection) -> anyhow::Result<String> {
+    let ids = section.ids(book.ledger).into_iter();
+    let rows = ids.map(|id| row(book, lookup::verdict(book.ledger, id)?)).collect::<anyhow::Result<String>>()?;
+    let (title, name, source) = (section.title, section.name, section.document);
+    Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{source}\">\n{rows}</ul>\n\n"))
 }
 
 /// A claim: its id, our verdict, where it stands, what it says, what is printed, and what was found, in a line.
-fn row(judged: &Judged) -> anyhow::Result<String> {
+fn row(book: &Book, judged: &Judged) -> anyhow::Result<String> {
     let (claim, verdict) = (judged.claim, judged.verdict);
-    let printed = with_unit(&tex_or_text(&without_ellipses(claim))?, claim.unit)?;
+    let printed = with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?;
     let printed = match computed(judged) {
         Some(computed) => format!("<div>{printed}, computed {computed}{}</div>", right(judged)),
         // A form may be wider than the page; one whose lines are aligned scrolls, and so takes the focus.
         None => {
             let focus = if printed.contains("<mtable") { " tabindex=\"0\"" } else { "" };
-            format!("<div class=\"form\"{focus}>{}</div>", broken(&printed))
+            format!("<div class=\"form\"{focus}>{}</div>", breakable(&printed))
         }
     };
-    let found = found(judged);
+    let found = finding_in_a_line(book, judged);
     let found = if found.is_empty() { found } else { format!("<small>{found}</small>") };
     let miscopied = if judged.is_miscopied() { format!(" {MISCOPIED}") } else { String::new() };
     Ok(format!(
@@ -114,7 +123,7 @@ fn row(judged: &Judged) -> anyhow::Result<String> {
         claim.id,
         claim.kind.slug(),
         verdict.slug(),
-        place(claim),
+        place(book, claim),
         prose(claim.meaning),
     ))
 }
@@ -126,25 +135,25 @@ fn right(judged: &Judged) -> String {
 }
 
 /// What was found, in a line: the mistake, what is missing, or how the printed form holds.
-fn found(judged: &Judged) -> String {
-    let mistake = mistake(judged).map(|link| format!("Mistake: {link}"));
-    let missing = open::group_of(judged).map(|group| format!("Open: {}", group.link()));
-    let holds = judged.findings.first().map(|(_, finding)| in_words(&finding.how));
+pub fn finding_in_a_line(book: &Book, judged: &Judged) -> String {
+    let mistake = mistake(book, judged).map(|link| format!("Mistake: {link}"));
+    let missing = open::group_of(book, judged).map(|group| format!("Open: {}", open::link(book, group)));
+    let holds = judged.findings.first().map(|(_, finding)| with_minus_signs(&finding.how));
     [mistake, missing, holds].into_iter().flatten().collect::<Vec<_>>().join(". ")
 }
 
 /// The mistake that reaches a claim, as a link to where it is told.
-fn mistake(judged: &Judged) -> Option<String> {
+fn mistake(book: &Book, judged: &Judged) -> Option<String> {
     let slip = &judged.claim.erratum.as_ref()?.slip;
     let what = match slip.consequence {
         Consequence::Copy => "only in the copy".to_owned(),
         other => other.to_string(),
     };
-    Some(format!("<a href=\"{}.html#slip-{}\">{what}</a>", page_of_slip(slip), slip.id))
+    Some(format!("<a href=\"{}.html#slip-{}\">{what}</a>", book.page_of_slip(slip), slip.id))
 }
 
 /// All that is known of a claim besides its row.
-fn details(judged: &Judged) -> anyhow::Result<String> {
+fn details(book: &Book, judged: &Judged) -> anyhow::Result<String> {
     let (claim, evidence) = (judged.claim, judged.claim.check.evidence());
     let mut out = "<dl>".to_owned();
     let mut entry = |term: &str, text: String| {
@@ -152,7 +161,7 @@ fn details(judged: &Judged) -> anyhow::Result<String> {
             out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>"));
         }
     };
-    let number = |number: f64| with_unit(&rounded(judged, number), claim.unit);
+    let number = |number: f64| with_unit(book, &rounded(judged, number), claim.unit);
     for (term, value, kind) in [
         ("Computed", judged.computed, evidence.first()),
         ("Second route", judged.witnessed, evidence.last()),
@@ -171,57 +180,14 @@ fn details(judged: &Judged) -> anyhow::Result<String> {
     entry(missing, how(judged));
     if let Some(erratum) = &claim.erratum {
         if judged.corrected().is_some() {
-            let [printed, corrected] = forms(judged)?;
+            let [printed, corrected] = forms(book, judged)?;
             entry("Printed", printed);
             entry("Right", corrected);
         }
         entry("Why", prose(erratum.slip.reason));
         entry("Second witness", prose(erratum.slip.witness));
-        entry("Mistake", mistake(judged).unwrap_or_default());
+        entry("Mistake", mistake(book, judged).unwrap_or_default());
     }
     out.push_str("</dl>");
     Ok(out)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_claim_has_a_row_and_every_row_has_details() {
-        let page = page().expect("a page");
-        let [_, _, details] = files().expect("files");
-        for judged in LEDGER.verdicts() {
-            let id = judged.claim.id;
-            let row = format!("<li id=\"{id}\" class=\"{} {}", judged.claim.kind.slug(), judged.verdict.slug());
-            assert_eq!(page.matches(&row).count(), 1, "{id}");
-            assert_eq!(details.text().matches(&format!("\"{id}\":\"<dl><dt>")).count(), 1, "{id}");
-        }
-        assert_eq!(page.matches("<li ").count(), LEDGER.verdicts().len());
-    }
-
-    #[test]
-    fn the_filter_offers_what_the_rows_have() {
-        let filter = filter();
-        for judged in LEDGER.verdicts() {
-            for value in
-                [judged.claim.document.slug, judged.verdict.slug(), judged.truth().slug(), judged.claim.kind.slug()]
-            {
-                assert!(filter.contains(&format!("<option value=\"{value}\"")), "{value}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_row_says_in_a_line_what_was_found() {
-        for judged in LEDGER.verdicts() {
-            let (id, found) = (judged.claim.id, found(judged));
-            let says = match judged.truth() {
-                Truth::Open => found.starts_with("Open: "),
-                Truth::Wrong => judged.claim.erratum.is_some() == found.starts_with("Mistake: "),
-                Truth::Right => judged.computed.is_some() || !found.is_empty(),
-            };
-            assert!(says, "{id}: {found}");
-        }
-    }
 }

@@ -1,58 +1,59 @@
 //! Lists: the classes of verdict, the kinds of evidence, the tolerances, the letters of a source.
 
 use super::inline::badge;
-use crate::html::{Cells, Table, escape, table, tex_or_text};
-use crate::tables::chain::scientific;
+use crate::book::{Book, NotationLetter};
+use crate::chain::scientific;
+use crate::formula::tex_or_text;
+use crate::html::{Cells, Table, escape, table};
 use crate::{lookup, maths};
 use anyhow::Context;
-use geneva_documents::LEDGER;
 use geneva_evidence::{Judged, Symbol, Verdict};
-use geneva_figures::notation::NOTATION;
 
 /// The classes of verdict with their meaning and how many claims of the documents have each.
-pub fn verdicts() -> anyhow::Result<Table> {
+pub fn verdicts(book: &Book) -> anyhow::Result<Table> {
     let rows = Verdict::ALL.iter().map(|verdict| {
-        let count = lookup::of_documents().filter(|judged| judged.verdict == *verdict).count();
+        let count = lookup::verdicts_of_documents(book.ledger).filter(|judged| judged.verdict == *verdict).count();
         Ok(vec![badge(*verdict), escape(verdict.meaning()), verdict.truth().to_string(), count.to_string()])
     });
     table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Is it right?", "Claims"], rows)
 }
 
 /// The kinds of evidence and how many claims of the documents use each.
-pub fn evidence() -> anyhow::Result<Table> {
-    let rows = LEDGER.evidence().iter().map(|kind| {
+pub fn evidence(book: &Book) -> anyhow::Result<Table> {
+    let rows = book.ledger.evidence().iter().map(|kind| {
         let uses = |judged: &&Judged| judged.claim.check.evidence().contains(kind);
-        let count = lookup::of_documents().filter(uses).count();
+        let count = lookup::verdicts_of_documents(book.ledger).filter(uses).count();
         Ok(vec![kind.to_string(), escape(kind.meaning), count.to_string()])
     });
     table("Kinds of evidence", Cells::Words, &["Evidence", "What it is", "Claims"], rows)
 }
 
 /// The tolerances that are not printed digits.
-pub fn tolerances() -> anyhow::Result<Table> {
-    let rows = LEDGER.tolerances().into_iter().map(|tolerance| {
+pub fn tolerances(book: &Book) -> anyhow::Result<Table> {
+    let rows = book.ledger.tolerances().into_iter().map(|tolerance| {
         let relative = scientific(&format!("{:e}", tolerance.relative))?;
         Ok(vec![tolerance.name.to_owned(), relative, escape(tolerance.reason)])
     });
     table("Tolerances", Cells::Words, &["Tolerance", "Relative", "Why"], rows)
 }
 
-/// The letters of the triangle, which are the same in the whole book.
-pub fn notation() -> anyhow::Result<Table> {
-    let rows = NOTATION
-        .iter()
+/// The letters that stand for one thing in the whole book.
+pub fn notation(book: &Book) -> anyhow::Result<Table> {
+    let rows = (book.notation)()
+        .into_iter()
         .map(|letter| Ok(vec![maths::formula(letter.tex, false)?, escape(letter.meaning), escape(letter.counted)]));
     table("Letters of this book", Cells::Words, &["Letter", "What it stands for", "How it counts"], rows)
 }
 
-/// The letters of a source and the book's: first those of the triangle, in the same order for each source.
-pub fn symbols(slug: &str) -> anyhow::Result<Table> {
-    let symbols = lookup::work(slug)?.symbols;
-    let is_of_triangle = |of: &&Symbol| NOTATION.iter().any(|letter| letter.tex == of.ours);
-    let triangle = NOTATION.iter().flat_map(|letter| symbols.iter().filter(|symbol| symbol.ours == letter.tex));
-    let others = symbols.iter().filter(|symbol| !is_of_triangle(symbol));
-    let rows = triangle.chain(others).map(|symbol| {
-        let meaning = meaning(symbol);
+/// The letters of a source and the book's: first those of the whole book, in the same order for each source.
+pub fn symbols(book: &Book, slug: &str) -> anyhow::Result<Table> {
+    let symbols = lookup::document(book.ledger, slug)?.symbols;
+    let notation = (book.notation)();
+    let is_of_all = |of: &&Symbol| notation.iter().any(|letter| letter.tex == of.ours);
+    let of_all = notation.iter().flat_map(|letter| symbols.iter().filter(|symbol| symbol.ours == letter.tex));
+    let others = symbols.iter().filter(|symbol| !is_of_all(symbol));
+    let rows = of_all.chain(others).map(|symbol| {
+        let meaning = meaning(&notation, symbol);
         // A letter is set as in a formula, with or without an index.
         let is_letter = |letter: &str| letter.contains('_') || letter.chars().count() == 1;
         let letters = with_indices(symbol.printed);
@@ -66,18 +67,19 @@ pub fn symbols(slug: &str) -> anyhow::Result<Table> {
 }
 
 /// What a letter of the book stands for in the chapters on a source: both are named, the letter in TeX.
-pub fn letter(of: &str) -> anyhow::Result<String> {
-    let (slug, tex) = of.split_once(' ').with_context(|| format!("`{of}`: give a source and a letter, `meyer K`"))?;
-    let symbols = lookup::work(slug)?.symbols;
+pub fn letter(book: &Book, of: &str) -> anyhow::Result<String> {
+    let (slug, tex) =
+        of.split_once(' ').with_context(|| format!("`{of}`: give a source and a letter, as in `source K`"))?;
+    let symbols = lookup::document(book.ledger, slug)?.symbols;
     let symbol = symbols.iter().find(|symbol| symbol.ours == tex);
     let symbol = symbol.ok_or_else(|| lookup::unknown("letter", tex, symbols.iter().map(|symbol| symbol.ours)))?;
-    Ok(escape(&meaning(symbol)))
+    Ok(escape(&meaning(&(book.notation)(), symbol)))
 }
 
 /// What a letter stands for: as the whole book has it, and what else is to be said in the chapters on the source.
-fn meaning(symbol: &Symbol) -> String {
-    let of_triangle = NOTATION.iter().find(|letter| letter.tex == symbol.ours);
-    let parts = [of_triangle.map_or("", |letter| letter.meaning), symbol.meaning];
+fn meaning(notation: &[NotationLetter], symbol: &Symbol) -> String {
+    let of_all = notation.iter().find(|letter| letter.tex == symbol.ours);
+    let parts = [of_all.map_or("", |letter| letter.meaning), symbol.meaning];
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ")
 }
 
@@ -93,16 +95,7 @@ fn with_indices(letters: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{letter, with_indices};
-
-    #[test]
-    fn a_letter_says_what_the_table_says_and_an_unknown_one_is_refused() {
-        assert_eq!(letter("meyer K").expect("a letter"), "torque of the spring");
-        assert_eq!(letter("pin R").expect("a letter"), "crank radius");
-        for wrong in ["meyer", "meyer Kk", "mayer K"] {
-            assert!(letter(wrong).is_err(), "{wrong}");
-        }
-    }
+    use super::with_indices;
 
     #[test]
     fn a_digit_behind_a_letter_is_its_index() {

@@ -1,8 +1,7 @@
 //! What the ledger shows in the book: words in a line, tables, whole pages.
 
 pub mod compare;
-mod coverage;
-pub mod elsewhere;
+pub mod coverage;
 pub mod errata;
 pub mod findings;
 pub mod inline;

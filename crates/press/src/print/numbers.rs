@@ -7,17 +7,17 @@ use anyhow::{Context, ensure};
 use std::collections::BTreeMap;
 
 /// On which page of a printed document each target of a link is, counted from 1.
-pub type Places = BTreeMap<String, usize>;
+pub type PageNumbers = BTreeMap<String, usize>;
 
 /// Reads the places out of a PDF as Chromium writes it: its objects are not packed, only what is drawn is.
-pub fn places(pdf: &[u8]) -> anyhow::Result<Places> {
+pub fn places(pdf: &[u8]) -> anyhow::Result<PageNumbers> {
     let pdf = Pdf::new(pdf);
     let catalog = pdf.objects.values().find(|object| object.contains("/Type /Catalog"));
     let catalog = catalog.context("the PDF has no catalogue")?;
     let mut order = Vec::new();
     pdf.pages(reference(catalog, "/Pages ").context("the PDF has no pages")?, 0, &mut order)?;
     let targets = pdf.object(reference(catalog, "/Dests ").context("the PDF has no targets of links")?)?;
-    let mut places = Places::new();
+    let mut places = PageNumbers::new();
     // Each target is a name and in brackets its page and where on it: `/pin--answer [12 0 R /XYZ 0 828 0]`.
     for target in targets.split(']') {
         let Some((name, place)) = target.split_once('[') else { continue };
@@ -48,7 +48,7 @@ pub fn has_contents(document: &str) -> bool {
 }
 
 /// The document with the number of its page at the end of each line of the contents.
-pub fn numbered(document: &str, places: &Places) -> anyhow::Result<String> {
+pub fn numbered(document: &str, places: &PageNumbers) -> anyhow::Result<String> {
     let mut pieces = document.split(BEFORE);
     let mut out = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {
@@ -138,7 +138,7 @@ mod tests {
     fn the_places_of_targets_are_read_in_the_order_of_the_pages() {
         let found = places(PDF.as_bytes()).expect("places");
         let expected = [("jazar", 2), ("pin", 1), ("pin--a.b", 3)].map(|(name, page)| (name.to_owned(), page));
-        assert_eq!(found, Places::from(expected));
+        assert_eq!(found, PageNumbers::from(expected));
         assert_eq!(pages(PDF.as_bytes()).expect("a count"), 3);
         for broken in [&PDF[..60], &PDF.replace("5 0 obj", "9 0 obj"), &PDF.replace("[4 0 R", "[8 0 R"), "", "no PDF"] {
             assert!(places(broken.as_bytes()).is_err(), "{broken}");
@@ -157,6 +157,6 @@ mod tests {
             "<a>One</a> <span class=\"at\" data-page-of=\"pin\">1</span><p><span data-page-of=\"jazar\">2</span>"
         );
         assert_eq!(numbered(&once, &numbers).expect("numbers"), once);
-        assert!(numbered(document, &Places::new()).is_err() && numbered("", &numbers).is_err());
+        assert!(numbered(document, &PageNumbers::new()).is_err() && numbered("", &numbers).is_err());
     }
 }

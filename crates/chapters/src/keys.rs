@@ -1,0 +1,63 @@
+//! The keys in double braces that this book adds to those of every book.
+
+use crate::{asked, computed, elsewhere, live, measurements, proofread, tables};
+use geneva_press::book::Expansion::{Bare, Interactive, Numbered, Of};
+use geneva_press::book::PlaceholderKey;
+use geneva_press::html::escape;
+
+/// Every key of this book, what it says or shows, and how that is made.
+pub const KEYS: &[PlaceholderKey] = &[
+    PlaceholderKey::new(
+        "ask",
+        "a number of a mechanism's answer: QUESTION.KEY, and after a colon its digits",
+        Of(|_, number| asked::number(number)),
+    ),
+    PlaceholderKey::new("computed", "a number of ours, by name", Of(|_, name| computed::by_name(name))),
+    PlaceholderKey::new(
+        "elsewhere",
+        "every statement elsewhere that is wrong, in a fold",
+        Bare(elsewhere::statement_folds),
+    ),
+    PlaceholderKey::new(
+        "elsewhere-addresses",
+        "where statements were read, and how many",
+        Bare(|_| Ok(elsewhere::addresses()?.html())),
+    ),
+    PlaceholderKey::new(
+        "elsewhere-examples",
+        "examples that do not fit, in a table",
+        Bare(|book| Ok(elsewhere::wrong_examples(book)?.html())),
+    ),
+    PlaceholderKey::new(
+        "elsewhere-wrong",
+        "what is wrong elsewhere, in a table",
+        Bare(|book| Ok(elsewhere::wrong_statements(book)?.html())),
+    ),
+    PlaceholderKey::new(
+        "live",
+        "a numbered figure that a reader moves",
+        Interactive(live::figure_name, live::interactive),
+    ),
+    PlaceholderKey::new(
+        "proofread",
+        "the form for a text of the reader's own, with an example",
+        Bare(|_| proofread::form()),
+    )
+    .without_text(),
+    PlaceholderKey::new("proofread-weight", "what that form loads at most", Bare(|_| Ok(proofread::weight()))),
+    PlaceholderKey::new(
+        "question",
+        "a question to a mechanism, as it is typed at the command line",
+        Of(|_, name| asked::question(name)),
+    ),
+    PlaceholderKey::new(
+        "recorded",
+        "what the record of the benchmarks says of its making: processor, cores, compiler, date",
+        Of(|_, name| Ok(escape(measurements::condition(name)?))),
+    ),
+    PlaceholderKey::new(
+        "wheels",
+        "a table of wheels, from one number of stations to another",
+        Numbered(|_, range| tables::wheels(range)),
+    ),
+];

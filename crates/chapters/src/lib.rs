@@ -1,0 +1,107 @@
+//! This book: its pages, its numbers, tables and figures, as a [`BOOK`] that the book builder turns into pages.
+//!
+//! It says which number stands in which chapter and how it is drawn; the solvers compute it, and the ledger has the verdicts.
+//! Nothing here prints a line, and nothing derives a formula.
+
+// The book as a list.
+pub mod bibliography;
+mod imprint;
+mod keys;
+mod modules;
+mod open_groups;
+pub mod pages;
+
+// What stands for a placeholder.
+pub mod asked;
+pub mod computed;
+pub mod elsewhere;
+pub mod figures;
+pub mod live;
+pub mod proofread;
+pub mod tables;
+
+// What stands in the project beside the book.
+pub mod readme;
+
+// What these need.
+mod found;
+mod lookup;
+mod measurements;
+mod rows;
+
+#[cfg(test)]
+mod tests;
+
+use geneva_documents::LEDGER;
+use geneva_figures::notation::NOTATION;
+use geneva_press::Book;
+use geneva_press::book::{Examples, NotationLetter};
+use geneva_press::pages::{generate_listings, generate_summary};
+use geneva_press::{html, numbers};
+
+/// This book.
+pub static BOOK: Book = Book {
+    imprint: imprint::IMPRINT,
+    ledger: &LEDGER,
+    pages: pages::PAGES,
+    sections: pages::SECTIONS,
+    keys: keys::KEYS,
+    figures: figures::on_a_page,
+    tables: tables::TABLES,
+    works: bibliography::WORKS,
+    open_groups: open_groups::OPEN_GROUPS,
+    notation,
+    // Lengths in crank radii.
+    letter_units: &["R"],
+    address_and_day: geneva_documents::wild::read,
+    field_meanings: FIELD_MEANINGS,
+    modules: modules::MODULES,
+    examples: EXAMPLES,
+    citation_file: include_str!("../../../CITATION.cff"),
+};
+
+/// The examples in the chapters: the root package, and the crates that an example may use.
+pub const EXAMPLES: Examples = Examples {
+    package: "geneva-suite",
+    crates: &[
+        "geneva_kinematics",
+        "geneva_dynamics",
+        "geneva_mimic",
+        "geneva_case1973",
+        "geneva_documents",
+        "geneva_figures",
+        "approx",
+        "nalgebra",
+    ],
+};
+
+/// Fields of the data of which this book has more to say than what they are in every book.
+const FIELD_MEANINGS: &[(&str, &str, &str)] = &[
+    (
+        "claims",
+        "source",
+        "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere).",
+    ),
+    (
+        "claims",
+        "kind",
+        "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",
+    ),
+    ("claims", "verdict", "The verdict that the program derived. *How it is checked* explains each verdict."),
+];
+
+/// The letters of the triangle, of its motion and of the force in the slot.
+fn notation() -> Vec<NotationLetter> {
+    let letter = |of: &geneva_figures::notation::Letter| NotationLetter {
+        tex: of.tex,
+        meaning: of.meaning,
+        counted: of.counted,
+    };
+    NOTATION.iter().map(letter).collect()
+}
+
+/// What this crate writes into the project: paths and texts.
+pub fn generate_files() -> anyhow::Result<Vec<(String, String)>> {
+    let listings = generate_listings(BOOK.pages).chain([generate_summary(BOOK.pages)]);
+    Ok(listings.chain(readme::pictures()?).collect())
+}

@@ -1,0 +1,269 @@
+//! The figures that a reader moves, on a page: the still figure, and its controls hidden until a script finds them.
+
+use crate::lookup;
+use anyhow::{Context, anyhow};
+use geneva_case1973::{Column, Hypothesis, Listing, Row, SixPin, rows_of};
+use geneva_documents::meyer::runs::table::{listing, rows};
+use geneva_documents::quick_return::Instant as Lever;
+use geneva_figures::Figure;
+use geneva_kinematics::Mechanism;
+use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, Side, shown};
+use geneva_press::Book;
+use geneva_press::book::{InteractiveFigure, PageFigure};
+use geneva_press::html::escape;
+
+/// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
+/// numbers lead.
+struct Beside {
+    name: &'static str,
+    given: fn() -> anyhow::Result<Arguments>,
+    /// Quantities, and the claim that says the same of one setting.
+    claims: &'static [(&'static str, &'static str)],
+}
+
+const BESIDE: &[Beside] = &[
+    Beside {
+        name: "wheel",
+        given: || Ok(Arguments::default()),
+        claims: &[
+            ("blow", "jazar.tangent-entry"),
+            ("velocity", "jazar.eq-5.31"),
+            ("acceleration", "jazar.eq-5.32"),
+            ("jerk", "jazar.infinite-jerk"),
+            ("angle", "jazar.eq-5.30"),
+            ("index", "jazar.ex-b.formula"),
+        ],
+    },
+    Beside {
+        name: "design",
+        given: || Ok(Arguments::default()),
+        claims: &[("centres", "jazar.centre-distance-ratio"), ("index", "jazar.duration")],
+    },
+    Beside {
+        name: "polygon",
+        given: lever,
+        claims: &[
+            ("gap", "quick-return.acceleration-equation"),
+            ("lever-speed", "quick-return.lever-speed-equation"),
+            ("sliding", "quick-return.sliding-speed-equation"),
+            ("lever-acceleration", "quick-return.lever-acceleration-equation"),
+            ("coriolis", "quick-return.coriolis-equation"),
+        ],
+    },
+    Beside { name: "mistake", given: runs, claims: &[("agree", "meyer.listing.quarter-turn")] },
+    Beside {
+        name: "escapement",
+        given: example,
+        claims: &[
+            ("rate", "meyer.conclusion.timing"),
+            ("entry", "meyer.abstract.terminal"),
+            ("engagements", "meyer.no-friction"),
+            ("critical", "meyer.singularity.conclusion"),
+        ],
+    },
+];
+
+/// The figure of this name as it stands at first: what its still form shows.
+pub fn figure(name: &str) -> anyhow::Result<Figure> {
+    Ok(at_first(named(name)?)?.figure)
+}
+
+/// The name of the drawing of a figure that a reader moves, by which a chapter refers to it.
+pub fn figure_name(name: &str) -> Option<&'static str> {
+    geneva_live::by_name(name).map(|live| live.figure)
+}
+
+/// The figure of this name with its controls.
+pub fn interactive(book: &Book, name: &str) -> anyhow::Result<InteractiveFigure> {
+    let live = named(name)?;
+    let answer = at_first(live)?;
+    let drawing = html(book, live, &answer)?;
+    let Figure { caption, series, source, .. } = answer.figure;
+    let figure = PageFigure { drawing, caption, csv: series.to_csv(), source };
+    Ok(InteractiveFigure { figure, attributes: attributes(live)? })
+}
+
+fn html(book: &Book, live: &Live, answer: &Answer) -> anyhow::Result<String> {
+    let given = given(live.name)?;
+    let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given, answer)).collect();
+    let presets = live.presets.iter().map(|preset| {
+        format!("<button type=\"button\" data-set=\"{}\">{}</button>", escape(preset.arguments), escape(preset.name))
+    });
+    let files = live
+        .files
+        .iter()
+        .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)));
+    let others = numbers(book, live, live.others.iter().chain(&answer.further), answer)?;
+    let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
+    let no_file = if live.files.is_empty() { "" } else { " and no files" };
+    let plays = live.controls.iter().any(|control| matches!(control.kind, Kind::Player(_)));
+    let play = if plays {
+        "<button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One step \
+         back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button>"
+    } else {
+        ""
+    };
+    Ok(format!(
+        "<div class=\"moving\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\">\
+         {}</dl>\n<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
+         hidden>There are no numbers{no_file} for this setting. The drawing still shows the last setting that was \
+         possible.</p></div>\n</div></div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
+         class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
+         data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}\n</div>",
+        answer.figure.svg.trim_end(),
+        numbers(book, live, live.quantities.iter(), answer)?,
+        escape(live.hint),
+        rows.concat(),
+        presets.collect::<String>(),
+        live.figure,
+        files.collect::<String>(),
+    ))
+}
+
+/// Quantities with their numbers; a label leads to the claim that says the same of one setting, if there is one.
+fn numbers<'a>(
+    book: &Book,
+    live: &Live,
+    quantities: impl Iterator<Item = &'a Quantity>,
+    answer: &Answer,
+) -> anyhow::Result<String> {
+    let claims = beside(live.name)?.claims;
+    let entry = |quantity: &Quantity| {
+        let claim = claims.iter().find(|(of, _)| *of == quantity.name);
+        let label = escape(quantity.label);
+        let label = match claim {
+            Some((_, id)) => {
+                format!("<a href=\"{}\">{label}</a>", book.address_of_claim(lookup::judged(id)?.claim.id))
+            }
+            None => label,
+        };
+        let text = answer.numbers.iter().find(|number| number.name == quantity.name);
+        let text = text.map_or("–", |number| number.text.as_str());
+        // Of all that changes, a reader who listens hears the first number.
+        let is_first = live.quantities.first().is_some_and(|first| first.name == quantity.name);
+        let spoken = if is_first { "polite" } else { "off" };
+        let output = format!("<output name=\"{}\" aria-live=\"{spoken}\">{}</output>", quantity.name, escape(text));
+        Ok(format!("<div><dt>{label}</dt> <dd>{output}</dd></div>"))
+    };
+    Ok(quantities.map(entry).collect::<anyhow::Result<Vec<String>>>()?.concat())
+}
+
+fn attributes(live: &Live) -> anyhow::Result<String> {
+    let drag = live
+        .drag
+        .map_or_else(String::new, |drag| format!(" data-drag=\"{} {} {}\"", drag.control, drag.at_right, drag.sense));
+    let given = given(live.name)?;
+    let fixed = given.only(|name| live.given.contains(&name)).to_query();
+    Ok(format!(" data-live=\"{}\" data-given=\"{}\"{drag}", live.name, escape(&fixed)))
+}
+
+/// One control with its label, its number and its unit.
+fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> String {
+    let Control { name, label, unit, least, most, step, range: [lowest, highest], .. } = control;
+    let id = format!("live-{}-{name}", live.name);
+    let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
+    let at_first = follower.unwrap_or(control.preset).to_string();
+    let value = given.text(name).map_or(at_first, str::to_owned);
+    let side = match control.side {
+        Some(Side::First) => " data-side=\"first\"",
+        Some(Side::Second) => " data-side=\"second\"",
+        None => "",
+    };
+    let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
+    match control.kind {
+        Kind::Choice(choices) => {
+            let option = |(number, words): (usize, &&str)| {
+                let chosen = if number.to_string() == value { " selected" } else { "" };
+                format!("<option value=\"{number}\"{chosen}>{}</option>", escape(words))
+            };
+            let options: String = choices.iter().enumerate().map(option).collect();
+            format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\"{side}>{options}</select>")
+        }
+        Kind::Slider | Kind::Player(_) | Kind::Follower => {
+            let play = match control.kind {
+                Kind::Player(rate) => format!(" data-play=\"{rate}\""),
+                Kind::Follower => " data-follows".to_owned(),
+                _ => String::new(),
+            };
+            let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
+            format!(
+                "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" {range}{play}{side}><span><input \
+                 type=\"number\" data-box=\"{name}\" aria-label=\"{}\" min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"> {}</span>",
+                spoken.trim_end(),
+                escape(unit)
+            )
+        }
+    }
+}
+
+fn named(name: &str) -> anyhow::Result<&'static Live> {
+    let all: Vec<(&str, &'static Live)> = LIVE.into_iter().map(|live| (live.name, live)).collect();
+    lookup::find_named("figure that a reader moves", name, &all)
+}
+
+fn beside(name: &str) -> anyhow::Result<&'static Beside> {
+    BESIDE.iter().find(|beside| beside.name == name).with_context(|| format!("what is told of `{name}`"))
+}
+
+/// What the page gives a figure: data of a source, and where controls stand at first.
+fn given(name: &str) -> anyhow::Result<Arguments> {
+    (beside(name)?.given)()
+}
+
+/// The answer where all controls stand as at first.
+fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
+    let given = given(live.name)?;
+    loop {
+        let answer = live.answer(&given).map_err(|message| anyhow!("{}: {message}", live.name))?;
+        if answer.progress.is_none() {
+            return Ok(answer);
+        }
+    }
+}
+
+/// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
+fn lever() -> anyhow::Result<Arguments> {
+    let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
+    let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
+    let rpm =
+        geneva_documents::LEDGER.printed_value("quick-return.driver-speed").context("a speed without a number")?;
+    let numbers = [("ground", at.linkage.ground()), ("radius", at.linkage.crank()), ("rpm", rpm)];
+    let numbers = numbers.map(|(name, number)| (name, number.to_string()));
+    Ok(Arguments::of(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))
+}
+
+/// The run that stands for all, its ratio of inertias to three digits.
+fn example() -> anyhow::Result<Arguments> {
+    let row = crate::rows::example()?;
+    let of = |key| crate::rows::number(row, key);
+    Ok(Arguments::of([
+        ("follower", of("follower_inertia")?.to_string()),
+        ("ratio", format!("{:.3}", of("inertia_ratio")?)),
+        ("friction", of("friction")?.to_string()),
+        ("torque", of("torque")?.to_string()),
+    ]))
+}
+
+/// The tables of Appendix E, the inertias of the runs, and the cards of the program.
+fn runs() -> anyhow::Result<Arguments> {
+    let row =
+        |row: &Row| format!("{},{}", row.mechanism.slots(), Column::ALL.map(|column| row.printed(column)).join(","));
+    let of = |hypothesis: &Hypothesis, mechanism: Mechanism| {
+        let [driver, follower] = hypothesis.inertias(rows_of(rows(), mechanism).first()?);
+        Some(format!("{},{driver:e},{follower:e}", mechanism.slots()))
+    };
+    let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL };
+    let drawn =
+        Mechanism::ALL.into_iter().map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).collect::<Option<Vec<_>>>();
+    let none = "a table without rows";
+    let Listing { pi, interval, duration, delay, .. } = listing();
+    Ok(Arguments::of([
+        ("rows", rows().iter().map(row).collect::<Vec<_>>().join(";")),
+        ("inertias", drawn.context(none)?.join(";")),
+        ("headed", of(&headed, Mechanism::SIX_PIN).context(none)?),
+        ("duration", duration.to_string()),
+        ("delay", delay.to_string()),
+        ("pi", pi.to_string()),
+        ("interval", ((1e6 * interval).round() / 1e3).to_string()),
+    ]))
+}

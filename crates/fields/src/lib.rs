@@ -1,0 +1,148 @@
+//! Values under keys: what is known of a thing as data, before it is written as JSON or CSV.
+
+use serde::ser::{Serialize, Serializer};
+
+/// What a field says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// Nothing is known, or nothing was asked for: null in JSON, an empty cell.
+    Missing,
+    /// Whether something is so.
+    Flag(bool),
+    /// How many.
+    Count(u64),
+    /// A number, which JSON and CSV write with all its digits.
+    Number(f64),
+    /// A word or a sentence.
+    Text(String),
+    /// Several, with semicolons between them in a cell.
+    List(Vec<Value>),
+    /// Fields of its own: columns of their own in CSV; null in JSON if every one of them is missing.
+    Object(Row),
+    /// Fields of one of a list, and the words for them in a cell.
+    Worded(Row, String),
+}
+
+/// Keys, which are also the columns, with their values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row(pub Vec<(&'static str, Value)>);
+
+impl Value {
+    /// Whether every number in it is one.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Self::Number(number) => number.is_finite(),
+            Self::List(values) => values.iter().all(Self::is_finite),
+            Self::Object(row) | Self::Worded(row, _) => row.0.iter().all(|(_, value)| value.is_finite()),
+            Self::Missing | Self::Flag(_) | Self::Count(_) | Self::Text(_) => true,
+        }
+    }
+
+    /// What it is in JSON, and its place among what one field may be: what says nothing comes last.
+    pub fn kind(&self) -> (u8, &'static str) {
+        match self {
+            Self::Flag(_) => (0, "true or false"),
+            Self::Count(_) | Self::Number(_) => (1, "number"),
+            Self::Text(_) => (2, "text"),
+            Self::List(_) => (3, "list"),
+            Self::Object(row) if row.is_empty() => (5, "null"),
+            Self::Object(_) | Self::Worded(..) => (4, "object"),
+            Self::Missing => (5, "null"),
+        }
+    }
+}
+
+impl Row {
+    /// Whether every field of it is missing.
+    pub fn is_empty(&self) -> bool {
+        self.0.iter().all(|(_, value)| *value == Value::Missing)
+    }
+}
+
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
+    }
+}
+
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Missing => serializer.serialize_none(),
+            Self::Flag(flag) => serializer.serialize_bool(*flag),
+            Self::Count(count) => serializer.serialize_u64(*count),
+            Self::Number(number) => serializer.serialize_f64(*number),
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::List(values) => serializer.collect_seq(values),
+            Self::Object(row) if row.is_empty() => serializer.serialize_none(),
+            Self::Object(row) | Self::Worded(row, _) => row.serialize(serializer),
+        }
+    }
+}
+
+impl From<bool> for Value {
+    fn from(flag: bool) -> Self {
+        Self::Flag(flag)
+    }
+}
+
+impl From<u32> for Value {
+    fn from(count: u32) -> Self {
+        Self::Count(count.into())
+    }
+}
+
+impl From<usize> for Value {
+    fn from(count: usize) -> Self {
+        Self::Count(count as u64)
+    }
+}
+
+impl From<f64> for Value {
+    /// A zero has no sign.
+    fn from(number: f64) -> Self {
+        Self::Number(number + 0.0)
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl<T: Into<Value>> From<Option<T>> for Value {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Missing, T::into)
+    }
+}
+
+impl<T: Into<Value>> From<Vec<T>> for Value {
+    fn from(values: Vec<T>) -> Self {
+        Self::List(values.into_iter().map(T::into).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_that_is_none_is_found_wherever_it_is() {
+        for (value, finite) in [
+            (Value::from(f64::NAN), false),
+            (vec![1.0, f64::INFINITY].into(), false),
+            (Value::Object(Row(vec![("x", f64::NEG_INFINITY.into())])), false),
+            (vec![1.0].into(), true),
+            (None::<f64>.into(), true),
+        ] {
+            assert_eq!(value.is_finite(), finite, "{value:?}");
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! The modules that answer the pages: compiled for WebAssembly, packed as text in a script.
+
+use crate::base64::base64;
+use crate::book::{Book, PageModule};
+use crate::data::{FOLDER, PageFile};
+use miniz_oxide::deflate::compress_to_vec;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
+const TARGET: &str = "wasm32-wasip1";
+const PROFILE: &str = "live";
+/// What asks a module, in a thread of its own: the first part of every script that has one.
+const THREAD: &str = include_str!("../theme/thread.js");
+/// Of ten levels, the one that packs best.
+const LEVEL: u8 = 10;
+
+/// The style sheets of all modules of a book, from a page.
+pub fn styles(book: &Book) -> impl Iterator<Item = String> {
+    book.modules.iter().map(style_path)
+}
+
+/// Whether an attribute is one by which a module of a book finds and asks its element.
+pub fn is_own_attribute(book: &Book, name: &str) -> bool {
+    book.modules.iter().flat_map(|module| module.attributes).any(|own| name.starts_with(own))
+}
+
+/// Puts into each page what loads the module that it asks for, and gives the scripts: the controls, and the module as text,
+/// made from the workspace `root`.
+///
+/// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
+pub fn load_into_pages(book: &Book, pages: &mut dyn Iterator<Item = &mut String>, root: &Path) -> Vec<PageFile> {
+    let mut pages: Vec<&mut String> = pages.collect();
+    let mut files = Vec::new();
+    for module in book.modules {
+        let attribute = format!(" {}=\"", module.asking());
+        let mut asking = pages.iter_mut().filter(|page| page.contains(&attribute)).peekable();
+        if asking.peek().is_none() {
+            continue;
+        }
+        match scripts(module, root) {
+            Ok(scripts) => {
+                asking.for_each(|page| **page = with_scripts(module, page));
+                files.extend(scripts);
+            }
+            Err(why) => eprintln!("What `{}` makes live stands still in this book: {why}", module.package),
+        }
+    }
+    files
+}
+
+fn style_path(module: &PageModule) -> String {
+    format!("{FOLDER}/{}.css", module.name)
+}
+
+fn scripts(module: &PageModule, root: &Path) -> Result<[PageFile; 3], String> {
+    let packed = base64(&compress_to_vec(&compiled(module, root)?, LEVEL));
+    Ok([
+        PageFile::text_file(&format!("{}.js", module.name), format!("{THREAD}{}", module.script)),
+        PageFile::text_file(&format!("{}.css", module.name), module.style.to_owned()),
+        PageFile::text_file(&format!("{}-module.js", module.name), format!("genevaModule('{packed}');\n")),
+    ])
+}
+
+/// A page with what it must load; the module comes later, when it is needed.
+fn with_scripts(module: &PageModule, content: &str) -> String {
+    format!(
+        "<link rel=\"stylesheet\" href=\"{}\">\n\n{content}\n<script src=\"{FOLDER}/{}.js\" defer></script>\n",
+        style_path(module),
+        module.name
+    )
+}
+
+/// The compiled module.
+fn compiled(module: &PageModule, root: &Path) -> Result<Vec<u8>, String> {
+    if !root.join("crates").join(module.folder).join("Cargo.toml").is_file() {
+        return Err(format!("{} does not hold their program", root.display()));
+    }
+    // Where the target cannot be added, Cargo's own reason is the one that counts: there may be no Cargo at all.
+    let compiled = compile(root, module.package)
+        .or_else(|first| if is_target_added(root) { compile(root, module.package) } else { Err(first) });
+    let file = format!("{}.wasm", module.package.replace('-', "_"));
+    let path = compiled?.join(TARGET).join(PROFILE).join(file);
+    fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// Lets Cargo compile it; the target directory, or Cargo's reason.
+fn compile(root: &Path, package: &str) -> Result<std::path::PathBuf, String> {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |own| root.join(own));
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.current_dir(root).args(["rustc", "--quiet", "--package", package, "--lib", "--crate-type", "cdylib"]);
+    command.args(["--target", TARGET, "--profile", PROFILE]).stdin(Stdio::null());
+    // Addresses in as many bytes as they need, not in five each: the module is a twentieth smaller.
+    command.args(["--", "-C", "link-arg=--compress-relocations"]);
+    // What is set for tests or documentation of the machine at hand is not for this.
+    command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    let output = command
+        .output()
+        .map_err(|error| format!("cargo does not run ({error}): install Rust from https://rustup.rs"))?;
+    if output.status.success() {
+        return Ok(target);
+    }
+    let said = String::from_utf8_lossy(&output.stderr);
+    let line = said.lines().find(|line| line.contains("error")).unwrap_or("cargo gives no reason").trim();
+    Err(format!("{line}; `rustup target add {TARGET}` may mend it"))
+}
+
+/// Lets rustup add the target; whether it could.
+fn is_target_added(root: &Path) -> bool {
+    let mut rustup = Command::new("rustup");
+    rustup.current_dir(root).args(["target", "add", TARGET]).stdin(Stdio::null());
+    rustup.output().is_ok_and(|output| output.status.success())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples::BOOK;
+
+    #[test]
+    fn a_folder_without_the_program_gets_still_figures_and_a_reason() {
+        let folder = tempfile::TempDir::new().expect("a folder");
+        for module in BOOK.modules {
+            let why = scripts(module, folder.path()).err().expect("nothing to compile");
+            assert!(why.contains("does not hold their program"), "{why}");
+            let mut page = format!("<p {}=\"\"></p>", module.asking());
+            let still = page.clone();
+            assert!(load_into_pages(&BOOK, &mut std::iter::once(&mut page), folder.path()).is_empty());
+            assert_eq!(page, still);
+        }
+    }
+}
