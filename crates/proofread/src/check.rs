@@ -2,16 +2,15 @@
 
 use crate::binding::{Follow, Known, assignment, single_name};
 use crate::chain::{Chain, Relation, Side, chains};
-use crate::customs;
 use crate::doubt::{Doubt, Factors, Place};
 use crate::effort::{self, Effort};
+use crate::explanation::{DifferingPair, agrees};
 use crate::finding::{Finding, List};
 use crate::hint;
 use crate::join::has_letters;
-use crate::notation;
 use crate::reader::{self, Definitions, Format, Formula, From, Running, Unreadable, Written};
 use crate::surroundings;
-use crate::token::{Kind, Span, Token, any, has_number};
+use crate::token::{Kind, Span, any, has_number};
 use crate::unrounded::Results;
 use crate::value::{Evaluated, Literal, Obstacle, Value};
 use crate::verdict::{Judgement, Verdict, evaluated, judge};
@@ -160,41 +159,9 @@ fn set_aside(finding: &mut Finding, doubt: Doubt) {
     finding.hint = None;
 }
 
-fn agrees(judgement: &Judgement) -> bool {
-    judgement.verdict != Verdict::CannotEvaluate && List::of(judgement.verdict, false) == List::Agreeing
-}
-
 /// Whether it is known what a side is worth, or that it has no value.
 fn is_known(evaluated: &Evaluated<Value>) -> bool {
     matches!(evaluated, Ok(_) | Err(Obstacle::NoValue(_)))
-}
-
-/// A side with the opposite sign.
-fn opposite(side: &Side) -> Vec<Token> {
-    let sign = |c| Token::new(Kind::Operator(c), side.span);
-    [&[sign('-'), sign('(')], side.tokens.as_slice(), &[sign(')')]].concat()
-}
-
-/// Whether the left side is a printed count, or a printed quantity of another kind than the computed right side, so that it may
-/// belong to the words before it.
-fn names_label(judgement: &Judgement) -> bool {
-    match &judgement.values {
-        Some((left, right)) => {
-            let is_count = left.dimension.is_none() && left.factor == 1.0;
-            let of_other_kinds = left.dimension != right.dimension || is_count;
-            // A temperature or a time beside what depends on it.
-            let depends = right.is_literal() && right.has_unit && left.dimension != right.dimension;
-            left.is_literal() && left.has_unit && (!right.is_literal() || depends) && of_other_kinds
-        }
-        None => false,
-    }
-}
-
-/// The integer at a side, whose digits are in another base.
-fn in_decimal(side: &Side, base: u32) -> Option<Vec<Token>> {
-    let [Token { kind: Kind::Number(digits), span, .. }] = side.tokens.as_slice() else { return None };
-    let value = u64::from_str_radix(digits, base).ok()?;
-    Some(vec![Token::new(Kind::Number(value.to_string()), *span)])
 }
 
 /// Documents up to this many bytes are taken for one problem whose names keep their meaning.
@@ -285,96 +252,29 @@ impl Check<'_> {
                 return;
             }
         }
-        let mut judgement = judge(&left.tokens, &right.tokens, relation, bindings);
-        // Digits that are printed elsewhere may explain the difference, too.
-        let computes =
-            free && judgement.values.as_ref().is_some_and(|(left, right)| !left.is_literal() && right.is_literal());
-        if computes && judgement.verdict > Verdict::Units && self.results.explain(formula.scope, left, right) {
-            judgement.verdict = Verdict::Rounded;
-        }
-        let steps = judgement.values.as_ref().is_some_and(|(left, right)| left.is_literal() && right.is_literal());
-        if steps && judgement.verdict > Verdict::Units {
-            // What is in base units of the SI may lack its unit.
-            let agree = |one: &Side, other: &Side, least: Verdict| {
-                let verdict = judge(&one.tokens, &other.tokens, relation, bindings).verdict;
-                verdict <= least || verdict == Verdict::Units
-            };
-            // A side before the last one gives both: the step between was rounded.
-            let gives = |first: &Side| agree(first, left, Verdict::Rounded) && agree(first, right, Verdict::Consistent);
-            if chain.sides[..at - 1].iter().rev().take(3).any(gives) {
-                judgement.verdict = Verdict::Rounded;
-            }
-        }
+        let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
         let has_result = |(_, right): &&(Value, Value)| free && right.is_literal();
-        if let Some(values) = judgement.values.as_ref().filter(has_result) {
-            self.results.note(formula.scope, left, right, values);
-        }
-        if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {
-            return self.note(formula, chain, [left, right], judgement, relation);
-        }
-        // What the text says in words may explain the difference.
-        let unit = if ends { surroundings::unit_behind(self.text, formula.span) } else { Vec::new() };
-        if !unit.is_empty() {
-            let mut with = [right.tokens.as_slice(), &unit].concat();
-            // The scale of a temperature behind its degree sign.
-            let scale = unit.last().and_then(Token::word).filter(|word| matches!(*word, "C" | "F"));
-            if let (Some(scale), Some(last)) = (scale, right.tokens.last())
-                && last.word() == Some("°")
-            {
-                with.truncate(right.tokens.len() - 1);
-                with.push(Token::new(Kind::Word(format!("°{scale}")), last.span));
-            }
-            let other = judge(&left.tokens, &with, relation, bindings);
-            // The other numbers of the chain lack their unit, too.
-            if agrees(&other) || other.verdict == Verdict::Units {
-                judgement = Judgement { verdict: other.verdict.min(Verdict::Doubtful), ..other };
-            } else if other.verdict < judgement.verdict {
-                judgement = other;
-            }
-        }
-        if at == 1 && names_label(&judgement) && surroundings::follows_preposition(self.text, left.span) {
-            judgement.verdict = Verdict::Doubtful;
-        }
-        let base = if ends { surroundings::base_named(self.text, formula.span) } else { None };
-        if let Some(decimal) = base.and_then(|base| in_decimal(right, base)) {
-            let other = judge(&left.tokens, &decimal, relation, bindings);
-            if agrees(&other) {
-                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
-            }
-        }
-        let others = if judgement.verdict > Verdict::Units {
-            notation::others(self.text, formula, left, right)
+        let values = judgement.values.as_ref().filter(has_result).cloned();
+        let judgement = if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {
+            judgement
         } else {
-            Vec::new()
+            let pair = DifferingPair {
+                text: self.text,
+                formula,
+                before: &chain.sides[..at - 1],
+                left,
+                right,
+                relation,
+                bindings,
+                results: &self.results,
+                is_free: free,
+                ends_formula: ends,
+                judgement,
+            };
+            pair.explained()
         };
-        for [one, other] in others {
-            let other = judge(&one, &other, relation, bindings);
-            if other.verdict < Verdict::Doubtful {
-                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
-                break;
-            }
-            if other.verdict == Verdict::Units {
-                judgement = other;
-            }
-        }
-        if let Some((one, other)) = &judgement.values
-            && (notation::differ_by_turns(one, other)
-                || (relation == Relation::Approximate && notation::counts_up(one, other)))
-        {
-            judgement.verdict = judgement.verdict.min(Verdict::Doubtful);
-        }
-        let values = judgement.values.as_ref();
-        let printed = values.is_some_and(|(left, right)| {
-            left.is_literal() && right.is_literal() && left.has_unit && customs::may_be_to_scale(left, right)
-        });
-        if printed && surroundings::speaks_of_scale(self.text, formula.span) {
-            judgement.verdict = Verdict::Doubtful;
-        }
-        if surroundings::names_direction(self.text, left.span) || surroundings::names_direction(self.text, right.span) {
-            let other = judge(&opposite(left), &right.tokens, relation, bindings);
-            if agrees(&other) {
-                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
-            }
+        if let Some(values) = values {
+            self.results.note(formula.scope, left, right, &values);
         }
         self.note(formula, chain, [left, right], judgement, relation);
     }

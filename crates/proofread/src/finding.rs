@@ -82,6 +82,9 @@ pub struct Finding {
     pub printed: String,
     /// What is computed, to as many digits and in the same unit; none if the sides have no common unit.
     pub recomputed: Option<String>,
+    /// The name of the explanation that decided the verdict, one of [`explanation_names`](crate::explanation_names); none if the
+    /// sides compare so as they are printed.
+    pub explanation: Option<&'static str>,
     /// What keeps the sides from being compared, if that is what was found.
     pub why: Option<String>,
     /// The single edit that makes the sides agree, if there is exactly one near.
@@ -128,6 +131,7 @@ impl Finding {
             at: printed.span,
             printed: show(&printed.tokens),
             recomputed,
+            explanation: judgement.explanation,
             why: judgement.obstacle.as_ref().map(ToString::to_string),
             hint,
             reading: judgement.reading.words(),

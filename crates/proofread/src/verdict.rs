@@ -100,6 +100,8 @@ pub(crate) struct Judgement {
     pub values: Option<(Value, Value)>,
     pub obstacle: Option<Obstacle>,
     pub used: Vec<String>,
+    /// The name of the explanation under which it is so, if one was needed.
+    pub explanation: Option<&'static str>,
 }
 
 impl Judgement {
@@ -170,7 +172,7 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
             Some(Obstacle::NoValue(_)) if without_value => Verdict::Inconsistent,
             _ => Verdict::CannotEvaluate,
         };
-        Judgement { verdict, reading: Reading::USUAL, values: None, obstacle, used: Vec::new() }
+        Judgement { verdict, reading: Reading::USUAL, values: None, obstacle, used: Vec::new(), explanation: None }
     })
 }
 
@@ -236,7 +238,14 @@ impl Pair<'_> {
         let printed = points.clone();
         let judgement = |verdict: Verdict| {
             let [left, right] = printed.clone();
-            Some(Judgement { verdict, reading, values: Some((left, right)), obstacle: None, used: used.clone() })
+            Some(Judgement {
+                verdict,
+                reading,
+                values: Some((left, right)),
+                obstacle: None,
+                used: used.clone(),
+                explanation: None,
+            })
         };
         let same = points[0].dimension == points[1].dimension;
         let zero = points.iter().any(Value::is_zero_at_point);

@@ -31,6 +31,7 @@ fn finding(finding: &Finding, lines: &TextLines<'_>) -> Value {
         "right": finding.right,
         "printed": finding.printed,
         "recomputed": finding.recomputed,
+        "explanation": finding.explanation,
         "why": finding.why,
         "doubt": finding.doubt.map(Doubt::words),
         "hint": finding.hint.as_ref().map(|hint| hint.words.as_str()),
