@@ -1,6 +1,8 @@
 //! What an expression is made of: printed numbers, letters with values, and units alone.
 
-use crate::evaluate::{Cursor, Evaluator};
+use crate::cursor::Cursor;
+use crate::evaluate::Evaluator;
+use crate::exponent::{is_power_of_e, plain_exponent, small_integer};
 use crate::interval::Interval;
 use crate::printed::{Mode, Printed, power_of_ten};
 use crate::reading::Reading;
@@ -84,7 +86,7 @@ impl Evaluator<'_> {
         if let Some(Token { kind: Kind::Fraction(above, below), .. }) = next
             && at <= cursor.at + 1
             && scale.is_none()
-            && let (Some(above), Some(below)) = (small(above), small(below))
+            && let (Some(above), Some(below)) = (small_integer(above), small_integer(below))
             && above < below
         {
             self.noticed.note(Reading::MIXED);
@@ -183,65 +185,4 @@ fn large_number(word: &str) -> Option<f64> {
         "trillion" => 12.0,
         _ => return None,
     })
-}
-
-/// A small integer that stands alone.
-fn small(tokens: &[Token]) -> Option<f64> {
-    let [Token { kind: Kind::Number(text), .. }] = tokens else { return None };
-    text.parse::<u32>().ok().filter(|number| *number < 1000).map(f64::from)
-}
-
-/// An exponent that is a number or a fraction of two, with a sign.
-pub(crate) fn plain_exponent(tokens: &[Token]) -> Evaluated<f64> {
-    let tokens: Vec<&Token> = tokens.iter().filter(|token| !token.is_space()).collect();
-    let (sign, tokens) = match tokens.as_slice() {
-        [first, rest @ ..] if first.is('-') => (-1.0, rest),
-        [first, rest @ ..] if first.is('+') => (1.0, rest),
-        all => (1.0, all),
-    };
-    let number = |text: &str| Printed::read(text).map(|of| of.value);
-    let value = match tokens {
-        [Token { kind: Kind::Number(text), .. }] => number(text),
-        [Token { kind: Kind::Fraction(a, b), .. }] => small(a).zip(small(b)).map(|(a, b)| a / b),
-        [Token { kind: Kind::Number(a), .. }, stroke, Token { kind: Kind::Number(b), .. }] if stroke.is('/') => {
-            number(a).zip(number(b)).map(|(a, b)| a / b)
-        }
-        _ => None,
-    };
-    value
-        .filter(|value| value.is_finite() && value.abs() < 1e4)
-        .map(|value| sign * value)
-        .ok_or(Obstacle::Unclear("an exponent that is no number"))
-}
-
-pub(crate) fn factorial(value: &Value) -> Evaluated<Value> {
-    let n = value.number()?.point;
-    if n.fract() != 0.0 || !(0.0..=170.0).contains(&n) || value.has_unit {
-        return Err(Obstacle::Unclear("a factorial of what is no small integer"));
-    }
-    let product = (1..=n as u32).map(f64::from).product();
-    Ok(Value { operations: value.operations + 1, ..Value::of(Interval::exact(product)) })
-}
-
-/// Whether an upright e to a power is the base of the logarithms: nobody raises a charge to such a power.
-pub(crate) fn is_power_of_e(power: f64) -> bool {
-    power <= 0.0 || power > 4.0 || power.fract() != 0.0
-}
-
-/// Whether brackets around it make the number of an equation.
-pub(crate) fn is_equation_number(text: &str) -> bool {
-    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
-    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
-}
-
-/// The letters among tokens, without π and e.
-pub(crate) fn letters(tokens: &[Token], out: &mut Vec<String>) {
-    for token in tokens {
-        if let Kind::Name(name) = &token.kind
-            && !matches!(name.as_str(), "π" | "e")
-        {
-            out.push(name.clone());
-        }
-        token.inner().into_iter().for_each(|inner| letters(inner, out));
-    }
 }

@@ -1,11 +1,11 @@
 //! The value of a side under one reading: sums, products, powers and groups.
 
-use crate::atom::{factorial, is_equation_number, letters};
+use crate::cursor::Cursor;
 use crate::effort;
 use crate::interval::Interval;
 use crate::printed::{Mode, Printed};
 use crate::reading::Reading;
-use crate::token::{Kind, Token, has_number, trimmed};
+use crate::token::{Kind, Token, collect_names, has_number, trimmed};
 use crate::unit::unit;
 use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
 use std::collections::HashMap;
@@ -17,73 +17,6 @@ pub(crate) type Bindings = HashMap<String, Value>;
 const DEEPEST: usize = 60;
 /// Most factors of one side.
 const LONGEST: usize = 3000;
-
-/// A place in a list of tokens.
-#[derive(Clone, Copy)]
-pub(crate) struct Cursor<'t> {
-    pub tokens: &'t [Token],
-    pub at: usize,
-}
-
-impl<'t> Cursor<'t> {
-    pub fn new(tokens: &'t [Token]) -> Self {
-        Self { tokens, at: 0 }
-    }
-
-    /// The next token that is no space, which is skipped.
-    pub fn peek(&mut self) -> Option<&'t Token> {
-        self.at = self.behind_space(self.at);
-        self.tokens.get(self.at)
-    }
-
-    pub fn behind_space(&self, mut at: usize) -> usize {
-        while self.tokens.get(at).is_some_and(Token::is_space) {
-            at += 1;
-        }
-        at
-    }
-
-    /// The next token that is no space from a place on, and its own place.
-    pub fn look(&self, at: usize) -> (Option<&'t Token>, usize) {
-        let at = self.behind_space(at);
-        (self.tokens.get(at), at)
-    }
-
-    /// The next token, space or not.
-    pub fn here(&self) -> Option<&'t Token> {
-        self.tokens.get(self.at)
-    }
-
-    /// The token before this one that is no space.
-    pub fn before(&self) -> Option<&'t Token> {
-        self.tokens[..self.at.min(self.tokens.len())].iter().rev().find(|token| !token.is_space())
-    }
-
-    pub fn take(&mut self, sign: char) -> bool {
-        let found = self.peek().is_some_and(|token| token.is(sign));
-        self.at += usize::from(found);
-        found
-    }
-
-    /// The tokens inside the brackets that open here.
-    pub fn group(&mut self) -> Evaluated<&'t [Token]> {
-        let mut depth = 0usize;
-        for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
-            effort::count(1);
-            if token.is_one_of("([{") {
-                depth += 1;
-            } else if token.is_one_of(")]}") {
-                depth = depth.saturating_sub(1);
-                if depth == 0 {
-                    let inner = &self.tokens[self.at + 1..at];
-                    self.at = at + 1;
-                    return Ok(inner);
-                }
-            }
-        }
-        Err(Obstacle::Unclear("a bracket is not closed"))
-    }
-}
 
 /// Evaluates sides under one reading.
 pub(crate) struct Evaluator<'b> {
@@ -189,7 +122,7 @@ impl<'b> Evaluator<'b> {
             return Err(Obstacle::Unclear("a bar inside a bar"));
         }
         let mut names = Vec::new();
-        letters(of, &mut names);
+        collect_names(of, &mut names);
         names.sort();
         names.dedup();
         let [name] = names.as_slice() else {
@@ -485,7 +418,7 @@ impl<'b> Evaluator<'b> {
                 if cursor.here().is_some_and(|next| next.is('!')) {
                     return Err(Obstacle::Unclear("a double factorial"));
                 }
-                value = factorial(&value)?;
+                value = value.factorial()?;
             } else {
                 break;
             }
@@ -596,4 +529,10 @@ pub(crate) fn leftover(token: &Token) -> Obstacle {
         Kind::Limits(..) => Obstacle::Unclear("a bar in the middle of an expression"),
         _ => Obstacle::Unclear("it has a sign in a place where none is expected"),
     }
+}
+
+/// Whether brackets around it make the number of an equation.
+fn is_equation_number(text: &str) -> bool {
+    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
+    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
 }

@@ -2,6 +2,7 @@
 
 use crate::chain::{Chain, Relation, Side};
 use crate::doubt::Doubt;
+use crate::exponent::plain_exponent;
 use crate::hint::Hint;
 use crate::printed::{power_of_ten, written};
 use crate::reading::Reading;
@@ -225,7 +226,7 @@ fn digits_of(tokens: &[Token]) -> usize {
 fn power_of(tokens: &[Token]) -> Option<i32> {
     let at = tokens.iter().position(|token| token.number() == Some("10"))?;
     let Kind::Power(exponent) = &tokens.get(at + 1)?.kind else { return None };
-    crate::atom::plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
+    plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
 }
 
 /// What follows the number.

@@ -1,7 +1,8 @@
 //! Functions by name: their arguments with and without brackets, and their values on intervals.
 
-use crate::atom::plain_exponent;
-use crate::evaluate::{Cursor, Evaluator};
+use crate::cursor::Cursor;
+use crate::evaluate::Evaluator;
+use crate::exponent::plain_exponent;
 use crate::interval::{Interval, RESIDUE};
 use crate::reading::Reading;
 use crate::token::{Function, Kind, Token};

@@ -1,6 +1,7 @@
 //! The single edit that makes two sides agree, if there is exactly one near.
 
 use crate::chain::{Relation, Side};
+use crate::exponent::plain_exponent;
 use crate::token::{Kind, Span, Token, show};
 use crate::unit::unit;
 use crate::verdict::{Judgement, Verdict, judge};
@@ -269,7 +270,7 @@ fn without_caret(tokens: &[Token], at: usize) -> Option<&[Token]> {
 
 fn exponent_of(token: &Token) -> Option<i32> {
     let Kind::Power(exponent) = &token.kind else { return None };
-    let value = crate::atom::plain_exponent(exponent).ok()?;
+    let value = plain_exponent(exponent).ok()?;
     (value.fract() == 0.0 && value.abs() < 1000.0).then_some(value as i32)
 }
 

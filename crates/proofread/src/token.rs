@@ -295,6 +295,18 @@ pub(crate) fn has_number(tokens: &[Token]) -> bool {
     any(tokens, &|kind| matches!(kind, Kind::Number(_)))
 }
 
+/// Adds the names of quantities among the tokens and inside them, without π and e.
+pub(crate) fn collect_names(tokens: &[Token], out: &mut Vec<String>) {
+    for token in tokens {
+        if let Kind::Name(name) = &token.kind
+            && !matches!(name.as_str(), "π" | "e")
+        {
+            out.push(name.clone());
+        }
+        token.inner().into_iter().for_each(|inner| collect_names(inner, out));
+    }
+}
+
 /// The tokens as one line of text.
 pub fn show(tokens: &[Token]) -> String {
     let mut text = String::new();

@@ -1,7 +1,8 @@
 //! Units behind a number or a bracket: products and quotients of signs with exponents.
 
-use crate::atom::{is_power_of_e, plain_exponent};
-use crate::evaluate::{Cursor, Evaluator};
+use crate::cursor::Cursor;
+use crate::evaluate::Evaluator;
+use crate::exponent::{is_power_of_e, plain_exponent};
 use crate::interval::Interval;
 use crate::reading::Reading;
 use crate::token::{Kind, Token};

@@ -2,6 +2,7 @@
 //! that were printed then, constants of nature in full, and 3.14 for π.
 
 use crate::chain::{Relation, Side};
+use crate::numeral::{Numeral, number_at, with_digits};
 use crate::printed::{self as digits, Mode};
 use crate::token::{Kind, Span, Token};
 use crate::value::Value;
@@ -40,29 +41,10 @@ const SHORT_PI: [&str; 2] = ["3.14", "3.1416"];
 /// Most results that are kept of one example or section.
 const MOST: usize = 60;
 
-/// A printed number: its digits and the power of ten behind them.
-#[derive(Clone, Debug, PartialEq)]
-struct Number {
-    digits: String,
-    power: Option<String>,
-}
-
-impl Number {
-    /// Whether it was printed with more decimals than another one, to which it rounds.
-    fn rounds_to(&self, other: &Self) -> bool {
-        let decimals = |of: &Self| of.digits.split_once('.').map_or(0, |(_, behind)| behind.len());
-        let fewer = decimals(other);
-        let half = 0.5 * digits::power_of_ten(-(fewer as f64));
-        let apart = |(one, two): (f64, f64)| (one - two).abs() <= half * 1.000_001;
-        let both = self.digits.parse().ok().zip(other.digits.parse().ok());
-        decimals(self) > fewer && self.power == other.power && both.is_some_and(apart)
-    }
-}
-
 /// A result, and by how much its value before rounding differs from what is printed.
 #[derive(Debug)]
 struct Printed {
-    number: Number,
+    number: Numeral,
     /// With the numbers before it as they are printed.
     ratio: f64,
     /// With the numbers before it not rounded either.
@@ -111,7 +93,7 @@ impl Results {
 
     fn readings(&self, scope: u32, side: &[Token]) -> Vec<Vec<Token>> {
         let mut out: Vec<Vec<Token>> = SHORT_PI.iter().filter_map(|digits| with_pi(side, digits)).collect();
-        let full = changed(side, &constant);
+        let full = with_digits(side, &constant);
         if scope == self.scope {
             for side in [Some(side), full.as_deref()].into_iter().flatten() {
                 out.extend(self.unrounded(side, |of| of.ratio));
@@ -126,7 +108,7 @@ impl Results {
 
     /// A side with the results in it as they were before rounding; none if there are none.
     fn unrounded(&self, side: &[Token], ratio: impl Fn(&Printed) -> f64) -> Option<Vec<Token>> {
-        changed(side, &|number| {
+        with_digits(side, &|number| {
             let mut known = self.printed.iter().rev();
             let known = known
                 .clone()
@@ -140,7 +122,7 @@ impl Results {
 }
 
 /// The number that a side is, with whatever unit, if it has two digits or more.
-fn alone(side: &[Token]) -> Option<Number> {
+fn alone(side: &[Token]) -> Option<Numeral> {
     let at = side.iter().position(|token| token.number().is_some())?;
     let (number, next) = number_at(side, at)?;
     let others = side[next..].iter().any(|token| token.number().is_some() || matches!(token.kind, Kind::Root(..)));
@@ -148,71 +130,8 @@ fn alone(side: &[Token]) -> Option<Number> {
     (!others && significant >= 2).then_some(number)
 }
 
-/// The number at a place, and the place behind it and its power of ten.
-fn number_at(tokens: &[Token], at: usize) -> Option<(Number, usize)> {
-    let digits: String = tokens.get(at)?.number()?.chars().filter(|c| *c != ',').collect();
-    let mut ahead = (at + 1..tokens.len()).filter(|at| !tokens[*at].is_space());
-    let times = ahead.next().filter(|at| tokens[*at].is_one_of("×·*"));
-    let ten = times.and_then(|_| ahead.next()).filter(|at| tokens[*at].number() == Some("10"));
-    if let Some(ten) = ten
-        && let Some(Token { kind: Kind::Power(exponent), .. }) = tokens.get(ten + 1)
-    {
-        let power = exponent.iter().map(|token| match &token.kind {
-            Kind::Number(digits) => Some(digits.clone()),
-            Kind::Operator(sign @ ('-' | '+')) => Some(sign.to_string()),
-            Kind::Space(_) => Some(String::new()),
-            _ => None,
-        });
-        return Some((Number { digits, power: power.collect() }, ten + 2));
-    }
-    Some((Number { digits, power: None }, at + 1))
-}
-
-/// The tokens with other digits for some of their numbers; none if nothing changes.
-fn changed(side: &[Token], digits: &dyn Fn(&Number) -> Option<String>) -> Option<Vec<Token>> {
-    let mut out = side.to_vec();
-    change(&mut out, digits).then_some(out)
-}
-
-fn change(tokens: &mut [Token], digits: &dyn Fn(&Number) -> Option<String>) -> bool {
-    let mut any = false;
-    for at in 0..tokens.len() {
-        let is_ten =
-            matches!(tokens.get(at + 1), Some(Token { kind: Kind::Power(_), .. })) && tokens[at].number() == Some("10");
-        if !is_ten && let Some(other) = number_at(tokens, at).and_then(|(number, _)| digits(&number)) {
-            tokens[at].kind = Kind::Number(other);
-            any = true;
-        }
-        if !matches!(tokens[at].kind, Kind::Power(_)) {
-            for inner in tokens[at].kind.lists() {
-                any |= change(inner, digits);
-            }
-        }
-    }
-    any
-}
-
-/// Both sides with the numbers exact that both of them print, since such a number stands for one value; none if there are none.
-pub(crate) fn shared_are_exact([left, right]: [&[Token]; 2]) -> Option<[Vec<Token>; 2]> {
-    let numbers = |side: &[Token]| {
-        let found = std::cell::RefCell::new(Vec::new());
-        changed(side, &|number| {
-            found.borrow_mut().push(number.clone());
-            None
-        });
-        found.into_inner()
-    };
-    let of_left = numbers(left);
-    let shared: Vec<Number> = numbers(right).into_iter().filter(|number| of_left.contains(number)).collect();
-    let exact = |number: &Number| {
-        let point = if number.digits.contains('.') { "" } else { "." };
-        (shared.contains(number) && number.digits.len() > 1).then(|| format!("{}{point}{:0<15}", number.digits, ""))
-    };
-    Some([changed(left, &exact)?, changed(right, &exact)?])
-}
-
 /// All digits of a constant of nature, if a number is one that was rounded.
-fn constant(number: &Number) -> Option<String> {
+fn constant(number: &Numeral) -> Option<String> {
     let power: i32 = number.power.as_ref()?.parse().ok()?;
     let decimals = number.digits.split_once('.')?.1.len();
     let rounded = |full: &str| full.parse::<f64>().is_ok_and(|of| format!("{of:.decimals$}") == number.digits);

@@ -222,6 +222,16 @@ impl Value {
         })
     }
 
+    /// The factorial of a small integer.
+    pub fn factorial(&self) -> Evaluated<Self> {
+        let n = self.number()?.point;
+        if n.fract() != 0.0 || !(0.0..=170.0).contains(&n) || self.has_unit {
+            return Err(Obstacle::Unclear("a factorial of what is no small integer"));
+        }
+        let product = (1..=n as u32).map(f64::from).product();
+        Ok(Self { operations: self.operations + 1, ..Self::of(Interval::exact(product)) })
+    }
+
     /// Its number times a factor, as if by a unit.
     pub fn scaled(&self, factor: f64) -> Self {
         Self { parts: self.parts.map(|part| part.scaled(factor)), factor: self.factor * factor, ..self.clone() }

@@ -5,10 +5,10 @@ use crate::customs;
 use crate::evaluate::{Bindings, Evaluator};
 use crate::interval::Interval;
 use crate::join::has_letters;
+use crate::numeral::shared_are_exact;
 use crate::printed::Mode;
 use crate::reading::Reading;
 use crate::token::{Kind, Token, any};
-use crate::unrounded;
 use crate::value::{Evaluated, Obstacle, Value};
 use std::f64::consts::PI;
 
@@ -261,7 +261,7 @@ impl Pair<'_> {
             return Ok(None);
         }
         if literal == [false, false] {
-            self.alike = unrounded::shared_are_exact(self.sides);
+            self.alike = shared_are_exact(self.sides);
         }
         let mut strict = self.both(Mode::Strict, literal, reading)?;
         let mut lenient = self.both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());

@@ -1,6 +1,6 @@
 //! MathML's presentation elements to tokens.
 
-use super::markup::Element;
+use super::tags::Element;
 use super::words::{number, number_length, plainly, whole, words};
 use crate::token::{Function, Kind, Sign, Token, trimmed};
 

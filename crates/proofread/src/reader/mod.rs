@@ -4,8 +4,9 @@ mod adjoining;
 mod commas;
 mod definitions;
 mod delimited;
-mod dress;
 mod expansion;
+mod formatting;
+mod formatting_arguments;
 mod latex;
 mod markdown;
 mod markup;
@@ -17,6 +18,7 @@ mod recognised;
 mod running;
 mod siunitx;
 mod symbols;
+mod tags;
 mod tex;
 mod words;
 

@@ -1,7 +1,7 @@
 //! TeX in the elements of PreTeXt: `m`, `me`, `men`, and `md` with its rows.
 
 use super::definitions::Macros;
-use super::markup::{Tag, decoded, next_tag};
+use super::tags::{Tag, decoded, next_tag};
 use super::{Formula, tex};
 use crate::token::{Sign, Span};
 

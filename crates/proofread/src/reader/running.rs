@@ -1,6 +1,7 @@
 //! The running text of a page in HTML: its lines as they are shown, and where in the page each part of them is.
 
-use super::markup::{INLINE, Tag, decoded, end_of, next_tag};
+use super::markup::INLINE;
+use super::tags::{Tag, decoded, end_of, next_tag};
 use super::{Format, Found, LONGEST, delimited, plain};
 use crate::token::{Sign, Span};
 use std::ops::Range;

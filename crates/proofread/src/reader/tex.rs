@@ -1,7 +1,7 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
 use super::definitions::Macros;
-use super::dress::{self, stacked};
+use super::formatting::{self, stacked};
 use super::siunitx;
 use super::symbols::{attach, merge_letters, symbol};
 use super::words::{number, number_length, plain, whole, words};
@@ -349,7 +349,7 @@ impl Tex<'_> {
             }
             "hspace" | "hskip" | "kern" | "mspace" | "mkern" => {
                 let length = self.length();
-                push(out, Kind::Space(dress::width(&length).max(2)));
+                push(out, Kind::Space(formatting::width(&length).max(2)));
             }
             "hfill" | "hfil" => push(out, Kind::Space(20)),
             // The number of an equation.
@@ -444,9 +444,9 @@ impl Tex<'_> {
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, Kind::Space(2)),
             "pmod" | "bmod" => push(out, Kind::Unknown(name)),
             name => {
-                if let Some(dress) = dress::of(name) {
+                if let Some(dress) = formatting::of(name) {
                     self.dressed(name, dress, span, depth, out);
-                } else if let Some(sign) = dress::long(name) {
+                } else if let Some(sign) = formatting::long(name) {
                     self.optional();
                     self.raw_group();
                     push(out, Kind::Operator(sign));
