@@ -30,32 +30,32 @@ impl<'t> Cursor<'t> {
     }
 
     /// The next token that is no space from a place on, and its own place.
-    pub fn look(&self, at: usize) -> (Option<&'t Token>, usize) {
+    pub fn token_from(&self, at: usize) -> (Option<&'t Token>, usize) {
         let at = self.behind_space(at);
         (self.tokens.get(at), at)
     }
 
     /// The next token, space or not.
-    pub fn here(&self) -> Option<&'t Token> {
+    pub fn current(&self) -> Option<&'t Token> {
         self.tokens.get(self.at)
     }
 
     /// The token before this one that is no space.
-    pub fn before(&self) -> Option<&'t Token> {
+    pub fn previous(&self) -> Option<&'t Token> {
         self.tokens[..self.at.min(self.tokens.len())].iter().rev().find(|token| !token.is_space())
     }
 
     pub fn take(&mut self, sign: char) -> bool {
-        let found = self.peek().is_some_and(|token| token.is(sign));
+        let found = self.peek().is_some_and(|token| token.is_sign(sign));
         self.at += usize::from(found);
         found
     }
 
     /// The tokens inside the brackets that open here.
-    pub fn group(&mut self) -> Evaluated<&'t [Token]> {
+    pub fn take_group(&mut self) -> Evaluated<&'t [Token]> {
         let mut depth = 0usize;
         for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
-            effort::count(1);
+            effort::count_steps(1);
             if token.is_one_of("([{") {
                 depth += 1;
             } else if token.is_one_of(")]}") {

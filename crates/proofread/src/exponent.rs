@@ -1,12 +1,12 @@
 //! Exponents that can be read without evaluating anything.
 
-use crate::printed::Printed;
-use crate::token::{Kind, Token};
+use crate::printed::PrintedNumber;
+use crate::token::{Token, TokenKind};
 use crate::value::{Evaluated, Obstacle};
 
 /// A small integer that stands alone.
 pub(crate) fn small_integer(tokens: &[Token]) -> Option<f64> {
-    let [Token { kind: Kind::Number(text), .. }] = tokens else { return None };
+    let [Token { kind: TokenKind::Number(text), .. }] = tokens else { return None };
     text.parse::<u32>().ok().filter(|number| *number < 1000).map(f64::from)
 }
 
@@ -14,15 +14,17 @@ pub(crate) fn small_integer(tokens: &[Token]) -> Option<f64> {
 pub(crate) fn plain_exponent(tokens: &[Token]) -> Evaluated<f64> {
     let tokens: Vec<&Token> = tokens.iter().filter(|token| !token.is_space()).collect();
     let (sign, tokens) = match tokens.as_slice() {
-        [first, rest @ ..] if first.is('-') => (-1.0, rest),
-        [first, rest @ ..] if first.is('+') => (1.0, rest),
+        [first, rest @ ..] if first.is_sign('-') => (-1.0, rest),
+        [first, rest @ ..] if first.is_sign('+') => (1.0, rest),
         all => (1.0, all),
     };
-    let number = |text: &str| Printed::read(text).map(|of| of.value);
+    let number = |text: &str| PrintedNumber::read(text).map(|of| of.value);
     let value = match tokens {
-        [Token { kind: Kind::Number(text), .. }] => number(text),
-        [Token { kind: Kind::Fraction(a, b), .. }] => small_integer(a).zip(small_integer(b)).map(|(a, b)| a / b),
-        [Token { kind: Kind::Number(a), .. }, stroke, Token { kind: Kind::Number(b), .. }] if stroke.is('/') => {
+        [Token { kind: TokenKind::Number(text), .. }] => number(text),
+        [Token { kind: TokenKind::Fraction(a, b), .. }] => small_integer(a).zip(small_integer(b)).map(|(a, b)| a / b),
+        [Token { kind: TokenKind::Number(a), .. }, stroke, Token { kind: TokenKind::Number(b), .. }]
+            if stroke.is_sign('/') =>
+        {
             number(a).zip(number(b)).map(|(a, b)| a / b)
         }
         _ => None,

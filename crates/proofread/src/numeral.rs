@@ -1,7 +1,7 @@
 //! The numbers that a side prints, and the side with other digits in their place.
 
 use crate::printed::power_of_ten;
-use crate::token::{Kind, Token};
+use crate::token::{Token, TokenKind};
 
 /// A printed number: its digits and the power of ten behind them.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,18 +23,18 @@ impl Numeral {
 }
 
 /// The number at a place, and the place behind it and its power of ten.
-pub(crate) fn number_at(tokens: &[Token], at: usize) -> Option<(Numeral, usize)> {
+pub(crate) fn numeral_at(tokens: &[Token], at: usize) -> Option<(Numeral, usize)> {
     let digits: String = tokens.get(at)?.number()?.chars().filter(|c| *c != ',').collect();
     let mut ahead = (at + 1..tokens.len()).filter(|at| !tokens[*at].is_space());
     let times = ahead.next().filter(|at| tokens[*at].is_one_of("×·*"));
     let ten = times.and_then(|_| ahead.next()).filter(|at| tokens[*at].number() == Some("10"));
     if let Some(ten) = ten
-        && let Some(Token { kind: Kind::Power(exponent), .. }) = tokens.get(ten + 1)
+        && let Some(Token { kind: TokenKind::Power(exponent), .. }) = tokens.get(ten + 1)
     {
         let power = exponent.iter().map(|token| match &token.kind {
-            Kind::Number(digits) => Some(digits.clone()),
-            Kind::Operator(sign @ ('-' | '+')) => Some(sign.to_string()),
-            Kind::Space(_) => Some(String::new()),
+            TokenKind::Number(digits) => Some(digits.clone()),
+            TokenKind::Operator(sign @ ('-' | '+')) => Some(sign.to_string()),
+            TokenKind::Space(_) => Some(String::new()),
             _ => None,
         });
         return Some((Numeral { digits, power: power.collect() }, ten + 2));
@@ -51,13 +51,13 @@ pub(crate) fn with_digits(side: &[Token], digits: &dyn Fn(&Numeral) -> Option<St
 fn replace_digits(tokens: &mut [Token], digits: &dyn Fn(&Numeral) -> Option<String>) -> bool {
     let mut any = false;
     for at in 0..tokens.len() {
-        let is_ten =
-            matches!(tokens.get(at + 1), Some(Token { kind: Kind::Power(_), .. })) && tokens[at].number() == Some("10");
-        if !is_ten && let Some(other) = number_at(tokens, at).and_then(|(number, _)| digits(&number)) {
-            tokens[at].kind = Kind::Number(other);
+        let is_ten = matches!(tokens.get(at + 1), Some(Token { kind: TokenKind::Power(_), .. }))
+            && tokens[at].number() == Some("10");
+        if !is_ten && let Some(other) = numeral_at(tokens, at).and_then(|(number, _)| digits(&number)) {
+            tokens[at].kind = TokenKind::Number(other);
             any = true;
         }
-        if !matches!(tokens[at].kind, Kind::Power(_)) {
+        if !matches!(tokens[at].kind, TokenKind::Power(_)) {
             for inner in tokens[at].kind.lists() {
                 any |= replace_digits(inner, digits);
             }
@@ -67,7 +67,7 @@ fn replace_digits(tokens: &mut [Token], digits: &dyn Fn(&Numeral) -> Option<Stri
 }
 
 /// Both sides with the numbers exact that both of them print, since such a number stands for one value; none if there are none.
-pub(crate) fn shared_are_exact([left, right]: [&[Token]; 2]) -> Option<[Vec<Token>; 2]> {
+pub(crate) fn with_shared_exact([left, right]: [&[Token]; 2]) -> Option<[Vec<Token>; 2]> {
     let numbers = |side: &[Token]| {
         let found = std::cell::RefCell::new(Vec::new());
         with_digits(side, &|number| {

@@ -1,12 +1,12 @@
 //! Numbers that went into a calculation with other digits than are printed: results from before with the digits that they had or
 //! that were printed then, constants of nature in full, and 3.14 for π.
 
-use crate::chain::{Relation, Side};
-use crate::numeral::{Numeral, number_at, with_digits};
-use crate::printed::{self as digits, Mode};
-use crate::token::{Kind, Span, Token};
-use crate::value::Value;
-use crate::verdict::{Verdict, judge};
+use crate::chain::{ChainSide, Relation};
+use crate::numeral::{Numeral, numeral_at, with_digits};
+use crate::printed::{Mode, PrintedNumber};
+use crate::token::{Span, Token, TokenKind};
+use crate::value::SideValue;
+use crate::verdict::{ChainVerdict, judge};
 
 /// Constants of nature, in units of the SI or with electronvolts: the digits, and the power of ten behind them.
 const CONSTANTS: [(&str, i32); 23] = [
@@ -43,7 +43,7 @@ const MOST: usize = 60;
 
 /// A result, and by how much its value before rounding differs from what is printed.
 #[derive(Debug)]
-struct Printed {
+struct EarlierResult {
     number: Numeral,
     /// With the numbers before it as they are printed.
     ratio: f64,
@@ -53,22 +53,22 @@ struct Printed {
 
 /// The results of an example or a section, so far.
 #[derive(Debug, Default)]
-pub(crate) struct Results {
+pub(crate) struct EarlierResults {
     scope: u32,
-    printed: Vec<Printed>,
+    printed: Vec<EarlierResult>,
 }
 
-impl Results {
+impl EarlierResults {
     /// Notes the result of a calculation.
-    pub fn note(&mut self, scope: u32, computed: &Side, result: &Side, values: &(Value, Value)) {
+    pub fn record(&mut self, scope: u32, computed: &ChainSide, result: &ChainSide, values: &(SideValue, SideValue)) {
         if scope != self.scope {
             self.printed.clear();
             self.scope = scope;
         }
         let Some(number) = alone(&result.tokens) else { return };
-        let Some(printed) = digits::Printed::read(&number.digits) else { return };
+        let Some(printed) = PrintedNumber::read(&number.digits) else { return };
         let (half, unit) = printed.open(Mode::Result, number.power.is_some());
-        let ratio = |(left, right): &(Value, Value), within: f64| {
+        let ratio = |(left, right): &(SideValue, SideValue), within: f64| {
             let ratio = left.number().ok()?.point / right.number().ok()?.point;
             ((ratio - 1.0).abs() * printed.value <= 1.000_001 * within).then_some(ratio)
         };
@@ -81,13 +81,14 @@ impl Results {
         if self.printed.len() >= MOST {
             self.printed.remove(0);
         }
-        self.printed.push(Printed { number, ratio, from_start });
+        self.printed.push(EarlierResult { number, ratio, from_start });
     }
 
     /// Whether a calculation gives all digits of its result if some of its numbers had other digits than are printed.
-    pub fn explain(&self, scope: u32, computed: &Side, result: &Side) -> bool {
-        let agrees =
-            |tokens: Vec<Token>| judge(&tokens, &result.tokens, Relation::Equal, None).verdict == Verdict::Consistent;
+    pub fn explains(&self, scope: u32, computed: &ChainSide, result: &ChainSide) -> bool {
+        let agrees = |tokens: Vec<Token>| {
+            judge(&tokens, &result.tokens, Relation::Equal, None).verdict == ChainVerdict::Consistent
+        };
         alone(&result.tokens).is_some() && self.readings(scope, &computed.tokens).into_iter().any(agrees)
     }
 
@@ -107,7 +108,7 @@ impl Results {
     }
 
     /// A side with the results in it as they were before rounding; none if there are none.
-    fn unrounded(&self, side: &[Token], ratio: impl Fn(&Printed) -> f64) -> Option<Vec<Token>> {
+    fn unrounded(&self, side: &[Token], ratio: impl Fn(&EarlierResult) -> f64) -> Option<Vec<Token>> {
         with_digits(side, &|number| {
             let mut known = self.printed.iter().rev();
             let known = known
@@ -124,8 +125,8 @@ impl Results {
 /// The number that a side is, with whatever unit, if it has two digits or more.
 fn alone(side: &[Token]) -> Option<Numeral> {
     let at = side.iter().position(|token| token.number().is_some())?;
-    let (number, next) = number_at(side, at)?;
-    let others = side[next..].iter().any(|token| token.number().is_some() || matches!(token.kind, Kind::Root(..)));
+    let (number, next) = numeral_at(side, at)?;
+    let others = side[next..].iter().any(|token| token.number().is_some() || matches!(token.kind, TokenKind::Root(..)));
     let significant = number.digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
     (!others && significant >= 2).then_some(number)
 }
@@ -141,20 +142,20 @@ fn constant(number: &Numeral) -> Option<String> {
 
 /// The tokens with digits for π; none if it does not occur.
 fn with_pi(side: &[Token], digits: &str) -> Option<Vec<Token>> {
-    fn put(tokens: &mut [Token], digits: &str) -> bool {
+    fn replace_pi(tokens: &mut [Token], digits: &str) -> bool {
         let mut any = false;
         for token in tokens {
-            if token.kind == Kind::Name("π".to_owned()) {
+            if token.kind == TokenKind::Name("π".to_owned()) {
                 let span: Span = token.span;
-                let number = Token::new(Kind::Number(digits.to_owned()), span);
-                *token = Token::new(Kind::Group(vec![number]), span);
+                let number = Token::new(TokenKind::Number(digits.to_owned()), span);
+                *token = Token::new(TokenKind::Group(vec![number]), span);
                 any = true;
             } else {
-                token.kind.lists().into_iter().for_each(|inner| any |= put(inner, digits));
+                token.kind.lists().into_iter().for_each(|inner| any |= replace_pi(inner, digits));
             }
         }
         any
     }
     let mut out = side.to_vec();
-    put(&mut out, digits).then_some(out)
+    replace_pi(&mut out, digits).then_some(out)
 }

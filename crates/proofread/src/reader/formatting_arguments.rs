@@ -1,30 +1,37 @@
 //! What commands of TeX that change how something looks take behind them.
 
-use super::formatting::Dress;
+use super::formatting::FormattingCommand;
 use super::tex::{Tex, token};
-use crate::token::{Kind, Span, Token};
+use crate::token::{Span, Token, TokenKind};
 
 impl Tex<'_> {
     /// What a command dresses up.
-    pub(super) fn dressed(&mut self, name: &str, dress: Dress, span: Span, depth: usize, out: &mut Vec<Token>) {
-        let options = |reader: &mut Self| while dress.optional && reader.optional().is_some() {};
+    pub(super) fn format_argument(
+        &mut self,
+        name: &str,
+        command: FormattingCommand,
+        span: Span,
+        depth: usize,
+        out: &mut Vec<Token>,
+    ) {
+        let options = |reader: &mut Self| while command.optional && reader.optional().is_some() {};
         options(self);
         let mut said = String::new();
-        for _ in 0..dress.dropped {
+        for _ in 0..command.dropped {
             said.extend(self.raw_group().iter().map(|sign| sign.c));
             options(self);
         }
-        if dress.kept {
+        if command.kept {
             let inner = self.argument(depth);
             // Whether both sides are equal is asked, or demanded.
             let asked = matches!(said.trim(), "?" | "!");
             match inner.as_slice() {
-                [Token { kind: Kind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
+                [Token { kind: TokenKind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
                     let sign = if asked && *c == '=' { '≡' } else { *c };
-                    out.push(token(Kind::Operator(sign), span));
+                    out.push(token(TokenKind::Operator(sign), span));
                 }
-                [Token { kind: Kind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
-                _ => out.push(token(Kind::Group(inner), span)),
+                [Token { kind: TokenKind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
+                _ => out.push(token(TokenKind::Group(inner), span)),
             }
         } else if name.ends_with("left") || name.ends_with("right") {
             self.skip_space();

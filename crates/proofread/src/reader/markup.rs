@@ -3,9 +3,9 @@
 use super::definitions::Macros;
 use super::mathml;
 use super::pretext;
-use super::tags::{DEEPEST, LONGEST, decoded, element, end_of, next_tag};
-use super::{Formula, Found, delimited, tex};
-use crate::token::{Kind, Span, TOO_LONG, Token};
+use super::tags::{DEEPEST, LONGEST, decode_entities, end_of_element, next_tag, parse_element};
+use super::{Formula, FormulaSink, delimited, tex};
+use crate::token::{Span, TOO_LONG, Token, TokenKind};
 
 /// Elements whose own content is a scope for the names of quantities.
 const SCOPES: [&str; 10] =
@@ -19,11 +19,11 @@ pub(crate) const INLINE: [&str; 17] = [
 ];
 
 /// Finds the formulas of a document in XML or HTML: MathML, and TeX between the marks that MathJax and KaTeX look for.
-pub(crate) fn read(text: &str, each: &mut Found<'_>) {
+pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) {
     let (mut at, mut next_scope) = (0, 1u32);
     let mut scopes: Vec<(String, u32)> = Vec::new();
     // What has been said since the last formula of the paragraph, or nothing if there was none.
-    let mut before = Before::default();
+    let mut before = PrecedingText::default();
     let mut macros = None;
     while let Some(tag) = next_tag(text, at) {
         if let Some(between) = text.get(at..tag.start) {
@@ -36,17 +36,17 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
                 scopes.truncate(open);
             }
         } else if tag.name == "math" {
-            let (whole, end) = element(text, &tag);
+            let (whole, end) = parse_element(text, &tag);
             let mut tokens = mathml::tokens(&whole);
             if end >= tag.start + LONGEST {
-                tokens.push(Token::new(Kind::Unknown(TOO_LONG.to_owned()), whole.span));
+                tokens.push(Token::new(TokenKind::Unknown(TOO_LONG.to_owned()), whole.span));
             }
             let mut formula = Formula::new(tokens, whole.span);
             formula.scope = scopes.last().map_or(0, |(_, id)| *id);
             formula.continues = before.is_open() || before.is_enumerated(&formula);
             formula.goes_on = goes_on(&text[end..]);
             each(formula);
-            before = Before { formula: true, ..Before::default() };
+            before = PrecedingText { formula: true, ..PrecedingText::default() };
             at = end;
             continue;
         } else if pretext::ELEMENTS.contains(&tag.name.as_str()) && !tag.empty {
@@ -57,7 +57,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             continue;
         } else if SILENT.contains(&tag.name.as_str()) && !tag.empty {
             let is_tex = tag.attribute("type").is_some_and(|kind| kind.starts_with("math/tex"));
-            let end = end_of(text, at, &tag.name);
+            let end = end_of_element(text, at, &tag.name);
             if is_tex {
                 let span = Span::new(at, end);
                 each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &Macros::default()), span));
@@ -68,7 +68,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             next_scope += 1;
         }
         if !INLINE.contains(&tag.name.as_str()) {
-            before = Before::default();
+            before = PrecedingText::default();
         }
     }
     if let Some(between) = text.get(at..) {
@@ -76,13 +76,13 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
     }
 }
 
-fn tex_between(between: &str, at: usize, scope: u32, each: &mut Found<'_>) {
+fn tex_between(between: &str, at: usize, scope: u32, each: &mut FormulaSink<'_>) {
     if !between.contains(['\\', '$']) {
         return;
     }
     for found in delimited::formulas(between, &[], delimited::Dollars::Double) {
         let source = &between[found.inside.clone()];
-        let tokens = tex::formula(&decoded(source, at + found.inside.start), &Macros::default());
+        let tokens = tex::formula(&decode_entities(source, at + found.inside.start), &Macros::default());
         let mut formula = Formula::new(tokens, Span::new(at + found.whole.start, at + found.whole.end));
         formula.scope = scope;
         each(formula);
@@ -91,12 +91,12 @@ fn tex_between(between: &str, at: usize, scope: u32, each: &mut Found<'_>) {
 
 /// What stands before a formula in its paragraph.
 #[derive(Default)]
-struct Before {
+struct PrecedingText {
     formula: bool,
     tail: String,
 }
 
-impl Before {
+impl PrecedingText {
     fn prose(&mut self, text: &str) {
         let from = text.char_indices().rev().nth(60).map_or(0, |(at, _)| at);
         self.tail.push_str(&text[from..]);

@@ -1,7 +1,7 @@
 //! Tags of XML and HTML, read as they come: an end without a start, a bare `&` or an attribute without quotes stops nothing.
 
 use super::symbols;
-use crate::token::{Kind, Sign, Span};
+use crate::token::{SourceChar, Span, TokenKind};
 
 /// Deepest nesting of elements that is kept; what is nested deeper becomes part of the deepest.
 pub(crate) const DEEPEST: usize = 40;
@@ -48,7 +48,7 @@ pub(crate) struct Element {
     /// `mathvariant`, `open`, `close`, `width` and `linebreak`, where given.
     pub attributes: Vec<(&'static str, String)>,
     pub children: Vec<Self>,
-    pub text: Vec<Sign>,
+    pub text: Vec<SourceChar>,
     pub span: Span,
 }
 
@@ -157,17 +157,17 @@ const ENTITIES: &[(&str, char)] = &[
 ];
 
 /// The character of an entity.
-fn named(name: &str) -> Option<char> {
+fn entity_char(name: &str) -> Option<char> {
     let known = ENTITIES.iter().find(|(known, _)| *known == name).map(|(_, c)| *c);
     known.or_else(|| match symbols::symbol(name) {
-        Kind::Operator(c) => Some(c),
-        Kind::Name(letter) => letter.chars().next(),
+        TokenKind::Operator(c) => Some(c),
+        TokenKind::Name(letter) => letter.chars().next(),
         _ => None,
     })
 }
 
 /// The byte at which an element that has none of its name in it ends.
-pub(crate) fn end_of(text: &str, from: usize, name: &str) -> usize {
+pub(crate) fn end_of_element(text: &str, from: usize, name: &str) -> usize {
     let mut ends = text[from..].match_indices("</").map(|(at, _)| from + at);
     let is_its = |at: &usize| {
         let (found, rest) = text[at + 2..].split_at_checked(name.len()).unwrap_or_default();
@@ -177,20 +177,20 @@ pub(crate) fn end_of(text: &str, from: usize, name: &str) -> usize {
 }
 
 /// The characters of text between tags, with entities as the characters that they name.
-pub(crate) fn decoded(text: &str, base: usize) -> Vec<Sign> {
+pub(crate) fn decode_entities(text: &str, base: usize) -> Vec<SourceChar> {
     let mut out = Vec::with_capacity(text.len());
     let mut rest = text.char_indices();
     while let Some((at, c)) = rest.next() {
-        let mut sign = Sign { c, span: Span::new(base + at, base + at + c.len_utf8()) };
+        let mut sign = SourceChar { c, span: Span::new(base + at, base + at + c.len_utf8()) };
         let end = (c == '&').then(|| text[at + 1..].bytes().take(15).position(|c| c == b';')).flatten();
         if let Some(name) = end.and_then(|end| text.get(at + 1..at + 1 + end)) {
             let number = name.strip_prefix('#').and_then(|digits| match digits.strip_prefix(['x', 'X']) {
                 Some(hex) => u32::from_str_radix(hex, 16).ok(),
                 None => digits.parse().ok(),
             });
-            if let Some(c) = number.and_then(char::from_u32).or_else(|| named(name)) {
+            if let Some(c) = number.and_then(char::from_u32).or_else(|| entity_char(name)) {
                 let length = name.len() + 1;
-                sign = Sign { c, span: Span::new(base + at, base + at + 1 + length) };
+                sign = SourceChar { c, span: Span::new(base + at, base + at + 1 + length) };
                 for _ in 0..name.chars().count() + 1 {
                     rest.next();
                 }
@@ -202,18 +202,18 @@ pub(crate) fn decoded(text: &str, base: usize) -> Vec<Sign> {
 }
 
 /// The element that a start tag opens, and the byte behind it.
-pub(crate) fn element(text: &str, open: &Tag<'_>) -> (Element, usize) {
+pub(crate) fn parse_element(text: &str, open: &Tag<'_>) -> (Element, usize) {
     let limit = text.len().min(open.start + LONGEST);
-    let mut stack = vec![begun(open)];
+    let mut stack = vec![new_element(open)];
     let mut at = open.end;
     if open.empty {
-        return (begun(open), open.end);
+        return (new_element(open), open.end);
     }
     loop {
         let tag = next_tag(text, at).filter(|tag| tag.start < limit);
         let text_end = tag.as_ref().map_or(limit, |tag| tag.start).max(at);
         if let (Some(current), Some(between)) = (stack.last_mut(), text.get(at..text_end)) {
-            current.text.extend(decoded(between, at));
+            current.text.extend(decode_entities(between, at));
         }
         let Some(tag) = tag else {
             at = limit;
@@ -223,38 +223,38 @@ pub(crate) fn element(text: &str, open: &Tag<'_>) -> (Element, usize) {
         if tag.closes {
             let Some(matching) = stack.iter().rposition(|open| open.name == tag.name) else { continue };
             while stack.len() > matching.max(1) {
-                close(&mut stack, tag.end);
+                close_element(&mut stack, tag.end);
             }
             if matching == 0 {
                 break;
             }
         } else if tag.empty || stack.len() >= DEEPEST {
             if let Some(current) = stack.last_mut() {
-                current.children.push(begun(&tag));
+                current.children.push(new_element(&tag));
             }
         } else {
-            stack.push(begun(&tag));
+            stack.push(new_element(&tag));
         }
     }
     while !text.is_char_boundary(at) {
         at += 1;
     }
     while stack.len() > 1 {
-        close(&mut stack, at);
+        close_element(&mut stack, at);
     }
-    let mut whole = stack.pop().unwrap_or_else(|| begun(open));
+    let mut whole = stack.pop().unwrap_or_else(|| new_element(open));
     whole.span = Span::new(open.start, at);
     (whole, at)
 }
 
-fn begun(tag: &Tag<'_>) -> Element {
+fn new_element(tag: &Tag<'_>) -> Element {
     let known = ["mathvariant", "open", "close", "width", "linebreak", "notation"];
     let attributes = known.into_iter().filter_map(|name| Some((name, tag.attribute(name)?.to_owned()))).collect();
     let span = Span::new(tag.start, tag.end);
     Element { name: tag.name.clone(), attributes, children: Vec::new(), text: Vec::new(), span }
 }
 
-fn close(stack: &mut Vec<Element>, end: usize) {
+fn close_element(stack: &mut Vec<Element>, end: usize) {
     if let Some(mut done) = stack.pop() {
         done.span = done.span.join(Span::new(end, end + 1));
         done.span.end = Span::new(end, end).end;
