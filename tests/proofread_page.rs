@@ -2,7 +2,7 @@
 
 use crate::browser::devtools::{Browser, Medium};
 use crate::live::module::{BROKEN, module, served};
-use geneva_proofread_page::{MOST_BYTES, answer, too_long};
+use geneva_proofread_page::{MOST_BYTES, answer, too_long_message};
 use serde_json::{Value, json};
 
 /// Whether the page has its module. With `$LIVE_REQUIRED` it is a fault if it has none.
@@ -189,12 +189,12 @@ fn hostile_texts_are_answered_in_words_and_nothing_of_them_runs_or_is_sent() {
         &mut browser,
         &format!("(async () => {{ await paste('1 '.repeat({})); return [said(), found()] }})()", MOST_BYTES / 2 + 1),
     );
-    assert_eq!(refused, json!([[too_long()], []]));
+    assert_eq!(refused, json!([[too_long_message()], []]));
     let refused = of(
         &mut browser,
         &format!("(async () => {{ await paste('ä'.repeat({})); return said() }})()", MOST_BYTES / 2 + 1),
     );
-    assert_eq!(refused, json!([too_long()]));
+    assert_eq!(refused, json!([too_long_message()]));
     let after = of(&mut browser, "(async () => { await paste('2 + 2 = 5'); return found().length })()");
     assert_eq!(after, json!(1));
     no_request(&mut browser, "hostile texts");
@@ -238,7 +238,7 @@ fn a_file_is_read_by_its_ending_and_what_is_no_text_is_refused() {
         [kept, strange, "1 finding: 1 on a number.", 8],
         [kept, "From the file “c”.", "1 finding: 1 on a number.", 5],
         [kept, "From the file “c”.", refused, 5],
-        [kept, "", too_long(), 5],
+        [kept, "", too_long_message(), 5],
         [kept, long, "1 finding: 1 on a number.", 7],
         [kept, "From the file “\\u{202e}f.md”.", "1 finding: 1 on a number.", 7],
     ]);

@@ -2,8 +2,10 @@
 
 use crate::lookup;
 use geneva_press::html::escape;
-use geneva_proofread_page::{Answer, Bindings, Fact, MOST_BYTES, Question, Shown, name_of_format, too_long};
-use proofread::Format;
+use geneva_proofread_page::{
+    Fact, MOST_BYTES, NamePolicyChoice, PageAnswer, PageQuestion, ShownFinding, name_of_format, too_long_message,
+};
+use proofread::TextFormat;
 
 /// What the module may weigh that the page loads, in bytes.
 pub const HEAVIEST_MODULE: usize = 445_000;
@@ -50,10 +52,10 @@ pub fn weight() -> String {
 /// The form with the example in it, and what is found in the example.
 pub fn form() -> anyhow::Result<String> {
     let example = example()?;
-    let answer = Answer::to(&Question::about(&example)).map_err(anyhow::Error::msg)?;
+    let answer = PageAnswer::for_question(&PageQuestion::new(&example)).map_err(anyhow::Error::msg)?;
     let option = |value: &str, words: &str| format!("<option value=\"{value}\">{}</option>", escape(words));
-    let formats = Format::ALL.map(|(name, format)| option(name, name_of_format(format))).concat();
-    let bindings = Bindings::ALL.map(|of| option(of.word, of.label)).concat();
+    let formats = TextFormat::ALL.map(|(name, format)| option(name, name_of_format(format))).concat();
+    let bindings = NamePolicyChoice::ALL.map(|of| option(of.word, of.label)).concat();
     let buttons = [("file", "Open a file"), ("copy", "Copy the result"), ("clear", "Clear"), ("example", "Example")]
         .map(|(action, words)| format!("<button type=\"button\" data-do=\"{action}\">{words}</button>"));
     let sentences: String = answer.summary.iter().map(|sentence| format!("<p>{}</p>", escape(sentence))).collect();
@@ -72,7 +74,7 @@ pub fn form() -> anyhow::Result<String> {
          class=\"buttons\">{}</p><input type=\"file\" name=\"file\" aria-label=\"File\" hidden></div>\n<p class=\"done\" \
          role=\"status\"></p>\n</form>\n<div class=\"result\"><div class=\"summary\" role=\"status\" \
          aria-live=\"polite\">{sentences}</div><ol class=\"findings\">{}</ol></div>\n</section>",
-        escape(&too_long()),
+        escape(&too_long_message()),
         text(&example),
         option("recognised", "recognised"),
         buttons.join(" "),
@@ -81,7 +83,7 @@ pub fn form() -> anyhow::Result<String> {
 }
 
 /// A finding as `book/theme/proofread.js` shows it.
-fn finding(Shown { list, verdict, line, column, place, chain, facts }: &Shown) -> String {
+fn finding(ShownFinding { list, verdict, line, column, place, chain, facts }: &ShownFinding) -> String {
     let [before, marked, after] = chain.each_ref().map(|piece| escape(piece));
     let fact = |Fact { label, text }: &Fact| format!("<div><dt>{label}</dt> <dd>{}</dd></div>", escape(text));
     format!(
@@ -106,7 +108,7 @@ mod tests {
     #[test]
     fn the_example_has_the_five_known_mistakes_and_no_other() {
         let text = example().expect("claims");
-        let answer = Answer::to(&Question::about(&text)).expect("it can be read");
+        let answer = PageAnswer::for_question(&PageQuestion::new(&text)).expect("it can be read");
         let found: Vec<_> = answer.findings.iter().map(|of| (of.list, of.chain[1].as_str())).collect();
         let printed = |list, id, unit| (list, format!("{}{unit}", lookup::judged(id).expect("a claim").claim.printed));
         let known = [
@@ -117,6 +119,6 @@ mod tests {
             printed("bindings", "quick-return.sliding-speed", " m/s"),
         ];
         assert_eq!(found, known.each_ref().map(|(list, text)| (*list, text.as_str())));
-        assert_eq!(answer.format, Format::Markdown);
+        assert_eq!(answer.format, TextFormat::Markdown);
     }
 }

@@ -220,7 +220,7 @@ Examples:
     Mimic(mimic::MimicArguments),
     /// Recompute every chain of numbers in texts of yours, with units and to the printed digits
     #[command(after_help = ::proofread::cli::EXAMPLES.replace("proofread ", "geneva proofread "))]
-    Proofread(::proofread::cli::Arguments),
+    Proofread(::proofread::cli::ProofreadArguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,

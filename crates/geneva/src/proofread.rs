@@ -1,17 +1,17 @@
 //! `geneva proofread`: the command of the crate `proofread`, on this program's streams.
 
 use crate::output::{Outcome, Streams};
-use proofread::cli::{self, Arguments};
+use proofread::cli::{self, ProofreadArguments};
 
 /// Streams that count as those of the command.
 struct Through<'s>(&'s mut dyn Streams);
 
-impl cli::Streams for Through<'_> {
+impl cli::CommandStreams for Through<'_> {
     fn print(&mut self, text: &str) -> Result<(), String> {
         self.0.print(text).map_err(|error| format!("{error:#}"))
     }
 
-    fn tell(&mut self, text: &str) {
+    fn print_error(&mut self, text: &str) {
         self.0.tell(text);
     }
 
@@ -21,7 +21,7 @@ impl cli::Streams for Through<'_> {
 }
 
 /// Runs the command, which says all there is to say.
-pub fn run(arguments: &Arguments, streams: &mut dyn Streams) -> Outcome {
+pub fn run(arguments: &ProofreadArguments, streams: &mut dyn Streams) -> Outcome {
     match cli::run(arguments, &mut Through(streams)) {
         0 => Outcome::AsRecorded,
         1 => Outcome::Differs,

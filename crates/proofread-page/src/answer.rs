@@ -1,8 +1,8 @@
 //! What is found in a text, with its places as a page counts them.
 
-use crate::question::Question;
+use crate::question::PageQuestion;
 use crate::words;
-use proofread::{Finding, Format, Lines, List, Options, proofread};
+use proofread::{ChainFinding, CheckOptions, LineIndex, ReportSection, TextFormat, proofread};
 use serde_json::json;
 use std::ops::Range;
 
@@ -14,18 +14,18 @@ const MOST_HINTS: usize = 60;
 
 /// What was found in a text.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub struct PageAnswer {
     /// What the text was read as.
-    pub format: Format,
+    pub format: TextFormat,
     /// What was checked and what was found, in sentences.
     pub summary: Vec<String>,
     /// The first findings, in the order of the text.
-    pub findings: Vec<Shown>,
+    pub findings: Vec<ShownFinding>,
 }
 
 /// A finding as it is shown.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct ShownFinding {
     /// Its list: `numbers`, `units`, `bindings` or `doubts`.
     pub list: &'static str,
     /// The verdict in words.
@@ -51,26 +51,36 @@ pub struct Fact {
     pub text: String,
 }
 
-impl Answer {
+impl PageAnswer {
     /// Proofreads the text of a question.
     ///
     /// # Errors
     ///
     /// In words, if the text cannot be read in its format.
-    pub fn to(question: &Question<'_>) -> Result<Self, String> {
-        let by_name = || Format::of_extension(question.extension);
-        let format = question.format.or_else(by_name).unwrap_or_else(|| Format::of_text(question.text));
+    ///
+    /// ```
+    /// use geneva_proofread_page::{PageAnswer, PageQuestion};
+    ///
+    /// let answer = PageAnswer::for_question(&PageQuestion::new("It is $2 + 2 = 5$."))?;
+    /// let finding = &answer.findings[0];
+    /// assert_eq!((finding.line, finding.column, finding.chain.concat().as_str()), (1, 16, "2 + 2 = 5"));
+    /// assert!(answer.to_text().starts_with("line 1, column 16: the last digit differs\n"));
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn for_question(question: &PageQuestion<'_>) -> Result<Self, String> {
+        let by_name = || TextFormat::from_extension(question.extension);
+        let format = question.format.or_else(by_name).unwrap_or_else(|| TextFormat::recognise(question.text));
         let hints = if question.hints { MOST_HINTS } else { 0 };
-        let options = Options { follow: question.follow, hints, ..Options::default() };
+        let options = CheckOptions { name_policy: question.name_policy, hints, ..CheckOptions::default() };
         let report = proofread(question.text, format, options).map_err(|why| words::capitalised(&why.to_string()))?;
-        let wanted = |finding: &&Finding| match finding.list {
-            List::Units => question.units,
-            List::Doubts => question.doubts,
-            List::Numbers | List::Bindings | List::Agreeing => true,
+        let wanted = |finding: &&ChainFinding| match finding.section {
+            ReportSection::Units => question.units,
+            ReportSection::Doubts => question.doubts,
+            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing => true,
         };
-        let found: Vec<&Finding> = report.findings.iter().filter(wanted).collect();
-        let mut places = Places::new(question.text);
-        let findings = found.iter().take(MOST_SHOWN).map(|finding| places.shown(finding)).collect();
+        let found: Vec<&ChainFinding> = report.findings.iter().filter(wanted).collect();
+        let mut places = PlacedText::new(question.text);
+        let findings = found.iter().take(MOST_SHOWN).map(|finding| places.show(finding)).collect();
         let mut summary = words::summary(question, format, &report.tally, &found);
         if found.len() > MOST_SHOWN {
             summary.push(format!("The first {MOST_SHOWN} are shown. The command lists them all."));
@@ -85,7 +95,7 @@ impl Answer {
     /// `column`, `from` and `to`, `chain` in three pieces, and `facts`, a list of `label` and `text`; `text`, all of it to be
     /// copied.
     pub fn to_json(&self) -> String {
-        let finding = |shown: &Shown| {
+        let finding = |shown: &ShownFinding| {
             let fact = |fact: &Fact| json!({ "label": fact.label, "text": fact.text });
             json!({
                 "list": shown.list,
@@ -110,7 +120,7 @@ impl Answer {
     /// The answer as plain text.
     pub fn to_text(&self) -> String {
         let mut text = String::new();
-        for Shown { verdict, line, column, chain, facts, .. } in &self.findings {
+        for ShownFinding { verdict, line, column, chain, facts, .. } in &self.findings {
             text += &format!("line {line}, column {column}: {verdict}\n    {}\n", chain.concat());
             for Fact { label, text: said } in facts {
                 text += &format!("    {label}: {said}\n");
@@ -122,16 +132,16 @@ impl Answer {
 }
 
 /// Places of a text, asked for in their order.
-struct Places<'t> {
+struct PlacedText<'t> {
     text: &'t str,
-    lines: Lines<'t>,
+    lines: LineIndex<'t>,
     /// How far the text was counted: bytes, and units of UTF-16.
     counted: (usize, usize),
 }
 
-impl<'t> Places<'t> {
+impl<'t> PlacedText<'t> {
     fn new(text: &'t str) -> Self {
-        Self { text, lines: Lines::new(text), counted: (0, 0) }
+        Self { text, lines: LineIndex::new(text), counted: (0, 0) }
     }
 
     fn utf16(&mut self, at: usize) -> usize {
@@ -143,14 +153,14 @@ impl<'t> Places<'t> {
         count
     }
 
-    fn shown(&mut self, finding: &Finding) -> Shown {
-        let [start, _] = self.lines.places(finding.at);
+    fn show(&mut self, finding: &ChainFinding) -> ShownFinding {
+        let [start, _] = self.lines.line_columns(finding.at);
         let place = self.utf16(finding.at.start as usize)..self.utf16(finding.at.end as usize);
         let (chain, marked) = (&finding.chain, finding.marked.clone());
         let pieces = [0..marked.start, marked.clone(), marked.end..chain.len()];
-        Shown {
-            list: finding.list.name(),
-            verdict: finding.verdict.words(),
+        ShownFinding {
+            list: finding.section.name(),
+            verdict: finding.verdict.description(),
             line: start.line,
             column: start.column,
             place,

@@ -13,15 +13,21 @@ mod exports;
 mod question;
 mod words;
 
-pub use answer::{Answer, Fact, Shown};
-pub use question::{Bindings, MOST_BYTES, Question, too_long};
+pub use answer::{Fact, PageAnswer, ShownFinding};
+pub use question::{MOST_BYTES, NamePolicyChoice, PageQuestion, too_long_message};
 pub use words::name_of_format;
 
-/// The answer to a question as a JSON object: see [`Answer::to_json`] and, for the question, [`Question::parse`].
+/// The answer to a question as a JSON object: see [`PageAnswer::to_json`] and, for the question, [`PageQuestion::parse`].
 ///
 /// A question that cannot be answered gets `error`: what is wrong, and what to give.
+///
+/// ```
+/// let answer = geneva_proofread_page::answer("format=markdown\nIt is $2 + 2 = 5$.");
+/// assert!(answer.contains("\"summary\":[\"1 finding: 1 on a number.\""));
+/// assert!(geneva_proofread_page::answer("units=perhaps").starts_with("{\"error\":"));
+/// ```
 pub fn answer(question: &str) -> String {
-    let answered = Question::parse(question).and_then(|question| Answer::to(&question));
+    let answered = PageQuestion::parse(question).and_then(|question| PageAnswer::for_question(&question));
     match answered {
         Ok(answer) => answer.to_json(),
         Err(message) => serde_json::json!({ "error": message }).to_string(),

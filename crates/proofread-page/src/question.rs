@@ -1,6 +1,6 @@
 //! The question of a page: a line of options, and the text.
 
-use proofread::{Follow, Format};
+use proofread::{NamePolicy, TextFormat};
 
 /// Bytes of a text that are read at most: a megabyte.
 pub const MOST_BYTES: usize = 1_000_000;
@@ -9,7 +9,7 @@ pub const MOST_BYTES: usize = 1_000_000;
 const MOST_OPTIONS: usize = 1000;
 
 /// Why a longer text is refused, and what to do with it.
-pub fn too_long() -> String {
+pub fn too_long_message() -> String {
     format!(
         "This text is longer than {} MB, which is all that the page takes at once. Give a part of it, or use the command.",
         MOST_BYTES / 1_000_000
@@ -18,33 +18,33 @@ pub fn too_long() -> String {
 
 /// Which values that the text gives to names are put into formulas, by the word of the option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bindings {
+pub struct NamePolicyChoice {
     /// The word.
     pub word: &'static str,
     /// What it means to a reader.
     pub label: &'static str,
     /// What the proofreader is told.
-    pub follow: Follow,
+    pub name_policy: NamePolicy,
 }
 
-impl Bindings {
+impl NamePolicyChoice {
     /// Every choice, the usual one first.
     pub const ALL: [Self; 3] = [
-        Self { word: "once", label: "in a short text, if a name has one value", follow: Follow::Once },
-        Self { word: "always", label: "everywhere, the latest value of a name", follow: Follow::Always },
-        Self { word: "never", label: "never", follow: Follow::Never },
+        Self { word: "once", label: "in a short text, if a name has one value", name_policy: NamePolicy::Once },
+        Self { word: "always", label: "everywhere, the latest value of a name", name_policy: NamePolicy::Always },
+        Self { word: "never", label: "never", name_policy: NamePolicy::Never },
     ];
 }
 
 /// A text, and what a reader wants to know about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Question<'t> {
+pub struct PageQuestion<'t> {
     /// What it is written in, if the reader says so.
-    pub format: Option<Format>,
+    pub format: Option<TextFormat>,
     /// The ending of its file's name, if it comes from a file.
     pub extension: &'t str,
     /// Which values of names are used.
-    pub follow: Follow,
+    pub name_policy: NamePolicy,
     /// Whether numbers are listed that agree although their units do not.
     pub units: bool,
     /// Whether differences are listed that are set aside as doubts.
@@ -55,13 +55,20 @@ pub struct Question<'t> {
     pub text: &'t str,
 }
 
-impl<'t> Question<'t> {
+impl<'t> PageQuestion<'t> {
     /// A text, and otherwise the page's options as they are at first.
-    pub fn about(text: &'t str) -> Self {
+    ///
+    /// ```
+    /// use geneva_proofread_page::PageQuestion;
+    ///
+    /// let question = PageQuestion::new("2 + 2 = 5");
+    /// assert_eq!((question.format, question.doubts, question.units), (None, true, false));
+    /// ```
+    pub fn new(text: &'t str) -> Self {
         Self {
             format: None,
             extension: "",
-            follow: Bindings::ALL[0].follow,
+            name_policy: NamePolicyChoice::ALL[0].name_policy,
             units: false,
             doubts: true,
             hints: true,
@@ -77,34 +84,43 @@ impl<'t> Question<'t> {
     /// # Errors
     ///
     /// If the text is longer than [`MOST_BYTES`], or an option or its value is not known.
+    ///
+    /// ```
+    /// use geneva_proofread_page::PageQuestion;
+    ///
+    /// let question = PageQuestion::parse("units=yes hints=no\n2 + 2 = 5")?;
+    /// assert_eq!((question.text, question.units, question.hints), ("2 + 2 = 5", true, false));
+    /// assert!(PageQuestion::parse("format=word\n").is_err());
+    /// # Ok::<(), String>(())
+    /// ```
     pub fn parse(question: &'t str) -> Result<Self, String> {
         let (options, text) = question.split_once('\n').unwrap_or((question, ""));
         if text.len() > MOST_BYTES {
-            return Err(too_long());
+            return Err(too_long_message());
         }
         if options.len() > MOST_OPTIONS {
             return Err(format!(
                 "The line of options before the text has more than {MOST_OPTIONS} bytes. Give fewer options."
             ));
         }
-        let mut read = Self::about(text);
+        let mut read = Self::new(text);
         for option in options.split_whitespace() {
             let (name, value) = option.split_once('=').unwrap_or((option, ""));
             match name {
                 "format" if value == "recognised" => read.format = None,
                 "format" => {
-                    let known = Format::ALL.map(|(name, _)| name);
-                    read.format = Some(Format::named(value).ok_or_else(|| one_of(name, value, &known))?);
+                    let known = TextFormat::ALL.map(|(name, _)| name);
+                    read.format = Some(TextFormat::from_name(value).ok_or_else(|| one_of(name, value, &known))?);
                 }
                 "extension" => read.extension = value,
                 "bindings" => {
-                    let known = Bindings::ALL.map(|of| of.word);
-                    let found = Bindings::ALL.iter().find(|of| of.word == value);
-                    read.follow = found.ok_or_else(|| one_of(name, value, &known))?.follow;
+                    let known = NamePolicyChoice::ALL.map(|of| of.word);
+                    let found = NamePolicyChoice::ALL.iter().find(|of| of.word == value);
+                    read.name_policy = found.ok_or_else(|| one_of(name, value, &known))?.name_policy;
                 }
-                "units" => read.units = yes(name, value)?,
-                "doubts" => read.doubts = yes(name, value)?,
-                "hints" => read.hints = yes(name, value)?,
+                "units" => read.units = parse_switch(name, value)?,
+                "doubts" => read.doubts = parse_switch(name, value)?,
+                "hints" => read.hints = parse_switch(name, value)?,
                 _ => {
                     return Err(one_of(
                         "option",
@@ -118,7 +134,7 @@ impl<'t> Question<'t> {
     }
 }
 
-fn yes(name: &str, value: &str) -> Result<bool, String> {
+fn parse_switch(name: &str, value: &str) -> Result<bool, String> {
     match value {
         "yes" => Ok(true),
         "no" => Ok(false),
@@ -138,11 +154,14 @@ mod tests {
     #[test]
     fn options_end_with_the_first_line() {
         let question =
-            Question::parse("format=latex bindings=never units=yes extension=md\n\nunits=no\n1 = 2").expect("read");
+            PageQuestion::parse("format=latex bindings=never units=yes extension=md\n\nunits=no\n1 = 2").expect("read");
         assert_eq!(question.text, "\nunits=no\n1 = 2");
-        assert_eq!((question.format, question.follow, question.units), (Some(Format::Latex), Follow::Never, true));
-        assert_eq!(Question::parse(""), Ok(Question::about("")));
-        assert_eq!(Question::parse("format=recognised\n1"), Ok(Question::about("1")));
+        assert_eq!(
+            (question.format, question.name_policy, question.units),
+            (Some(TextFormat::Latex), NamePolicy::Never, true)
+        );
+        assert_eq!(PageQuestion::parse(""), Ok(PageQuestion::new("")));
+        assert_eq!(PageQuestion::parse("format=recognised\n1"), Ok(PageQuestion::new("1")));
     }
 
     #[test]
@@ -153,10 +172,10 @@ mod tests {
             ("units", "units ``: give one of yes, no"),
             ("x\u{1b}=1", "option `x\\u{1b}`: give one of format, extension, bindings, units, doubts, hints"),
         ] {
-            assert_eq!(Question::parse(options), Err(words.to_owned()));
+            assert_eq!(PageQuestion::parse(options), Err(words.to_owned()));
         }
-        assert_eq!(Question::parse(&format!("\n{}", "x".repeat(MOST_BYTES + 1))), Err(too_long()));
-        let told = Question::parse(&format!("extension={}\n", "x".repeat(3000))).expect_err("too many");
+        assert_eq!(PageQuestion::parse(&format!("\n{}", "x".repeat(MOST_BYTES + 1))), Err(too_long_message()));
+        let told = PageQuestion::parse(&format!("extension={}\n", "x".repeat(3000))).expect_err("too many");
         assert!(told.starts_with("The line of options before the text has more than 1000 bytes."), "{told}");
     }
 }

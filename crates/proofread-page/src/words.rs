@@ -1,26 +1,34 @@
 //! What is said of a text and of a finding.
 
 use crate::answer::Fact;
-use crate::question::Question;
-use proofread::summary::{count, doubts, findings, others, units_alone, unread};
-use proofread::{Finding, Format, List, Tally};
+use crate::question::PageQuestion;
+use proofread::summary::{
+    describe_count, describe_doubts, describe_findings, describe_unchecked_chains, describe_unit_differences,
+    describe_unread_formulas,
+};
+use proofread::{ChainFinding, CheckTally, ReportSection, TextFormat};
 
 /// What a format is called in a sentence and in the list of choices.
-pub fn name_of_format(format: Format) -> &'static str {
+pub fn name_of_format(format: TextFormat) -> &'static str {
     match format {
-        Format::Markdown => "Markdown with TeX",
-        Format::Latex => "LaTeX",
-        Format::Xml => "XML with MathML",
-        Format::Html => "HTML",
-        Format::Notebook => "Jupyter notebook",
-        Format::Plain => "plain lines",
+        TextFormat::Markdown => "Markdown with TeX",
+        TextFormat::Latex => "LaTeX",
+        TextFormat::Xml => "XML with MathML",
+        TextFormat::Html => "HTML",
+        TextFormat::Notebook => "Jupyter notebook",
+        TextFormat::Plain => "plain lines",
     }
 }
 
 /// What was checked and what was found, in sentences.
-pub(crate) fn summary(question: &Question<'_>, format: Format, tally: &Tally, found: &[&Finding]) -> Vec<String> {
-    let in_list = |list: List| found.iter().filter(|finding| finding.list == list).count();
-    let mut said = vec![findings(in_list).map_or("Nothing found.".to_owned(), |said| said + ".")];
+pub(crate) fn summary(
+    question: &PageQuestion<'_>,
+    format: TextFormat,
+    tally: &CheckTally,
+    found: &[&ChainFinding],
+) -> Vec<String> {
+    let in_list = |list: ReportSection| found.iter().filter(|finding| finding.section == list).count();
+    let mut said = vec![describe_findings(in_list).map_or("Nothing found.".to_owned(), |said| said + ".")];
     let checkable = tally.checkable.max(tally.checked);
     said.push(match (checkable, tally.checked) {
         (0, _) => {
@@ -36,23 +44,23 @@ pub(crate) fn summary(question: &Question<'_>, format: Format, tally: &Tally, fo
                 1 => "1 could not be evaluated".to_owned(),
                 left => format!("{left} could not be evaluated"),
             };
-            let all = count(all, "chain");
+            let all = describe_count(all, "chain");
             format!("Read as {}, the text has {all} that arithmetic can check, and {left}.", name_of_format(format))
         }
     });
-    said.extend(others(tally));
-    said.extend(unread(tally));
-    said.extend(units_alone(tally).filter(|_| !question.units).map(|said| said + "."));
-    said.extend(doubts(tally).filter(|_| !question.doubts).map(|said| said + "."));
+    said.extend(describe_unchecked_chains(tally));
+    said.extend(describe_unread_formulas(tally));
+    said.extend(describe_unit_differences(tally).filter(|_| !question.units).map(|said| said + "."));
+    said.extend(describe_doubts(tally).filter(|_| !question.doubts).map(|said| said + "."));
     said
 }
 
 /// What is known about a finding, beyond its chain.
-pub(crate) fn facts(finding: &Finding) -> Vec<Fact> {
+pub(crate) fn facts(finding: &ChainFinding) -> Vec<Fact> {
     let mut facts = vec![Fact { label: "printed", text: finding.printed.clone() }];
     let mut say = |label, text: Option<String>| facts.extend(text.map(|text| Fact { label, text }));
     say("recomputed", finding.recomputed.clone());
-    say("set aside", finding.doubt.map(|doubt| doubt.words().to_owned()));
+    say("set aside", finding.doubt.map(|doubt| doubt.reason().to_owned()));
     say("why", finding.why.clone());
     say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", in_quotes(&hint.words))));
     let listed = |words: &[&str]| (!words.is_empty()).then(|| words.join(", "));

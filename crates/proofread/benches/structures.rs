@@ -4,7 +4,7 @@
 mod structures;
 
 use divan::{AllocProfiler, Bencher, black_box};
-use proofread::{Options, proofread};
+use proofread::{CheckOptions, proofread};
 
 #[global_allocator]
 static MEMORY: AllocProfiler = AllocProfiler::system();
@@ -34,5 +34,5 @@ fn text(bencher: Bencher, name: &str) {
         })
         .next()
         .expect("a structure");
-    bencher.bench_local(|| proofread(black_box(&text), format, Options::default()));
+    bencher.bench_local(|| proofread(black_box(&text), format, CheckOptions::default()));
 }

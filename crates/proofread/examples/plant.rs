@@ -6,7 +6,7 @@
 //! see it. An error that is only a doubt isn't noticed. Each pair has its own dice, so that the digits don't depend on what happens to other pairs. `SEED` chooses other digits,
 //! and `SHOW` lists what stays unseen.
 
-use proofread::{Follow, Format, List, Options, Span, Verdict, proofread};
+use proofread::{ChainVerdict, CheckOptions, NamePolicy, ReportSection, Span, TextFormat, proofread};
 
 /// Numbers that look random and are the same each time.
 struct Dice(u64);
@@ -44,14 +44,14 @@ fn digits(text: &str, span: Span) -> Vec<usize> {
 }
 
 fn main() {
-    let options = Options { follow: Follow::Never, agreeing: true, hints: 0, ..Options::default() };
+    let options = CheckOptions { name_policy: NamePolicy::Never, agreeing: true, hints: 0, ..CheckOptions::default() };
     let seed = std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(11);
     let mut counts = [[0usize; 3]; 2];
     for path in std::env::args().skip(1) {
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
-        let Some(format) = path.rsplit('.').next().and_then(Format::of_extension) else { continue };
+        let Some(format) = path.rsplit('.').next().and_then(TextFormat::from_extension) else { continue };
         let Ok(report) = proofread(&text, format, options) else { continue };
-        for pair in report.findings.iter().filter(|pair| pair.list == List::Agreeing) {
+        for pair in report.findings.iter().filter(|pair| pair.section == ReportSection::Agreeing) {
             for (which, side) in [(0, pair.right_span), (1, pair.left_span)] {
                 let is_result = pair.at == side;
                 if which == usize::from(is_result) {
@@ -73,12 +73,14 @@ fn main() {
                 changed.replace_range(at..=at, &new.to_string());
                 let Ok(after) = proofread(&changed, format, options) else { continue };
                 let here =
-                    |of: &&proofread::Finding| of.left_span == pair.left_span && of.right_span == pair.right_span;
-                let seen =
-                    after.findings.iter().any(|of| here(&of) && !matches!(of.list, List::Agreeing | List::Doubts));
+                    |of: &&proofread::ChainFinding| of.left_span == pair.left_span && of.right_span == pair.right_span;
+                let seen = after
+                    .findings
+                    .iter()
+                    .any(|of| here(&of) && !matches!(of.section, ReportSection::Agreeing | ReportSection::Doubts));
                 let found = after.findings.iter().find(here);
-                let invisible =
-                    !seen && found.is_some_and(|of| of.verdict == Verdict::Consistent && of.reading == pair.reading);
+                let invisible = !seen
+                    && found.is_some_and(|of| of.verdict == ChainVerdict::Consistent && of.reading == pair.reading);
                 if !seen && std::env::var_os("SHOW").is_some() {
                     let [a, b] = [pair.left.as_str(), pair.right.as_str()];
                     let name = ["result", "operand"][which];

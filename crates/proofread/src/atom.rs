@@ -1,96 +1,104 @@
 //! What an expression is made of: printed numbers, letters with values, and units alone.
 
-use crate::evaluate::{Cursor, Evaluator};
+use crate::cursor::Cursor;
+use crate::evaluate::Evaluator;
+use crate::exponent::{is_power_of_e, plain_exponent, small_integer};
 use crate::interval::Interval;
-use crate::printed::{Mode, Printed, power_of_ten};
-use crate::reading::Reading;
-use crate::token::{Kind, Token, any};
+use crate::printed::{Mode, PrintedNumber, power_of_ten};
+use crate::reading::ReadingChoices;
+use crate::token::{Token, TokenKind, any};
 use crate::unit::{is_ambiguous, unit};
-use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
+use crate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
 use std::f64::consts::PI;
 
 impl Evaluator<'_> {
     /// A printed number with its power of ten and its unit.
-    pub fn number(&mut self, text: &str, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    pub fn number(&mut self, text: &str, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         cursor.at += 1;
         let unreadable = Obstacle::Unclear("a number with too many digits");
-        let mut printed = Printed::read(text).ok_or(unreadable)?;
+        let mut printed = PrintedNumber::read(text).ok_or(unreadable)?;
         let mut scale = None;
-        let (next, at) = cursor.look(cursor.at);
+        let (next, at) = cursor.token_from(cursor.at);
         if let Some(power) = next.and_then(Token::word).and_then(large_number) {
             cursor.at = at + 1;
             scale = Some(power);
         }
-        if let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here()
+        if let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.current()
             && matches!(exponent.as_slice(), [zero] if zero.number() == Some("0"))
             && text != "10"
         {
-            self.noticed.note(Reading::ZERO_DEGREES);
-            if self.chosen(Reading::ZERO_DEGREES) {
+            self.noticed.insert(ReadingChoices::ZERO_DEGREES);
+            if self.is_chosen(ReadingChoices::ZERO_DEGREES) {
                 cursor.at += 1;
-                let mut value = Value::of(Interval::around(printed.value, printed.open(self.mode, false).0));
-                value = Value { literal: Literal::Number, ..value.scaled(PI / 180.0) };
-                value.angle = Some(Angle::Degrees);
+                let mut value = SideValue::from_interval(Interval::with_half_width(
+                    printed.value,
+                    printed.open(self.mode, false).0,
+                ));
+                value = SideValue { literal: Literal::Number, ..value.scaled(PI / 180.0) };
+                value.angle = Some(AngleUnit::Degrees);
                 return Ok(value);
             }
         }
-        let (next, at) = cursor.look(cursor.at);
+        let (next, at) = cursor.token_from(cursor.at);
         if scale.is_none() && next.is_some_and(|token| token.is_one_of("×·*")) {
-            let (ten, ten_at) = cursor.look(at + 1);
+            let (ten, ten_at) = cursor.token_from(at + 1);
             if ten.and_then(Token::number) == Some("10")
-                && let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.tokens.get(ten_at + 1)
+                && let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.tokens.get(ten_at + 1)
                 && let Ok(power) = plain_exponent(exponent)
             {
                 scale = Some(power);
                 cursor.at = ten_at + 2;
             }
         } else if text == "10"
-            && let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here()
+            && let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.current()
             && let Some(power) = plain_exponent(exponent).ok().filter(|power| power.fract() == 0.0)
         {
-            printed = Printed::read("1").ok_or(Obstacle::NoNumber)?;
+            printed = PrintedNumber::read("1").ok_or(Obstacle::NoNumber)?;
             scale = Some(power);
             cursor.at += 1;
         }
         // The decimals of an exponent of ten are as open as those of any result.
         if scale.is_none()
             && text == "10"
-            && let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here()
+            && let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.current()
             && plain_exponent(exponent).is_ok_and(|power| power.fract() != 0.0)
-            && any(exponent, &|kind| matches!(kind, Kind::Number(digits) if digits.contains('.')))
+            && any(exponent, &|kind| matches!(kind, TokenKind::Number(digits) if digits.contains('.')))
         {
             cursor.at += 1;
-            let power = self.whole(exponent)?.number()?;
-            let mut value = Value::of(power.through(power_of_ten));
+            let power = self.evaluate_all(exponent)?.number()?;
+            let mut value = SideValue::from_interval(power.map_monotone(power_of_ten));
             value.literal = Literal::Number;
             return self.with_unit(value, cursor, true);
         }
-        if scale.is_none() && cursor.here().is_some_and(|token| matches!(token.kind, Kind::Power(_)) || token.is('!')) {
+        if scale.is_none()
+            && cursor.current().is_some_and(|token| matches!(token.kind, TokenKind::Power(_)) || token.is_sign('!'))
+        {
             let half = if printed.decimals.is_some() { printed.open(self.mode, false).0 } else { 0.0 };
-            let value = self.followed(Value::of(Interval::around(printed.value, half)), cursor)?;
+            let value =
+                self.with_powers(SideValue::from_interval(Interval::with_half_width(printed.value, half)), cursor)?;
             return self.with_unit(value, cursor, false);
         }
         let (half, _) = printed.open(self.mode, scale.is_some());
         let power_alone = text == "10" && scale.is_some() && printed.value == 1.0;
         let half = if power_alone && self.mode != Mode::Result { 0.0 } else { half };
         let factor = power_of_ten(scale.unwrap_or(0.0));
-        let exact = Interval::around(printed.value, half).scaled(factor);
+        let exact = Interval::with_half_width(printed.value, half).scaled(factor);
         if !exact.is_finite() {
             return Err(Obstacle::Unclear("a number beyond all bounds"));
         }
-        let mut value = Value::of(exact);
+        let mut value = SideValue::from_interval(exact);
         value.literal = Literal::Number;
-        let (next, at) = cursor.look(cursor.at);
-        if let Some(Token { kind: Kind::Fraction(above, below), .. }) = next
+        let (next, at) = cursor.token_from(cursor.at);
+        if let Some(Token { kind: TokenKind::Fraction(above, below), .. }) = next
             && at <= cursor.at + 1
             && scale.is_none()
-            && let (Some(above), Some(below)) = (small(above), small(below))
+            && let (Some(above), Some(below)) = (small_integer(above), small_integer(below))
             && above < below
         {
-            self.noticed.note(Reading::MIXED);
-            if self.chosen(Reading::MIXED) {
+            self.noticed.insert(ReadingChoices::MIXED);
+            if self.is_chosen(ReadingChoices::MIXED) {
                 cursor.at = at + 1;
-                let mut mixed = Value::of(Interval::exact(printed.value + above / below));
+                let mut mixed = SideValue::from_interval(Interval::exact(printed.value + above / below));
                 mixed.operations = 1;
                 return self.with_unit(mixed, cursor, false);
             }
@@ -99,9 +107,9 @@ impl Evaluator<'_> {
     }
 
     /// A letter with a value, π, a power of e, or a unit alone.
-    pub fn name(&mut self, token: &Token, name: &str, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    pub fn name(&mut self, token: &Token, name: &str, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let power = match cursor.tokens.get(cursor.at + 1) {
-            Some(Token { kind: Kind::Power(exponent), .. }) => plain_exponent(exponent).ok(),
+            Some(Token { kind: TokenKind::Power(exponent), .. }) => plain_exponent(exponent).ok(),
             _ => None,
         };
         // An upright e to such a power is the base of the logarithms, not a charge.
@@ -111,18 +119,18 @@ impl Evaluator<'_> {
             && local == name
         {
             cursor.at += 1;
-            let value = Value { operations: 1, literal: Literal::No, ..value.clone() };
-            return self.followed(value, cursor);
+            let value = SideValue { operations: 1, literal: Literal::No, ..value.clone() };
+            return self.with_powers(value, cursor);
         }
         let bound = self.bindings.and_then(|known| known.get(name)).filter(|_| !is_word || unit(name).is_none());
         if let Some(value) = bound {
             cursor.at += 1;
             self.used.push(name.to_owned());
-            if value.has_unit && self.chosen(Reading::NUMBERS) {
+            if value.has_unit && self.is_chosen(ReadingChoices::NUMBERS) {
                 return Err(Obstacle::Unclear("a bound quantity without its unit"));
             }
-            let value = Value { operations: 1, bound: true, literal: Literal::No, ..value.clone() };
-            return self.followed(value, cursor);
+            let value = SideValue { operations: 1, bound: true, literal: Literal::No, ..value.clone() };
+            return self.with_powers(value, cursor);
         }
         if is_word {
             // An upright e that is in no quantity may be the base, too.
@@ -135,11 +143,11 @@ impl Evaluator<'_> {
             // A letter beside a sign of a sum is no unit: 25 + 4 = A + 1.
             let is_sign = |token: Option<&Token>| token.is_some_and(|token| token.is_one_of("+-"));
             let alone = name.chars().count() == 1 && name.chars().all(char::is_alphabetic);
-            if alone && (is_sign(cursor.look(cursor.at + 1).0) || is_sign(cursor.before())) {
+            if alone && (is_sign(cursor.token_from(cursor.at + 1).0) || is_sign(cursor.previous())) {
                 return Err(Obstacle::Letter(name.to_owned()));
             }
             let units = self.units(cursor)?;
-            let mut value = Value::of(Interval::exact(units.factor));
+            let mut value = SideValue::from_interval(Interval::exact(units.factor));
             value.dimension = units.dimension;
             value.has_unit = !units.dimension.is_none() || units.angle.is_none();
             value.angle = units.angle;
@@ -149,13 +157,13 @@ impl Evaluator<'_> {
         match name {
             "π" => {
                 cursor.at += 1;
-                self.followed(Value::of(Interval::exact(PI)), cursor)
+                self.with_powers(SideValue::from_interval(Interval::exact(PI)), cursor)
             }
             "e" => {
-                let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.tokens.get(cursor.at + 1) else {
+                let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.tokens.get(cursor.at + 1) else {
                     return Err(Obstacle::Letter(name.to_owned()));
                 };
-                let exponent = self.whole(exponent)?;
+                let exponent = self.evaluate_all(exponent)?;
                 if !exponent.dimension.is_none() {
                     return Err(Obstacle::Unclear("an exponent with a unit"));
                 }
@@ -164,11 +172,11 @@ impl Evaluator<'_> {
                     return Err(Obstacle::Unclear("e² may be the square of a charge"));
                 }
                 cursor.at += 2;
-                let raised = power.through(libm::exp);
+                let raised = power.map_monotone(libm::exp);
                 if !raised.is_finite() {
                     return Err(Obstacle::Unclear("a power that is no number"));
                 }
-                Ok(Value { operations: 1, bound: exponent.bound, ..Value::of(raised) })
+                Ok(SideValue { operations: 1, bound: exponent.bound, ..SideValue::from_interval(raised) })
             }
             _ => Err(Obstacle::Letter(name.to_owned())),
         }
@@ -183,65 +191,4 @@ fn large_number(word: &str) -> Option<f64> {
         "trillion" => 12.0,
         _ => return None,
     })
-}
-
-/// A small integer that stands alone.
-fn small(tokens: &[Token]) -> Option<f64> {
-    let [Token { kind: Kind::Number(text), .. }] = tokens else { return None };
-    text.parse::<u32>().ok().filter(|number| *number < 1000).map(f64::from)
-}
-
-/// An exponent that is a number or a fraction of two, with a sign.
-pub(crate) fn plain_exponent(tokens: &[Token]) -> Evaluated<f64> {
-    let tokens: Vec<&Token> = tokens.iter().filter(|token| !token.is_space()).collect();
-    let (sign, tokens) = match tokens.as_slice() {
-        [first, rest @ ..] if first.is('-') => (-1.0, rest),
-        [first, rest @ ..] if first.is('+') => (1.0, rest),
-        all => (1.0, all),
-    };
-    let number = |text: &str| Printed::read(text).map(|of| of.value);
-    let value = match tokens {
-        [Token { kind: Kind::Number(text), .. }] => number(text),
-        [Token { kind: Kind::Fraction(a, b), .. }] => small(a).zip(small(b)).map(|(a, b)| a / b),
-        [Token { kind: Kind::Number(a), .. }, stroke, Token { kind: Kind::Number(b), .. }] if stroke.is('/') => {
-            number(a).zip(number(b)).map(|(a, b)| a / b)
-        }
-        _ => None,
-    };
-    value
-        .filter(|value| value.is_finite() && value.abs() < 1e4)
-        .map(|value| sign * value)
-        .ok_or(Obstacle::Unclear("an exponent that is no number"))
-}
-
-pub(crate) fn factorial(value: &Value) -> Evaluated<Value> {
-    let n = value.number()?.point;
-    if n.fract() != 0.0 || !(0.0..=170.0).contains(&n) || value.has_unit {
-        return Err(Obstacle::Unclear("a factorial of what is no small integer"));
-    }
-    let product = (1..=n as u32).map(f64::from).product();
-    Ok(Value { operations: value.operations + 1, ..Value::of(Interval::exact(product)) })
-}
-
-/// Whether an upright e to a power is the base of the logarithms: nobody raises a charge to such a power.
-pub(crate) fn is_power_of_e(power: f64) -> bool {
-    power <= 0.0 || power > 4.0 || power.fract() != 0.0
-}
-
-/// Whether brackets around it make the number of an equation.
-pub(crate) fn is_equation_number(text: &str) -> bool {
-    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
-    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
-}
-
-/// The letters among tokens, without π and e.
-pub(crate) fn letters(tokens: &[Token], out: &mut Vec<String>) {
-    for token in tokens {
-        if let Kind::Name(name) = &token.kind
-            && !matches!(name.as_str(), "π" | "e")
-        {
-            out.push(name.clone());
-        }
-        token.inner().into_iter().for_each(|inner| letters(inner, out));
-    }
 }

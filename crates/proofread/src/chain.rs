@@ -1,7 +1,7 @@
 //! Chains: sides with relations between them.
 
-use crate::join::joined;
-use crate::token::{Kind, Span, Token, has_number, span_of, trimmed};
+use crate::token::{Span, Token, TokenKind, has_number, span_of, trim_space};
+use crate::token_joining::join_tokens;
 use crate::unit::{is_percent, unit};
 
 /// How a side relates to the one before it.
@@ -17,7 +17,7 @@ pub enum Relation {
 
 /// A side of a chain.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Side {
+pub struct ChainSide {
     /// The relation before it; none for the first side.
     pub relation: Option<Relation>,
     /// Its tokens, joined.
@@ -28,7 +28,7 @@ pub struct Side {
 
 /// How a chain is parted from what stands before it in its row.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Parted {
+pub enum ChainSeparation {
     /// Not at all, or by words.
     #[default]
     Not,
@@ -42,13 +42,13 @@ pub enum Parted {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     /// The sides in their order.
-    pub sides: Vec<Side>,
+    pub sides: Vec<ChainSide>,
     /// Whether a question mark follows: whether it holds is asked, not said.
     pub asked: bool,
     /// Whether it begins a row of its formula.
     pub starts_row: bool,
     /// What parts it from what stands before it in its row.
-    pub parted: Parted,
+    pub parted: ChainSeparation,
 }
 
 /// The width of the space that stands for the end of a row within a side.
@@ -56,9 +56,9 @@ pub(crate) const ROW_END: u8 = 8;
 
 fn relation(token: &Token) -> Option<Relation> {
     match token.kind {
-        Kind::Operator('=') => Some(Relation::Equal),
-        Kind::Operator('≈' | '≅' | '≃' | '≒' | '≐') => Some(Relation::Approximate),
-        Kind::Operator('<' | '>' | '≤' | '≥' | '≠' | '∝' | '≡' | '∼' | '~' | '≫' | '≪' | '≮' | '⇔' | '↔') => {
+        TokenKind::Operator('=') => Some(Relation::Equal),
+        TokenKind::Operator('≈' | '≅' | '≃' | '≒' | '≐') => Some(Relation::Approximate),
+        TokenKind::Operator('<' | '>' | '≤' | '≥' | '≠' | '∝' | '≡' | '∼' | '~' | '≫' | '≪' | '≮' | '⇔' | '↔') => {
             Some(Relation::Other)
         }
         _ => None,
@@ -66,7 +66,7 @@ fn relation(token: &Token) -> Option<Relation> {
 }
 
 fn ends_row(token: &Token) -> bool {
-    matches!(token.kind, Kind::Line | Kind::Space(9..))
+    matches!(token.kind, TokenKind::Line | TokenKind::Space(9..))
 }
 
 fn separates(token: &Token) -> bool {
@@ -74,8 +74,8 @@ fn separates(token: &Token) -> bool {
         Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
         below above From For Given Noting Since are not ";
     match &token.kind {
-        Kind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
-        Kind::Word(word) => word.len() > 1 && WORDS.split_whitespace().any(|known| known == word),
+        TokenKind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
+        TokenKind::Word(word) => word.len() > 1 && WORDS.split_whitespace().any(|known| known == word),
         _ => false,
     }
 }
@@ -83,21 +83,21 @@ fn separates(token: &Token) -> bool {
 #[derive(Default)]
 struct Splitter {
     chains: Vec<Chain>,
-    sides: Vec<Side>,
+    sides: Vec<ChainSide>,
     side: Vec<Token>,
     relation: Option<Relation>,
     at_row: bool,
     /// What parts the chain at hand from what stands before it in its row.
-    parted: Parted,
+    parted: ChainSeparation,
     /// Whether a comma stands before the piece at hand.
     listed: bool,
 }
 
 impl Splitter {
     fn end_side(&mut self) {
-        let tokens = trimmed(&self.side).to_vec();
+        let tokens = trim_space(&self.side).to_vec();
         let span = span_of(&tokens);
-        self.sides.push(Side { relation: self.relation, tokens, span });
+        self.sides.push(ChainSide { relation: self.relation, tokens, span });
         self.side.clear();
     }
 
@@ -108,7 +108,7 @@ impl Splitter {
             self.chains.push(Chain { sides, asked, starts_row: self.at_row, parted: self.parted });
         }
         self.relation = None;
-        self.parted = Parted::Not;
+        self.parted = ChainSeparation::Not;
         self.at_row = row_follows;
     }
 
@@ -129,19 +129,20 @@ fn is_item(tokens: &[Token], at: usize) -> bool {
     let [open, number, close, space, rest @ ..] = &tokens[at..] else { return false };
     let next = rest.iter().find(|token| !token.is_space());
     let short = number.number().is_some_and(|digits| digits.len() < 3 && digits.chars().all(|c| c.is_ascii_digit()));
-    let starts = next.is_some_and(|next| matches!(next.kind, Kind::Number(_) | Kind::Function(_)) || next.is('√'));
+    let starts = next
+        .is_some_and(|next| matches!(next.kind, TokenKind::Number(_) | TokenKind::Function(_)) || next.is_sign('√'));
     open.is_one_of("([") && close.is_one_of(")]") && short && space.is_space() && starts
 }
 
 /// The chains of a formula.
-pub fn chains(formula: &[Token]) -> Vec<Chain> {
-    let tokens = joined(formula);
+pub fn split_chains(formula: &[Token]) -> Vec<Chain> {
+    let tokens = join_tokens(formula);
     let mut splitter = Splitter { at_row: true, ..Splitter::default() };
     let mut depth = 0usize;
     // The next token that is neither space nor the end of a row, for each place.
     let mut following: Vec<usize> = vec![tokens.len(); tokens.len() + 1];
     for at in (0..tokens.len()).rev() {
-        let is_gap = tokens[at].is_space() || tokens[at].kind == Kind::Line;
+        let is_gap = tokens[at].is_space() || tokens[at].kind == TokenKind::Line;
         following[at] = if is_gap { following[at + 1] } else { at };
     }
     let mut previous_is_line = false;
@@ -163,13 +164,14 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
             }
         }
         // Behind the signs of because and for all, the row says why or where it holds.
-        let for_all = token.is('∀') && next.is_some_and(|next| !matches!(next.kind, Kind::Operator(_)));
+        let for_all = token.is_sign('∀') && next.is_some_and(|next| !matches!(next.kind, TokenKind::Operator(_)));
         // So does a whole row behind which the chain goes on.
-        let rest = tokens[at..].iter().skip_while(|token| token.kind != Kind::Line).skip(1);
-        let goes_on = || rest.clone().find(|token| !token.is_space()).is_some_and(|next| next.is('='));
-        in_remark = (in_remark || (!in_row && token.is('∵') && goes_on()) || (in_row && (token.is('∵') || for_all)))
-            && token.kind != Kind::Line;
-        in_row = (in_row || !token.is_space()) && token.kind != Kind::Line;
+        let rest = tokens[at..].iter().skip_while(|token| token.kind != TokenKind::Line).skip(1);
+        let goes_on = || rest.clone().find(|token| !token.is_space()).is_some_and(|next| next.is_sign('='));
+        in_remark =
+            (in_remark || (!in_row && token.is_sign('∵') && goes_on()) || (in_row && (token.is_sign('∵') || for_all)))
+                && token.kind != TokenKind::Line;
+        in_row = (in_row || !token.is_space()) && token.kind != TokenKind::Line;
         if in_remark {
             continue;
         }
@@ -178,8 +180,8 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
         } else if token.is_one_of(")]}") {
             depth = depth.saturating_sub(1);
         }
-        let line = token.kind == Kind::Line;
-        let wide = matches!(token.kind, Kind::Space(width) if width >= 9);
+        let line = token.kind == TokenKind::Line;
+        let wide = matches!(token.kind, TokenKind::Space(width) if width >= 9);
         if wide && previous_is_line {
             continue;
         }
@@ -189,10 +191,10 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
         if line || wide {
             let continues = next.is_some_and(|next| next.is_one_of("=≈≅≃") || (line && next.is_one_of("+-×·")));
             if continues && line && splitter.ends_list() {
-                splitter.side.push(Token::new(Kind::Unknown("the end of a list".to_owned()), token.span));
+                splitter.side.push(Token::new(TokenKind::Unknown("the end of a list".to_owned()), token.span));
             }
             if continues {
-                splitter.side.push(Token::new(Kind::Space(if line { ROW_END } else { 2 }), token.span));
+                splitter.side.push(Token::new(TokenKind::Space(if line { ROW_END } else { 2 }), token.span));
                 continue;
             }
             let last = splitter.last();
@@ -200,17 +202,18 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                 continue;
             }
             if depth > 0 && wide {
-                splitter.side.push(Token::new(Kind::Space(2), token.span));
+                splitter.side.push(Token::new(TokenKind::Space(2), token.span));
                 continue;
             }
             let weak = line && !splitter.sides.is_empty();
             depth = 0;
             splitter.end_chain(false, true);
             let may_continue = next.is_some_and(|next| {
-                next.is('(') || matches!(next.kind, Kind::Function(_) | Kind::Fraction(..) | Kind::Number(_))
+                next.is_sign('(')
+                    || matches!(next.kind, TokenKind::Function(_) | TokenKind::Fraction(..) | TokenKind::Number(_))
             });
             if weak && may_continue {
-                splitter.side.push(Token::new(Kind::Unknown("the rest of the row before".to_owned()), token.span));
+                splitter.side.push(Token::new(TokenKind::Unknown("the rest of the row before".to_owned()), token.span));
             }
             continue;
         }
@@ -222,68 +225,76 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
             }
             if separates(token) {
                 let is = |token: Option<&Token>| token.is_some_and(|token| token.number().is_some());
-                if token.is('.') && is(next) && is(splitter.last()) {
-                    splitter.side.push(Token::new(Kind::Unknown("a point between numbers".to_owned()), token.span));
+                if token.is_sign('.') && is(next) && is(splitter.last()) {
+                    splitter
+                        .side
+                        .push(Token::new(TokenKind::Unknown("a point between numbers".to_owned()), token.span));
                     continue;
                 }
                 // A time of day, a ratio or a place in a text.
                 let between = at > 0 && is(tokens.get(at - 1)) && is(tokens.get(at + 1));
-                if token.is(':') && between {
-                    splitter.side.push(Token::new(Kind::Unknown("a colon between numbers".to_owned()), token.span));
+                if token.is_sign(':') && between {
+                    splitter
+                        .side
+                        .push(Token::new(TokenKind::Unknown("a colon between numbers".to_owned()), token.span));
                     continue;
                 }
                 // Resistances side by side.
-                if token.is('∥') && splitter.side.last().is_some() && is(next) && has_number(&splitter.side) {
-                    splitter.side.push(Token::new(Kind::Unknown("a parallel".to_owned()), token.span));
+                if token.is_sign('∥') && splitter.side.last().is_some() && is(next) && has_number(&splitter.side) {
+                    splitter.side.push(Token::new(TokenKind::Unknown("a parallel".to_owned()), token.span));
                     continue;
                 }
                 // A factorial, not the end of a sentence.
                 let ends = following[at + 1] >= tokens.len();
-                if token.is('!') && splitter.last().is_some() && !ends {
+                if token.is_sign('!') && splitter.last().is_some() && !ends {
                     splitter.side.push(token.clone());
                     continue;
                 }
                 let is_of = token.word() == Some("of");
                 let percent = splitter.last().and_then(Token::word).is_some_and(is_percent);
                 if is_of && percent && is(next) {
-                    splitter.side.push(Token::new(Kind::Operator('×'), token.span));
+                    splitter.side.push(Token::new(TokenKind::Operator('×'), token.span));
                     continue;
                 }
                 // A change of state, or a part of what follows.
                 let named = |token: &Token| match &token.kind {
-                    Kind::Name(_) => true,
-                    Kind::Word(word) => unit(word).is_none(),
+                    TokenKind::Name(_) => true,
+                    TokenKind::Word(word) => unit(word).is_none(),
                     _ => false,
                 };
                 let joins = (token.is_one_of("→↔") || is_of)
-                    && next.is_some_and(|next| !matches!(next.kind, Kind::Name(_) | Kind::Word(_)))
+                    && next.is_some_and(|next| !matches!(next.kind, TokenKind::Name(_) | TokenKind::Word(_)))
                     && splitter.sides.is_empty()
                     && has_number(&splitter.side)
                     && !splitter.side.iter().any(named);
                 // A quotient with a colon, but no number of an item.
                 let tail = splitter.side.iter().rposition(named).map_or(0, |at| at + 1);
                 let tail = &splitter.side[tail..];
-                let quotient = token.is(':')
-                    && next
-                        .is_some_and(|next| matches!(next.kind, Kind::Number(_) | Kind::Fraction(..)) || next.is('('))
+                let quotient = token.is_sign(':')
+                    && next.is_some_and(|next| {
+                        matches!(next.kind, TokenKind::Number(_) | TokenKind::Fraction(..)) || next.is_sign('(')
+                    })
                     && splitter.sides.is_empty()
                     && has_number(tail)
-                    && (trimmed(tail).len() > 1
+                    && (trim_space(tail).len() > 1
                         || splitter.side.last().is_some_and(Token::is_space)
                         || next.is_none_or(|next| next.number().is_none()));
-                let words = splitter.side.iter().any(|token| matches!(token.kind, Kind::Word(_) | Kind::Name(_)));
+                let words =
+                    splitter.side.iter().any(|token| matches!(token.kind, TokenKind::Word(_) | TokenKind::Name(_)));
                 let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
-                splitter.end_chain(token.is('?'), false);
-                splitter.listed = token.is(',');
+                splitter.end_chain(token.is_sign('?'), false);
+                splitter.listed = token.is_sign(',');
                 if joins || quotient {
-                    splitter.parted = Parted::FromNumbers;
+                    splitter.parted = ChainSeparation::FromNumbers;
                 } else if token.is_one_of(",.") {
-                    splitter.parted = if numbers { Parted::FromNumbers } else { Parted::ByMark };
+                    splitter.parted = if numbers { ChainSeparation::FromNumbers } else { ChainSeparation::ByMark };
                 }
                 // A sum that goes on in the next row behind a comma: its terms are not all here.
                 let row_ends = tokens[at + 1..following[at + 1]].iter().any(ends_row);
-                if token.is(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {
-                    splitter.side.push(Token::new(Kind::Unknown("the rest of the row before".to_owned()), token.span));
+                if token.is_sign(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {
+                    splitter
+                        .side
+                        .push(Token::new(TokenKind::Unknown("the rest of the row before".to_owned()), token.span));
                 }
                 continue;
             }

@@ -1,26 +1,39 @@
 //! A document, formula by formula: what was checked, and what was found.
 
-use crate::binding::{Follow, Known, assignment, single_name};
-use crate::chain::{Chain, Relation, Side, chains};
-use crate::customs;
-use crate::doubt::{Doubt, Factors, Place};
-use crate::effort::{self, Effort};
-use crate::finding::{Finding, List};
+use crate::binding::{KnownNames, NamePolicy, assignment, single_name};
+use crate::chain::{Chain, ChainSide, Relation, split_chains};
+use crate::doubt::{Doubt, Factors, PlacedPair};
+use crate::effort::{self, CheckEffort};
+use crate::explanation::{DifferingPair, agrees};
+use crate::finding::{ChainFinding, ReportSection};
 use crate::hint;
-use crate::join::has_letters;
-use crate::notation;
-use crate::reader::{self, Definitions, Format, Formula, From, Running, Unreadable, Written};
+use crate::reader::{self, Definitions, Formula, FormulaStyle, RunningText, SpanSource, TextFormat, UnreadableText};
 use crate::surroundings;
-use crate::token::{Kind, Span, Token, any, has_number};
-use crate::unrounded::Results;
-use crate::value::{Evaluated, Literal, Obstacle, Value};
-use crate::verdict::{Judgement, Verdict, evaluated, judge};
+use crate::token::{Span, TokenKind, any, has_number};
+use crate::token_joining::has_letters;
+use crate::unrounded::EarlierResults;
+use crate::value::{Evaluated, Literal, Obstacle, SideValue};
+use crate::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 
 /// What to look for.
+///
+/// ```
+/// use proofread::{CheckOptions, NamePolicy, ReportSection, TextFormat, proofread};
+///
+/// let text = "Let $m = 2.0$. Then $3.0 m = 6.5$ and $1.5 + 1.5 = 3.0$.";
+/// let sections = |options| {
+///     let report = proofread(text, TextFormat::Markdown, options).expect("a short text");
+///     report.findings.iter().map(|finding| finding.section).collect::<Vec<_>>()
+/// };
+/// assert_eq!(sections(CheckOptions::default()), [ReportSection::Bindings]);
+/// assert_eq!(sections(CheckOptions { name_policy: NamePolicy::Never, ..CheckOptions::default() }), []);
+/// let all = CheckOptions { agreeing: true, ..CheckOptions::default() };
+/// assert_eq!(sections(all), [ReportSection::Bindings, ReportSection::Agreeing]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options<'d> {
+pub struct CheckOptions<'d> {
     /// Which values of names are put into formulas.
-    pub follow: Follow,
+    pub name_policy: NamePolicy,
     /// Whether pairs that agree are kept, too.
     pub agreeing: bool,
     /// Most findings for which a hint is searched, the first ones: the search takes longer than the rest.
@@ -32,10 +45,10 @@ pub struct Options<'d> {
     pub definitions: Option<&'d Definitions>,
 }
 
-impl Default for Options<'_> {
+impl Default for CheckOptions<'_> {
     fn default() -> Self {
         Self {
-            follow: Follow::default(),
+            name_policy: NamePolicy::default(),
             agreeing: false,
             hints: MOST_HINTS,
             hint_effort: hint::MOST_FOR_ALL,
@@ -46,7 +59,7 @@ impl Default for Options<'_> {
 
 /// How much of a document was checked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
+pub struct CheckTally {
     /// Bytes of the document.
     pub bytes: usize,
     /// Formulas, and lines that may be one.
@@ -61,19 +74,36 @@ pub struct Tally {
     pub checked: usize,
     /// Pairs of neighbouring sides that were compared.
     pub pairs: usize,
-    /// Pairs with each verdict, in the order of [`Verdict::ALL`].
+    /// Pairs with each verdict, in the order of [`ChainVerdict::ALL`].
     pub verdicts: [usize; 10],
     /// Differences that are set aside as doubts, of those that are kept.
     pub doubts: usize,
 }
 
-impl Tally {
+impl CheckTally {
     /// Pairs with a verdict.
-    pub fn with(&self, verdict: Verdict) -> usize {
+    ///
+    /// ```
+    /// use proofread::{CheckOptions, ChainVerdict, TextFormat, proofread};
+    ///
+    /// let tally = proofread("$1 + 1 = 2$, $1/3 = 0.33$, $2/3 = 0.66$", TextFormat::Markdown, CheckOptions::default())?.tally;
+    /// assert_eq!(tally.pairs_with(ChainVerdict::Consistent), 2);
+    /// assert_eq!(tally.pairs_with(ChainVerdict::Truncated), 1);
+    /// # Ok::<(), proofread::UnreadableText>(())
+    /// ```
+    pub fn pairs_with(&self, verdict: ChainVerdict) -> usize {
         self.verdicts[verdict as usize]
     }
 
     /// Adds the counts of another document.
+    ///
+    /// ```
+    /// use proofread::CheckTally;
+    ///
+    /// let mut sum = CheckTally { chains: 2, ..CheckTally::default() };
+    /// sum.add(&CheckTally { chains: 3, pairs: 4, ..CheckTally::default() });
+    /// assert_eq!((sum.chains, sum.pairs), (5, 4));
+    /// ```
     pub fn add(&mut self, other: &Self) {
         self.bytes += other.bytes;
         self.formulas += other.formulas;
@@ -91,13 +121,13 @@ impl Tally {
 
 /// What proofreading a document found.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Report {
+pub struct CheckReport {
     /// What does not agree, in the order of the text, in all lists.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<ChainFinding>,
     /// How much was checked.
-    pub tally: Tally,
+    pub tally: CheckTally,
     /// What it took.
-    pub effort: Effort,
+    pub effort: CheckEffort,
 }
 
 /// Most findings that are kept of one document; the tally counts all.
@@ -111,121 +141,101 @@ const MOST_HINTS: usize = 300;
 /// # Errors
 ///
 /// If the text is longer than [`reader::LONGEST`], or is no notebook where it should be one.
-pub fn proofread(text: &str, format: Format, options: Options<'_>) -> Result<Report, Unreadable> {
+///
+/// ```
+/// use proofread::{CheckOptions, ReportSection, TextFormat, proofread};
+///
+/// let report = proofread("$10/4 = 2.5$ and $43.4 - 29.8 = 13.8$", TextFormat::Markdown, CheckOptions::default())?;
+/// let finding = &report.findings[0];
+/// assert_eq!((finding.left.as_str(), finding.right.as_str()), ("43.4 − 29.8", "13.8"));
+/// assert_eq!((finding.section, finding.verdict.name()), (ReportSection::Numbers, "last-digit"));
+/// assert_eq!(report.tally.pairs, 2);
+/// # Ok::<(), proofread::UnreadableText>(())
+/// ```
+pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> Result<CheckReport, UnreadableText> {
     let steps = effort::steps();
-    let lines = Running::of(text, format);
-    let mut check = Check {
+    let lines = RunningText::from_page(text, format);
+    let mut check = DocumentCheck {
         text,
         options,
-        report: Report::default(),
-        known: Known::default(),
+        report: CheckReport::default(),
+        known: KnownNames::default(),
         before: None,
-        results: Results::default(),
+        results: EarlierResults::default(),
         factors: Factors::default(),
         budget: options.hint_effort,
     };
-    if options.follow == Follow::Once && text.len() <= ONE_PROBLEM {
+    if options.name_policy == NamePolicy::Once && text.len() <= ONE_PROBLEM {
         let known = &mut check.known;
-        let mut count = |formula: Formula| chains(&formula.tokens).iter().for_each(|chain| known.count(chain));
+        let mut count =
+            |formula: Formula| split_chains(&formula.tokens).iter().for_each(|chain| known.count_assignment(chain));
         reader::read_with(text, format, options.definitions, &lines, &mut |formula, _| count(formula))?;
-    } else if options.follow == Follow::Once {
-        check.options.follow = Follow::Never;
+    } else if options.name_policy == NamePolicy::Once {
+        check.options.name_policy = NamePolicy::Never;
     }
     let mut in_lines = None;
     reader::read_with(text, format, options.definitions, &lines, &mut |formula, from| {
-        if from == From::Lines && in_lines.is_none() {
+        if from == SpanSource::Lines && in_lines.is_none() {
             in_lines = Some(check.report.findings.len());
             (check.text, check.before) = (&lines.text, None);
         }
-        check.formula(&formula);
+        check.check_formula(&formula);
     })?;
     for at in check.factors.habits() {
-        set_aside(&mut check.report.findings[at], Doubt::Habit);
+        demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
     if let Some(at) = in_lines {
         let findings = &mut check.report.findings;
-        findings[at..].iter_mut().for_each(|finding| finding.place(&|span| lines.place(span)));
+        findings[at..].iter_mut().for_each(|finding| finding.map_spans(&|span| lines.span_in_page(span)));
         findings.sort_by_key(|finding| finding.span);
     }
     let hints = options.hint_effort - check.budget;
-    check.report.effort = Effort { steps: effort::steps().saturating_sub(steps), hints };
+    check.report.effort = CheckEffort { steps: effort::steps().saturating_sub(steps), hints };
     check.report.tally.bytes = text.len();
-    check.report.tally.doubts = check.report.findings.iter().filter(|of| of.list == List::Doubts).count();
+    check.report.tally.doubts = check.report.findings.iter().filter(|of| of.section == ReportSection::Doubts).count();
     Ok(check.report)
 }
 
-fn set_aside(finding: &mut Finding, doubt: Doubt) {
-    finding.list = List::Doubts;
+fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
+    finding.section = ReportSection::Doubts;
     finding.doubt = Some(doubt);
     finding.hint = None;
 }
 
-fn agrees(judgement: &Judgement) -> bool {
-    judgement.verdict != Verdict::CannotEvaluate && List::of(judgement.verdict, false) == List::Agreeing
-}
-
 /// Whether it is known what a side is worth, or that it has no value.
-fn is_known(evaluated: &Evaluated<Value>) -> bool {
+fn is_known(evaluated: &Evaluated<SideValue>) -> bool {
     matches!(evaluated, Ok(_) | Err(Obstacle::NoValue(_)))
-}
-
-/// A side with the opposite sign.
-fn opposite(side: &Side) -> Vec<Token> {
-    let sign = |c| Token::new(Kind::Operator(c), side.span);
-    [&[sign('-'), sign('(')], side.tokens.as_slice(), &[sign(')')]].concat()
-}
-
-/// Whether the left side is a printed count, or a printed quantity of another kind than the computed right side, so that it may
-/// belong to the words before it.
-fn names_label(judgement: &Judgement) -> bool {
-    match &judgement.values {
-        Some((left, right)) => {
-            let is_count = left.dimension.is_none() && left.factor == 1.0;
-            let of_other_kinds = left.dimension != right.dimension || is_count;
-            // A temperature or a time beside what depends on it.
-            let depends = right.is_literal() && right.has_unit && left.dimension != right.dimension;
-            left.is_literal() && left.has_unit && (!right.is_literal() || depends) && of_other_kinds
-        }
-        None => false,
-    }
-}
-
-/// The integer at a side, whose digits are in another base.
-fn in_decimal(side: &Side, base: u32) -> Option<Vec<Token>> {
-    let [Token { kind: Kind::Number(digits), span, .. }] = side.tokens.as_slice() else { return None };
-    let value = u64::from_str_radix(digits, base).ok()?;
-    Some(vec![Token::new(Kind::Number(value.to_string()), *span)])
 }
 
 /// Documents up to this many bytes are taken for one problem whose names keep their meaning.
 const ONE_PROBLEM: usize = 20_000;
 
-/// A chain that gave a computed value to a name.
-struct Assigned {
+/// The last side of a chain that assigned a computed value to a name.
+struct AssignedSide {
     name: String,
-    side: Side,
+    side: ChainSide,
     span: Span,
 }
 
-struct Check<'t> {
+struct DocumentCheck<'t> {
     text: &'t str,
-    options: Options<'t>,
-    report: Report,
-    known: Known,
-    before: Option<Assigned>,
+    options: CheckOptions<'t>,
+    report: CheckReport,
+    known: KnownNames,
+    before: Option<AssignedSide>,
     /// The results of the example or section so far.
-    results: Results,
+    results: EarlierResults,
     /// The factors between the sides that differ.
     factors: Factors,
     /// What the search for hints may still cost.
     budget: usize,
 }
 
-impl Check<'_> {
-    fn formula(&mut self, formula: &Formula) {
+impl DocumentCheck<'_> {
+    fn check_formula(&mut self, formula: &Formula) {
         self.report.tally.formulas += 1;
-        self.report.tally.unread += usize::from(any(&formula.tokens, &Kind::is_unread));
-        let chains = chains(&formula.tokens);
+        self.report.tally.unread += usize::from(any(&formula.tokens, &TokenKind::is_unread));
+        let chains = split_chains(&formula.tokens);
         let numeric = |chain: &&Chain| {
             let compared = chain.sides.iter().skip(1).any(|side| side.relation != Some(Relation::Other));
             compared && chain.sides.iter().any(|side| has_number(&side.tokens))
@@ -238,41 +248,42 @@ impl Check<'_> {
             }
             let trusted = chain.sides.len();
             // In running text, what comes before a sign of a sum or a product was not read.
-            let lacks_its_start = formula.written == Written::Plain
+            let lacks_its_start = formula.style == FormulaStyle::Plain
                 && chain.sides[0].tokens.first().is_some_and(|first| first.is_one_of("+×·/"));
             // A digit close before a formula is a factor that was left outside.
-            let glued = formula.written == Written::Formula
+            let glued = formula.style == FormulaStyle::Formula
                 && self
                     .text
                     .get(..formula.span.start as usize)
                     .is_some_and(|before| before.ends_with(|c: char| c.is_ascii_digit()));
             let from = usize::from((at == 0 && (formula.continues || glued)) || lacks_its_start);
             let to = trusted - usize::from(at == last && formula.goes_on);
-            self.chain(chain, formula, from..to, at == last);
+            self.check_chain(chain, formula, from..to, at == last);
         }
     }
 
     /// Compares the sides of a chain; `last` says that it is the last one of its formula.
-    fn chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>, last: bool) {
+    fn check_chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>, last: bool) {
         self.report.tally.chains += 1;
-        let numbers = |side: &&Side| has_number(&side.tokens) && !has_letters(&side.tokens);
+        let numbers = |side: &&ChainSide| has_number(&side.tokens) && !has_letters(&side.tokens);
         self.report.tally.checkable += usize::from(chain.sides.iter().filter(numbers).count() >= 2);
         let compared = self.report.tally.pairs;
-        if !chain.asked && !surroundings::meant_false(self.text, formula.span) {
-            let free: Vec<bool> = chain.sides.iter().map(|side| is_known(&evaluated(&side.tokens, None))).collect();
+        if !chain.asked && !surroundings::is_meant_false(self.text, formula.span) {
+            let free: Vec<bool> =
+                chain.sides.iter().map(|side| is_known(&evaluate_freely(&side.tokens, None))).collect();
             for at in 1..chain.sides.len() {
                 if trusted.contains(&(at - 1)) && trusted.contains(&at) {
                     let ends = last && at + 1 == chain.sides.len();
-                    self.pair(chain, formula, at, free[at - 1] && free[at], ends);
+                    self.compare_pair(chain, formula, at, free[at - 1] && free[at], ends);
                 }
             }
-            self.repeated(chain, formula);
+            self.compare_with_row_before(chain, formula);
         }
         self.report.tally.checked += usize::from(self.report.tally.pairs > compared);
-        self.known.learn(chain, formula.scope, self.options.follow);
+        self.known.learn(chain, formula.scope, self.options.name_policy);
     }
 
-    fn pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool, ends: bool) {
+    fn compare_pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool, ends: bool) {
         let (left, right) = (&chain.sides[at - 1], &chain.sides[at]);
         let Some(relation) = right.relation.filter(|relation| *relation != Relation::Other) else { return };
         if left.tokens.is_empty() || right.tokens.is_empty() {
@@ -280,107 +291,40 @@ impl Check<'_> {
         }
         let bindings = if free { None } else { self.known.in_scope(formula.scope) };
         if !free {
-            let bound = |side: &Side| evaluated(&side.tokens, bindings).is_ok();
+            let bound = |side: &ChainSide| evaluate_freely(&side.tokens, bindings).is_ok();
             if bindings.is_none() || single_name(&left.tokens).is_some() || !bound(left) || !bound(right) {
                 return;
             }
         }
-        let mut judgement = judge(&left.tokens, &right.tokens, relation, bindings);
-        // Digits that are printed elsewhere may explain the difference, too.
-        let computes =
-            free && judgement.values.as_ref().is_some_and(|(left, right)| !left.is_literal() && right.is_literal());
-        if computes && judgement.verdict > Verdict::Units && self.results.explain(formula.scope, left, right) {
-            judgement.verdict = Verdict::Rounded;
-        }
-        let steps = judgement.values.as_ref().is_some_and(|(left, right)| left.is_literal() && right.is_literal());
-        if steps && judgement.verdict > Verdict::Units {
-            // What is in base units of the SI may lack its unit.
-            let agree = |one: &Side, other: &Side, least: Verdict| {
-                let verdict = judge(&one.tokens, &other.tokens, relation, bindings).verdict;
-                verdict <= least || verdict == Verdict::Units
-            };
-            // A side before the last one gives both: the step between was rounded.
-            let gives = |first: &Side| agree(first, left, Verdict::Rounded) && agree(first, right, Verdict::Consistent);
-            if chain.sides[..at - 1].iter().rev().take(3).any(gives) {
-                judgement.verdict = Verdict::Rounded;
-            }
-        }
-        let has_result = |(_, right): &&(Value, Value)| free && right.is_literal();
-        if let Some(values) = judgement.values.as_ref().filter(has_result) {
-            self.results.note(formula.scope, left, right, values);
-        }
-        if agrees(&judgement) || judgement.verdict == Verdict::CannotEvaluate {
-            return self.note(formula, chain, [left, right], judgement, relation);
-        }
-        // What the text says in words may explain the difference.
-        let unit = if ends { surroundings::unit_behind(self.text, formula.span) } else { Vec::new() };
-        if !unit.is_empty() {
-            let mut with = [right.tokens.as_slice(), &unit].concat();
-            // The scale of a temperature behind its degree sign.
-            let scale = unit.last().and_then(Token::word).filter(|word| matches!(*word, "C" | "F"));
-            if let (Some(scale), Some(last)) = (scale, right.tokens.last())
-                && last.word() == Some("°")
-            {
-                with.truncate(right.tokens.len() - 1);
-                with.push(Token::new(Kind::Word(format!("°{scale}")), last.span));
-            }
-            let other = judge(&left.tokens, &with, relation, bindings);
-            // The other numbers of the chain lack their unit, too.
-            if agrees(&other) || other.verdict == Verdict::Units {
-                judgement = Judgement { verdict: other.verdict.min(Verdict::Doubtful), ..other };
-            } else if other.verdict < judgement.verdict {
-                judgement = other;
-            }
-        }
-        if at == 1 && names_label(&judgement) && surroundings::follows_preposition(self.text, left.span) {
-            judgement.verdict = Verdict::Doubtful;
-        }
-        let base = if ends { surroundings::base_named(self.text, formula.span) } else { None };
-        if let Some(decimal) = base.and_then(|base| in_decimal(right, base)) {
-            let other = judge(&left.tokens, &decimal, relation, bindings);
-            if agrees(&other) {
-                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
-            }
-        }
-        let others = if judgement.verdict > Verdict::Units {
-            notation::others(self.text, formula, left, right)
+        let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
+        let has_result = |(_, right): &&(SideValue, SideValue)| free && right.is_literal();
+        let values = judgement.values.as_ref().filter(has_result).cloned();
+        let judgement = if agrees(&judgement) || judgement.verdict == ChainVerdict::CannotEvaluate {
+            judgement
         } else {
-            Vec::new()
+            let pair = DifferingPair {
+                text: self.text,
+                formula,
+                before: &chain.sides[..at - 1],
+                left,
+                right,
+                relation,
+                bindings,
+                results: &self.results,
+                is_free: free,
+                ends_formula: ends,
+                judgement,
+            };
+            pair.explain()
         };
-        for [one, other] in others {
-            let other = judge(&one, &other, relation, bindings);
-            if other.verdict < Verdict::Doubtful {
-                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
-                break;
-            }
-            if other.verdict == Verdict::Units {
-                judgement = other;
-            }
+        if let Some(values) = values {
+            self.results.record(formula.scope, left, right, &values);
         }
-        if let Some((one, other)) = &judgement.values
-            && (notation::differ_by_turns(one, other)
-                || (relation == Relation::Approximate && notation::counts_up(one, other)))
-        {
-            judgement.verdict = judgement.verdict.min(Verdict::Doubtful);
-        }
-        let values = judgement.values.as_ref();
-        let printed = values.is_some_and(|(left, right)| {
-            left.is_literal() && right.is_literal() && left.has_unit && customs::may_be_to_scale(left, right)
-        });
-        if printed && surroundings::speaks_of_scale(self.text, formula.span) {
-            judgement.verdict = Verdict::Doubtful;
-        }
-        if surroundings::names_direction(self.text, left.span) || surroundings::names_direction(self.text, right.span) {
-            let other = judge(&opposite(left), &right.tokens, relation, bindings);
-            if agrees(&other) {
-                judgement = Judgement { verdict: Verdict::Doubtful, ..other };
-            }
-        }
-        self.note(formula, chain, [left, right], judgement, relation);
+        self.record(formula, chain, [left, right], judgement, relation);
     }
 
     /// Compares `v = 151.2` with `v = 500 sin 17.6°` in the row before.
-    fn repeated(&mut self, chain: &Chain, formula: &Formula) {
+    fn compare_with_row_before(&mut self, chain: &Chain, formula: &Formula) {
         let before = self.before.take();
         let Some((name, Some(value))) = assignment(chain) else { return };
         let (name, Some(last)) = (name.to_owned(), chain.sides.last()) else { return };
@@ -389,49 +333,50 @@ impl Check<'_> {
             && chain.sides.len() == 2
             && value.literal == Literal::Number
             && chain.starts_row
-            && surroundings::adjoin(self.text, before.span, last.span)
+            && surroundings::are_adjacent(self.text, before.span, last.span)
         {
             let judgement = judge(&before.side.tokens, &last.tokens, Relation::Equal, None);
-            self.note(formula, chain, [&before.side, last], judgement, Relation::Equal);
+            self.record(formula, chain, [&before.side, last], judgement, Relation::Equal);
             return;
         }
         if !value.is_literal() {
-            self.before = Some(Assigned { name, side: last.clone(), span: last.span });
+            self.before = Some(AssignedSide { name, side: last.clone(), span: last.span });
         }
     }
 
-    fn note(
+    fn record(
         &mut self,
         formula: &Formula,
         chain: &Chain,
-        [left, right]: [&Side; 2],
-        judgement: Judgement,
+        [left, right]: [&ChainSide; 2],
+        judgement: PairJudgement,
         relation: Relation,
     ) {
         let tally = &mut self.report.tally;
         tally.verdicts[judgement.verdict as usize] += 1;
-        if judgement.verdict == Verdict::CannotEvaluate {
+        if judgement.verdict == ChainVerdict::CannotEvaluate {
             return;
         }
         tally.pairs += 1;
-        let list = List::of(judgement.verdict, !judgement.used.is_empty());
-        if list == List::Agreeing && !self.options.agreeing {
+        let list = ReportSection::for_verdict(judgement.verdict, !judgement.used.is_empty());
+        if list == ReportSection::Agreeing && !self.options.agreeing {
             return;
         }
         if self.report.findings.len() >= MOST_FINDINGS {
             return;
         }
-        let place = Place { text: self.text, formula, chain, left, right };
-        let doubt = (list == List::Numbers).then(|| place.doubt(&judgement)).flatten();
-        let wanted = list == List::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
+        let place = PlacedPair { text: self.text, formula, chain, left, right };
+        let doubt = (list == ReportSection::Numbers).then(|| place.doubt(&judgement)).flatten();
+        let wanted =
+            list == ReportSection::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
         let hint = wanted.then(|| hint::hint(left, right, relation, &judgement, &mut self.budget)).flatten();
         let hint = hint.filter(|hint| !hint.stands_in(self.text));
-        let mut finding = Finding::new(chain, left, right, &judgement, list, hint);
+        let mut finding = ChainFinding::new(chain, left, right, &judgement, list, hint);
         match doubt {
-            Some(doubt) => set_aside(&mut finding, doubt),
-            None if list == List::Numbers => {
+            Some(doubt) => demote_to_doubt(&mut finding, doubt),
+            None if list == ReportSection::Numbers => {
                 let at = self.report.findings.len();
-                self.factors.note(at, formula.span, &judgement, [&finding.left, &finding.right]);
+                self.factors.record(at, formula.span, &judgement, [&finding.left, &finding.right]);
             }
             None => {}
         }

@@ -3,18 +3,18 @@
 //! A program that takes a part of something for a number finds sides that end where no author would end them, numbers inside an
 //! argument, and single digits that equal something else. None of these signs knows what was misread.
 
-use crate::chain::{Chain, Parted, Relation, Side};
+use crate::chain::{Chain, ChainSeparation, ChainSide, Relation};
 use crate::evaluate::Evaluator;
 use crate::notation;
 use crate::printed::Mode;
-use crate::reader::{Formula, Written};
-use crate::reading::Reading;
-use crate::substitution::{self, solid};
+use crate::reader::{Formula, FormulaStyle};
+use crate::reading::ReadingChoices;
+use crate::substitution::{self, without_space};
 use crate::surroundings;
-use crate::token::{Kind, Span, Token, any};
+use crate::token::{Span, Token, TokenKind, any};
 use crate::unit::unit;
-use crate::value::{Literal, Value};
-use crate::verdict::{Judgement, Verdict};
+use crate::value::{Literal, SideValue};
+use crate::verdict::{ChainVerdict, PairJudgement};
 
 /// How far two bare numbers are apart, relative to the larger one, if no digit explains it.
 const FAR: f64 = 0.7;
@@ -44,7 +44,16 @@ pub enum Doubt {
 
 impl Doubt {
     /// The reason, to follow "set aside, since".
-    pub fn words(self) -> &'static str {
+    ///
+    /// ```
+    /// use proofread::{CheckOptions, Doubt, TextFormat, proofread};
+    ///
+    /// let report = proofread("$1/18 = 0.0555$", TextFormat::Markdown, CheckOptions::default())?;
+    /// assert_eq!(report.findings[0].doubt, Some(Doubt::Truncated));
+    /// assert_eq!(Doubt::Truncated.reason(), "a truncated result is seldom meant to be rounded");
+    /// # Ok::<(), proofread::UnreadableText>(())
+    /// ```
+    pub fn reason(self) -> &'static str {
         match self {
             Self::Cut => "a side may begin or end elsewhere",
             Self::Unknown => "something next to the numbers is not understood",
@@ -56,17 +65,17 @@ impl Doubt {
 }
 
 /// Two sides that differ, and where they stand.
-pub(crate) struct Place<'t> {
+pub(crate) struct PlacedPair<'t> {
     pub text: &'t str,
     pub formula: &'t Formula,
     pub chain: &'t Chain,
-    pub left: &'t Side,
-    pub right: &'t Side,
+    pub left: &'t ChainSide,
+    pub right: &'t ChainSide,
 }
 
-impl Place<'_> {
+impl PlacedPair<'_> {
     /// The first reason to set the difference aside.
-    pub fn doubt(&self, judgement: &Judgement) -> Option<Doubt> {
+    pub fn doubt(&self, judgement: &PairJudgement) -> Option<Doubt> {
         if self.is_cut(judgement) {
             return Some(Doubt::Cut);
         }
@@ -79,7 +88,7 @@ impl Place<'_> {
         if self.lacks_unit_behind(judgement) {
             return Some(Doubt::Cut);
         }
-        if judgement.verdict == Verdict::Dimensions && self.is_free_fall() {
+        if judgement.verdict == ChainVerdict::Dimensions && self.is_free_fall() {
             return Some(Doubt::Unknown);
         }
         // Each pair looks at the whole formula, which takes too long if both are many.
@@ -88,7 +97,7 @@ impl Place<'_> {
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
         }
-        (judgement.verdict == Verdict::Truncated).then_some(Doubt::Truncated)
+        (judgement.verdict == ChainVerdict::Truncated).then_some(Doubt::Truncated)
     }
 
     fn begins_chain(&self) -> bool {
@@ -100,7 +109,7 @@ impl Place<'_> {
     }
 
     /// Whether what stands just before the left side or behind the right one may belong to them.
-    fn is_cut(&self, judgement: &Judgement) -> bool {
+    fn is_cut(&self, judgement: &PairJudgement) -> bool {
         let bytes = self.text.as_bytes();
         let at = |at: Option<usize>| at.and_then(|at| bytes.get(at)).copied().unwrap_or(b' ');
         let mark = |c: u8| b",;.:!?".contains(&c);
@@ -120,13 +129,13 @@ impl Place<'_> {
                 .any(|mark| self.text.get(opening..).is_some_and(|rest| rest.starts_with(mark)));
             // So may a line of text that doesn't begin with the sign.
             let before_it = self.text.get(opening..start).unwrap_or_default();
-            let plain = self.formula.written == Written::Plain;
+            let plain = self.formula.style == FormulaStyle::Plain;
             let inside = plain && !before_it.trim().is_empty();
             let signed = (display || inside) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
             let parted = match self.chain.parted {
-                Parted::Not => false,
-                Parted::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),
-                Parted::FromNumbers => true,
+                ChainSeparation::Not => false,
+                ChainSeparation::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),
+                ChainSeparation::FromNumbers => true,
             };
             let by_word = surroundings::is_joined_by_word(self.text, self.left.span)
                 || plain && surroundings::is_joined_by_sign(self.text, self.left.span);
@@ -135,7 +144,7 @@ impl Place<'_> {
             // So does what bears a number: No. 200 = 75 μm.
             let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
             // So is what stands before a function: mg cos 30°.
-            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, Kind::Function(_)));
+            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, TokenKind::Function(_)));
             let may_be_named = (literal && (!result || size)) || function;
             let named = plain
                 && (may_be_named && surroundings::follows_name(self.text, self.left.span)
@@ -147,32 +156,34 @@ impl Place<'_> {
         let end = self.right.span.end as usize;
         let (behind, far) = (at(Some(end)), at(Some(end + 1)));
         let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
-        let wraps = self.formula.written == Written::Plain && surroundings::goes_on_below(self.text, self.right.span);
+        let wraps =
+            self.formula.style == FormulaStyle::Plain && surroundings::goes_on_below(self.text, self.right.span);
         self.ends_chain() && (goes_on || wraps || surroundings::goes_on_in_words(self.text, self.right.span))
             || surroundings::goes_on_with_arrow(self.text, self.right.span)
     }
 
     /// Whether the sides may be written in a way in which their numbers mean something else.
-    fn is_other_notation(&self, judgement: &Judgement) -> bool {
+    fn is_other_notation(&self, judgement: &PairJudgement) -> bool {
         let [left, right] = [self.left, self.right].map(|side| side.tokens.as_slice());
         let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
-        let plain = self.formula.written == Written::Plain;
+        let plain = self.formula.style == FormulaStyle::Plain;
         let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
         substitution::substitutes(left, right)
             || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
-            || (notation::is_bracketed_number(right) && right[0].is('['))
+            || (notation::is_bracketed_number(right) && right[0].is_sign('['))
             || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
             || notation::has_phasor(right)
             || notation::is_mark(right)
             || notation::is_bracketed_number(left)
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
-            || (judgement.verdict == Verdict::Dimensions && [left, right].into_iter().any(notation::has_two_meanings))
+            || (judgement.verdict == ChainVerdict::Dimensions
+                && [left, right].into_iter().any(notation::has_two_meanings))
             || self.is_one_of_two()
             || (plain && notation::is_range(self.text, left))
             || (plain && self.begins_chain() && self.is_station())
             || (bare && (notation::has_bits(left) || notation::has_bits(right)))
             || (bare
-                && surroundings::base_named(self.text, around).is_none()
+                && surroundings::named_base(self.text, around).is_none()
                 && surroundings::speaks_of_other_arithmetic(self.text, around))
     }
 
@@ -194,36 +205,36 @@ impl Place<'_> {
     }
 
     /// Whether a quantity equals a bare number at the end of the formula, behind which a unit may stand that is not known.
-    fn lacks_unit_behind(&self, judgement: &Judgement) -> bool {
+    fn lacks_unit_behind(&self, judgement: &PairJudgement) -> bool {
         let Some((left, right)) = &judgement.values else { return false };
         let bare = right.literal == Literal::Number && !right.has_unit && right.angle.is_none();
         let between = self.text.get(self.right.span.end as usize..self.formula.span.end as usize);
         let ends = between.is_some_and(|between| between.trim_matches(['$', ' ', '\\', ')']).is_empty());
         let quantity = left.has_unit || left.angle.is_some();
-        let written = self.formula.written == Written::Formula;
+        let written = self.formula.style == FormulaStyle::Formula;
         quantity && bare && ends && written && surroundings::may_be_unit_behind(self.text, self.formula.span)
     }
 
     /// Whether the dimensions agree if `g` is the acceleration of free fall, and not grams.
     fn is_free_fall(&self) -> bool {
-        let has_g = |side: &Side| any(&side.tokens, &|kind| matches!(kind, Kind::Word(word) if word == "g"));
+        let has_g = |side: &ChainSide| any(&side.tokens, &|kind| matches!(kind, TokenKind::Word(word) if word == "g"));
         let sides = [(self.left, self.right), (self.right, self.left)];
         let (Some(metre), Some(second), Some(gram)) = (unit("m"), unit("s"), unit("g")) else { return false };
-        let fall = metre.dimension.times(second.dimension, -2.0).times(gram.dimension, -1.0);
+        let fall = metre.dimension.with_factor(second.dimension, -2.0).with_factor(gram.dimension, -1.0);
         // In 10/3 m/s² the unit is that of the quotient.
         sides.into_iter().filter(|(side, _)| has_g(side)).any(|(side, other)| {
-            [Reading::USUAL, Reading::QUOTIENT].into_iter().any(|reading| {
-                let value = |side: &Side| Evaluator::new(Mode::Point, reading, None).side(&side.tokens);
+            [ReadingChoices::USUAL, ReadingChoices::QUOTIENT].into_iter().any(|reading| {
+                let value = |side: &ChainSide| Evaluator::new(Mode::Point, reading, None).evaluate_side(&side.tokens);
                 let dimensions = value(side).ok().zip(value(other).ok());
-                dimensions.is_some_and(|(side, other)| side.dimension.times(fall, 1.0) == other.dimension)
+                dimensions.is_some_and(|(side, other)| side.dimension.with_factor(fall, 1.0) == other.dimension)
             })
         })
     }
 
-    fn is_fragment(&self, judgement: &Judgement) -> bool {
+    fn is_fragment(&self, judgement: &PairJudgement) -> bool {
         let Some((left, right)) = &judgement.values else { return false };
-        let bare = |of: &Value| of.literal == Literal::Number && !of.has_unit && of.angle.is_none();
-        let mut tokens = self.left.tokens.iter().filter(|token| !token.is_space() && !token.is('-'));
+        let bare = |of: &SideValue| of.literal == Literal::Number && !of.has_unit && of.angle.is_none();
+        let mut tokens = self.left.tokens.iter().filter(|token| !token.is_space() && !token.is_sign('-'));
         let digits = tokens.next().and_then(Token::number).filter(|_| tokens.next().is_none());
         let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
         let apart = left.difference(right) > FAR;
@@ -236,20 +247,20 @@ impl Place<'_> {
         let both = left.literal == Literal::Number && right.literal == Literal::Number;
         // Twice what a letter stands for: 2M = 18.0 g/mol.
         let times_letter = matches!(&self.left.tokens[..], [digit, letter] if digit.number().is_some_and(|of| of.len() == 1) && letter.word().is_some_and(|word| word.chars().count() == 1));
-        if times_letter && judgement.verdict == Verdict::Dimensions {
+        if times_letter && judgement.verdict == ChainVerdict::Dimensions {
             return true;
         }
         // e⁻¹ = 1 sets a letter, be it what it may.
-        let letter = matches!(&self.left.tokens[..], [base, Token { kind: Kind::Power(_), .. }] if base.kind == Kind::Name("e".to_owned()));
+        let letter = matches!(&self.left.tokens[..], [base, Token { kind: TokenKind::Power(_), .. }] if base.kind == TokenKind::Name("e".to_owned()));
         let sets = letter
             && bare(right)
             && self.right.relation == Some(Relation::Equal)
             && right.number().is_ok_and(|of| of.point.fract() == 0.0);
-        let opposite = both && left.dimension == right.dimension && left.clone().negated().meets(right, ROUGH);
+        let opposite = both && left.dimension == right.dimension && left.clone().negate().meets(right, ROUGH);
         // So is the deviation in per cent of what was measured.
         let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
             && right.is_literal()
-            && left.clone().negated().meets(right, ROUGH);
+            && left.clone().negate().meets(right, ROUGH);
         lacks_unit || opposite || costs || deviates || sets || (bare(left) && (is_small || (bare(right) && apart)))
     }
 
@@ -262,11 +273,11 @@ impl Place<'_> {
 
     /// Whether an environment or dots that are not evaluated stand in the same row.
     fn is_beside_unknown(&self) -> bool {
-        let mut rows = self.formula.tokens.split(|token| token.kind == Kind::Line);
+        let mut rows = self.formula.tokens.split(|token| token.kind == TokenKind::Line);
         let within = |span: Span| span.start <= self.left.span.start && self.left.span.start < span.end;
         let Some(row) = rows.find(|row| row.iter().any(|token| within(token.span))) else { return false };
         row.iter().any(|token| match &token.kind {
-            Kind::Unknown(name) => {
+            TokenKind::Unknown(name) => {
                 let source = self.text.get(token.span.range()).unwrap_or_default();
                 !name.starts_with('\\') && source.starts_with('\\')
             }
@@ -278,26 +289,26 @@ impl Place<'_> {
     fn is_no_formula(&self) -> bool {
         let sides = self.left.span.join(self.right.span);
         let marks = |text: &str| text.contains(['\\', '{', '}', '$']);
-        self.formula.written == Written::Plain && self.text.get(sides.range()).is_some_and(marks)
+        self.formula.style == FormulaStyle::Plain && self.text.get(sides.range()).is_some_and(marks)
     }
 }
 
 /// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its
 /// sign.
-fn has_uncertainty(side: &Side) -> bool {
-    let percent = any(&side.tokens, &|kind| matches!(kind, Kind::Word(word) if word == "%"));
+fn has_uncertainty(side: &ChainSide) -> bool {
+    let percent = any(&side.tokens, &|kind| matches!(kind, TokenKind::Word(word) if word == "%"));
     (percent && has_signed_bracket(&side.tokens))
         || side.tokens.windows(4).any(|of| {
             let [decimals, open, digits, close] = of else { return false };
             let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
             let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
-            open.is('(') && close.is(')') && fine && digits.len() <= 2 && !digits.contains('.')
+            open.is_sign('(') && close.is_sign(')') && fine && digits.len() <= 2 && !digits.contains('.')
         })
 }
 
 /// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
 fn has_signed_bracket(tokens: &[Token]) -> bool {
-    solid(tokens).windows(2).any(|of| of[0].is('(') && of[1].is('±'))
+    without_space(tokens).windows(2).any(|of| of[0].is_sign('(') && of[1].is_sign('±'))
         || tokens.iter().any(|token| token.inner().into_iter().any(has_signed_bracket))
 }
 
@@ -306,12 +317,12 @@ fn is_among(tokens: &[Token], place: u32) -> bool {
     let mut behind_unknown = false;
     tokens.iter().any(|token| {
         let found = match &token.kind {
-            Kind::Group(inner) => !behind_unknown && is_among(inner, place),
+            TokenKind::Group(inner) => !behind_unknown && is_among(inner, place),
             _ => token.span.start <= place && place < token.span.end,
         };
         behind_unknown = match &token.kind {
-            Kind::Group(_) => behind_unknown,
-            Kind::Unknown(name) => name.starts_with('\\'),
+            TokenKind::Group(_) => behind_unknown,
+            TokenKind::Unknown(name) => name.starts_with('\\'),
             _ => false,
         };
         found
@@ -335,7 +346,7 @@ const HABIT: usize = 3;
 
 impl Factors {
     /// Notes the factor between the sides of a finding, unless they are so near that it says nothing.
-    pub fn note(&mut self, finding: usize, formula: Span, judgement: &Judgement, sides: [&str; 2]) {
+    pub fn record(&mut self, finding: usize, formula: Span, judgement: &PairJudgement, sides: [&str; 2]) {
         let Some((left, right)) = &judgement.values else { return };
         let (Ok(left), Ok(right)) = (left.number(), right.number()) else { return };
         let factor = left.point / right.point;

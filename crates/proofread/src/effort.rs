@@ -7,7 +7,7 @@ use std::cell::Cell;
 
 /// What proofreading a document took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Effort {
+pub struct CheckEffort {
     /// Steps: tokens made, copied, shown or evaluated, and characters that macros add or that are looked at around formulas.
     pub steps: u64,
     /// Tokens that were evaluated in the search for hints.
@@ -19,7 +19,7 @@ thread_local! {
 }
 
 /// Counts steps.
-pub(crate) fn count(steps: usize) {
+pub(crate) fn count_steps(steps: usize) {
     STEPS.set(STEPS.get().saturating_add(steps as u64));
 }
 

@@ -1,114 +1,47 @@
 //! The value of a side under one reading: sums, products, powers and groups.
 
-use crate::atom::{factorial, is_equation_number, letters};
+use crate::cursor::Cursor;
 use crate::effort;
 use crate::interval::Interval;
-use crate::printed::{Mode, Printed};
-use crate::reading::Reading;
-use crate::token::{Kind, Token, has_number, trimmed};
+use crate::printed::{Mode, PrintedNumber};
+use crate::reading::ReadingChoices;
+use crate::token::{Token, TokenKind, collect_names, has_number, trim_space};
 use crate::unit::unit;
-use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
+use crate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
 use std::collections::HashMap;
 
 /// Names with their values.
-pub(crate) type Bindings = HashMap<String, Value>;
+pub(crate) type NameValues = HashMap<String, SideValue>;
 
 /// Deepest nesting that is evaluated.
 const DEEPEST: usize = 60;
 /// Most factors of one side.
 const LONGEST: usize = 3000;
 
-/// A place in a list of tokens.
-#[derive(Clone, Copy)]
-pub(crate) struct Cursor<'t> {
-    pub tokens: &'t [Token],
-    pub at: usize,
-}
-
-impl<'t> Cursor<'t> {
-    pub fn new(tokens: &'t [Token]) -> Self {
-        Self { tokens, at: 0 }
-    }
-
-    /// The next token that is no space, which is skipped.
-    pub fn peek(&mut self) -> Option<&'t Token> {
-        self.at = self.behind_space(self.at);
-        self.tokens.get(self.at)
-    }
-
-    pub fn behind_space(&self, mut at: usize) -> usize {
-        while self.tokens.get(at).is_some_and(Token::is_space) {
-            at += 1;
-        }
-        at
-    }
-
-    /// The next token that is no space from a place on, and its own place.
-    pub fn look(&self, at: usize) -> (Option<&'t Token>, usize) {
-        let at = self.behind_space(at);
-        (self.tokens.get(at), at)
-    }
-
-    /// The next token, space or not.
-    pub fn here(&self) -> Option<&'t Token> {
-        self.tokens.get(self.at)
-    }
-
-    /// The token before this one that is no space.
-    pub fn before(&self) -> Option<&'t Token> {
-        self.tokens[..self.at.min(self.tokens.len())].iter().rev().find(|token| !token.is_space())
-    }
-
-    pub fn take(&mut self, sign: char) -> bool {
-        let found = self.peek().is_some_and(|token| token.is(sign));
-        self.at += usize::from(found);
-        found
-    }
-
-    /// The tokens inside the brackets that open here.
-    pub fn group(&mut self) -> Evaluated<&'t [Token]> {
-        let mut depth = 0usize;
-        for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
-            effort::count(1);
-            if token.is_one_of("([{") {
-                depth += 1;
-            } else if token.is_one_of(")]}") {
-                depth = depth.saturating_sub(1);
-                if depth == 0 {
-                    let inner = &self.tokens[self.at + 1..at];
-                    self.at = at + 1;
-                    return Ok(inner);
-                }
-            }
-        }
-        Err(Obstacle::Unclear("a bracket is not closed"))
-    }
-}
-
 /// Evaluates sides under one reading.
 pub(crate) struct Evaluator<'b> {
     pub mode: Mode,
-    pub reading: Reading,
-    pub bindings: Option<&'b Bindings>,
+    pub reading: ReadingChoices,
+    pub bindings: Option<&'b NameValues>,
     /// The choices that made a difference, or could have.
-    pub noticed: Reading,
+    pub noticed: ReadingChoices,
     /// Whether an inverse function gave an angle.
     pub inverse: bool,
     /// The names whose values were used.
     pub used: Vec<String>,
     /// The variable of an evaluation bar.
-    pub local: Option<(String, Value)>,
+    pub local: Option<(String, SideValue)>,
     depth: usize,
     work: usize,
 }
 
 impl<'b> Evaluator<'b> {
-    pub fn new(mode: Mode, reading: Reading, bindings: Option<&'b Bindings>) -> Self {
+    pub fn new(mode: Mode, reading: ReadingChoices, bindings: Option<&'b NameValues>) -> Self {
         Self {
             mode,
             reading,
             bindings,
-            noticed: Reading::USUAL,
+            noticed: ReadingChoices::USUAL,
             inverse: false,
             used: Vec::new(),
             local: None,
@@ -117,21 +50,22 @@ impl<'b> Evaluator<'b> {
         }
     }
 
-    pub fn chosen(&self, choice: Reading) -> bool {
-        self.reading.has(choice)
+    pub fn is_chosen(&self, choice: ReadingChoices) -> bool {
+        self.reading.contains(choice)
     }
 
     /// The value of a side, behind which prose may follow.
-    pub fn side(&mut self, tokens: &[Token]) -> Evaluated<Value> {
+    pub fn evaluate_side(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
         if !has_number(tokens) && self.bindings.is_none() {
             return Err(Obstacle::NoNumber);
         }
-        let words = |token: &Token| matches!(&token.kind, Kind::Word(word) if word != "e") || token.is_space();
-        let is_letter = |token: &Token| words(token) || matches!(token.kind, Kind::Power(_)) || token.is_one_of("·/");
+        let words = |token: &Token| matches!(&token.kind, TokenKind::Word(word) if word != "e") || token.is_space();
+        let is_letter =
+            |token: &Token| words(token) || matches!(token.kind, TokenKind::Power(_)) || token.is_one_of("·/");
         if self.bindings.is_none() && tokens.iter().all(is_letter) {
             return Err(Obstacle::NoNumber);
         }
-        if let Some(value) = self.bar(tokens) {
+        if let Some(value) = self.evaluate_bar(tokens) {
             return value;
         }
         let mut cursor = Cursor::new(tokens);
@@ -141,7 +75,10 @@ impl<'b> Evaluator<'b> {
         }
         let rest: Vec<&Token> = tokens[cursor.at..].iter().filter(|token| !token.is_space()).collect();
         let is_number = |token: &&Token| {
-            matches!(token.kind, Kind::Number(_) | Kind::Fraction(..) | Kind::Root(..) | Kind::Unknown(_))
+            matches!(
+                token.kind,
+                TokenKind::Number(_) | TokenKind::Fraction(..) | TokenKind::Root(..) | TokenKind::Unknown(_)
+            )
         };
         let unknown_word = |token: &Token, longer: usize| {
             token.word().filter(|word| word.chars().count() >= longer && unit(word).is_none()).map(str::to_owned)
@@ -157,70 +94,71 @@ impl<'b> Evaluator<'b> {
                     None => Ok(value),
                 }
             }
-            [first, second, ..] if first.is('(') && unknown_word(second, 3).is_some() => Ok(value),
+            [first, second, ..] if first.is_sign('(') && unknown_word(second, 3).is_some() => Ok(value),
             [first, ..] => Err(leftover(first)),
         }
     }
 
     /// The difference of an expression's values at the limits of the bar behind it, if there is a bar.
-    fn bar(&mut self, tokens: &[Token]) -> Option<Evaluated<Value>> {
-        let at = tokens.iter().position(|token| matches!(token.kind, Kind::Limits(..)))?;
-        if tokens[..at].last().is_some_and(|before| before.is(']')) {
+    fn evaluate_bar(&mut self, tokens: &[Token]) -> Option<Evaluated<SideValue>> {
+        let at = tokens.iter().position(|token| matches!(token.kind, TokenKind::Limits(..)))?;
+        if tokens[..at].last().is_some_and(|before| before.is_sign(']')) {
             return None;
         }
-        let value = self.between(&tokens[..at], &tokens[at]);
-        let rest = trimmed(&tokens[at + 1..]);
+        let value = self.evaluate_between(&tokens[..at], &tokens[at]);
+        let rest = trim_space(&tokens[at + 1..]);
         Some(value.and_then(|value| {
             let Some(first) = rest.first() else { return Ok(value) };
             if first.is_one_of("+-") {
                 // The terms behind the bar may have bars of their own.
-                let others = self.inside(|inside| inside.bar(rest).unwrap_or_else(|| inside.whole(rest)))?;
-                return value.plus(&others, false);
+                let others =
+                    self.nest(|inside| inside.evaluate_bar(rest).unwrap_or_else(|| inside.evaluate_all(rest)))?;
+                return value.sum(&others, false);
             }
-            let other = self.whole(rest)?;
-            value.times(&other, None, true)
+            let other = self.evaluate_all(rest)?;
+            value.product(&other, None, true)
         }))
     }
 
     /// The difference of an expression's values at the limits.
-    fn between(&mut self, of: &[Token], limits: &Token) -> Evaluated<Value> {
-        let Kind::Limits(from, to) = &limits.kind else { return Err(Obstacle::Unclear("no limits")) };
+    fn evaluate_between(&mut self, of: &[Token], limits: &Token) -> Evaluated<SideValue> {
+        let TokenKind::Limits(from, to) = &limits.kind else { return Err(Obstacle::Unclear("no limits")) };
         if self.local.is_some() {
             return Err(Obstacle::Unclear("a bar inside a bar"));
         }
         let mut names = Vec::new();
-        letters(of, &mut names);
+        collect_names(of, &mut names);
         names.sort();
         names.dedup();
         let [name] = names.as_slice() else {
             return Err(Obstacle::Unclear("a bar behind an expression in several variables"));
         };
-        let (from, to) = (self.whole(from)?, self.whole(to)?);
-        let mut at = |limit: Value| {
+        let (from, to) = (self.evaluate_all(from)?, self.evaluate_all(to)?);
+        let mut at = |limit: SideValue| {
             self.local = Some((name.clone(), limit));
-            let value = self.whole(of);
+            let value = self.evaluate_all(of);
             self.local = None;
             value
         };
         let (upper, lower) = (at(to)?, at(from)?);
-        let mut difference = upper.plus(&lower.negated(), false)?;
+        let mut difference = upper.sum(&lower.negate(), false)?;
         difference.operations += 1;
         Ok(difference)
     }
 
     /// The value of all tokens.
-    pub fn whole(&mut self, tokens: &[Token]) -> Evaluated<Value> {
+    pub fn evaluate_all(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
         let mut cursor = Cursor::new(tokens);
         let value = self.sum(&mut cursor)?;
         match cursor.peek() {
             None => Ok(value),
-            Some(token) if token.is('.') && cursor.look(cursor.at + 1).0.is_none() => Ok(value),
+            Some(token) if token.is_sign('.') && cursor.token_from(cursor.at + 1).0.is_none() => Ok(value),
             Some(token) => Err(leftover(token)),
         }
     }
 
     /// One step further inside: whatever is in something else is evaluated by this, be it in brackets, below a root or behind a bar.
-    fn inside(&mut self, value: impl FnOnce(&mut Self) -> Evaluated<Value>) -> Evaluated<Value> {
+    fn nest(&mut self, value: impl FnOnce(&mut Self) -> Evaluated<SideValue>) -> Evaluated<SideValue> {
         if self.depth >= DEEPEST {
             return Err(Obstacle::TooLarge);
         }
@@ -230,18 +168,18 @@ impl<'b> Evaluator<'b> {
         value
     }
 
-    fn sum(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn sum(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let mut negative = false;
         if cursor.peek().is_some_and(|token| token.is_one_of("±∓")) {
             cursor.at += 1;
-            self.noticed.note(Reading::MINUS);
-            negative = self.chosen(Reading::MINUS);
+            self.noticed.insert(ReadingChoices::MINUS);
+            negative = self.is_chosen(ReadingChoices::MINUS);
         } else if !cursor.take('+') {
             negative = cursor.take('-');
         }
         let mut sum = self.product(cursor)?;
         if negative {
-            let scale = cursor.before().and_then(Token::word).filter(|_| self.chosen(Reading::POINTS));
+            let scale = cursor.previous().and_then(Token::word).filter(|_| self.is_chosen(ReadingChoices::POINTS));
             let literal = sum.literal == Literal::Number;
             // Below zero of the scale: the sign belongs to what is printed, not to the kelvins.
             let zero = match scale {
@@ -249,9 +187,9 @@ impl<'b> Evaluator<'b> {
                 Some("°F") if literal => 2.0 * 273.15 - 64.0 * 5.0 / 9.0,
                 _ => 0.0,
             };
-            sum = sum.negated();
+            sum = sum.negate();
             if zero > 0.0 {
-                sum.parts = sum.parts.map(|part| part.moved(zero));
+                sum.parts = sum.parts.map(|part| part.shifted(zero));
             }
         }
         while let Some(token) = cursor.peek() {
@@ -262,37 +200,37 @@ impl<'b> Evaluator<'b> {
                 break;
             }
             // 20 % + 5 % are 25 %.
-            let behind_percent = |cursor: &Cursor<'_>| cursor.before().and_then(Token::word) == Some("%");
+            let behind_percent = |cursor: &Cursor<'_>| cursor.previous().and_then(Token::word) == Some("%");
             let percents = behind_percent(cursor);
             cursor.at += 1;
             let mut term = self.product(cursor)?;
             if !percents && term.literal == Literal::Number && behind_percent(cursor) {
-                self.noticed.note(Reading::PERCENT);
-                if self.chosen(Reading::PERCENT) {
-                    term = sum.times(&Value { has_unit: false, ..term }, None, true)?;
+                self.noticed.insert(ReadingChoices::PERCENT);
+                if self.is_chosen(ReadingChoices::PERCENT) {
+                    term = sum.product(&SideValue { has_unit: false, ..term }, None, true)?;
                 }
             }
-            let term = if token.is('-') { term.negated() } else { term };
-            sum = sum.plus(&term, self.chosen(Reading::NUMBERS))?;
+            let term = if token.is_sign('-') { term.negate() } else { term };
+            sum = sum.sum(&term, self.is_chosen(ReadingChoices::NUMBERS))?;
         }
         Ok(sum)
     }
 
-    fn product(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn product(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let mut product = self.factor(cursor)?;
         while let Some(token) = cursor.peek() {
             let literal_with_unit = product.literal == Literal::Number && product.has_unit;
             if token.is_one_of("·×*") {
                 cursor.at += 1;
                 let factor = self.signed(cursor)?;
-                let sign = if token.is('×') { '×' } else { '·' };
-                product = product.times(&factor, Some(sign), true)?;
-            } else if token.is('/') {
+                let sign = if token.is_sign('×') { '×' } else { '·' };
+                product = product.product(&factor, Some(sign), true)?;
+            } else if token.is_sign('/') {
                 cursor.at += 1;
                 product = self.quotient(product, cursor)?;
             } else if token.number().is_some()
                 && product.literal == Literal::Number
-                && product.angle == Some(Angle::Degrees)
+                && product.angle == Some(AngleUnit::Degrees)
             {
                 return Err(Obstacle::Unclear("two numbers side by side"));
             } else if token.number().is_some() && literal_with_unit && !product.dimension.is_none() {
@@ -301,20 +239,20 @@ impl<'b> Evaluator<'b> {
                 if more.dimension != product.dimension || !more.has_unit || more.literal != Literal::Number {
                     return Err(Obstacle::Unclear("two numbers side by side"));
                 }
-                product = product.plus(&more, false)?;
+                product = product.sum(&more, false)?;
                 product.operations = 0;
                 product.literal = Literal::Number;
-            } else if token.is('(') && self.repeats(&product, cursor)? {
+            } else if token.is_sign('(') && self.repeats(&product, cursor)? {
             } else if self.starts_factor(token) {
-                if token.number().is_some() && cursor.before().and_then(Token::word) == Some("%") {
+                if token.number().is_some() && cursor.previous().and_then(Token::word) == Some("%") {
                     return Err(Obstacle::Unclear("a remainder"));
                 }
-                if token.number().is_some() && cursor.before().is_some_and(|before| before.number().is_some()) {
+                if token.number().is_some() && cursor.previous().is_some_and(|before| before.number().is_some()) {
                     return Err(Obstacle::Unclear("two numbers side by side"));
                 }
                 let factor = self.factor(cursor)?;
-                let is_unit = matches!(token.kind, Kind::Basis(_)) || factor.literal == Literal::Unit;
-                product = product.times(&factor, None, !is_unit)?;
+                let is_unit = matches!(token.kind, TokenKind::Basis(_)) || factor.literal == Literal::Unit;
+                product = product.product(&factor, None, !is_unit)?;
             } else {
                 break;
             }
@@ -322,50 +260,50 @@ impl<'b> Evaluator<'b> {
         Ok(product)
     }
 
-    fn quotient(&mut self, above: Value, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
-        let (next, _) = cursor.look(cursor.at);
+    fn quotient(&mut self, above: SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        let (next, _) = cursor.token_from(cursor.at);
         let mut divisor = self.signed(cursor)?;
         while let Some(token) = cursor.peek().filter(|token| self.follows_stroke(token, &divisor)) {
-            self.noticed.note(Reading::ALL_BELOW);
-            if !self.chosen(Reading::ALL_BELOW) {
+            self.noticed.insert(ReadingChoices::ALL_BELOW);
+            if !self.is_chosen(ReadingChoices::ALL_BELOW) {
                 break;
             }
             let factor = self.factor(cursor)?;
             let is_unit = factor.literal == Literal::Unit;
-            divisor = divisor.times(&factor, None, !is_unit && token.number().is_none())?;
+            divisor = divisor.product(&factor, None, !is_unit && token.number().is_none())?;
         }
-        let number = next.and_then(Token::number).and_then(Printed::read);
+        let number = next.and_then(Token::number).and_then(PrintedNumber::read);
         if let Some(number) =
             number.filter(|_| divisor.literal == Literal::Number && divisor.has_unit && !above.has_unit)
         {
-            self.noticed.note(Reading::QUOTIENT);
-            if self.chosen(Reading::QUOTIENT) && number.value != 0.0 {
+            self.noticed.insert(ReadingChoices::QUOTIENT);
+            if self.is_chosen(ReadingChoices::QUOTIENT) && number.value != 0.0 {
                 let factor = divisor.number()?.point / number.value;
-                let bare = Value { has_unit: false, dimension: Default::default(), ..divisor.scaled(1.0 / factor) };
-                let quotient = above.over(&bare)?;
-                return Ok(Value { dimension: divisor.dimension, has_unit: true, ..quotient.scaled(factor) });
+                let bare = SideValue { has_unit: false, dimension: Default::default(), ..divisor.scaled(1.0 / factor) };
+                let quotient = above.quotient(&bare)?;
+                return Ok(SideValue { dimension: divisor.dimension, has_unit: true, ..quotient.scaled(factor) });
             }
         }
-        above.over(&divisor)
+        above.quotient(&divisor)
     }
 
     /// Whether a token behind a divisor may still be below the stroke.
-    fn follows_stroke(&self, token: &Token, divisor: &Value) -> bool {
+    fn follows_stroke(&self, token: &Token, divisor: &SideValue) -> bool {
         let starts = match &token.kind {
-            Kind::Name(_) | Kind::Function(_) | Kind::Root(..) => true,
-            Kind::Operator(c) => "([√".contains(*c),
+            TokenKind::Name(_) | TokenKind::Function(_) | TokenKind::Root(..) => true,
+            TokenKind::Operator(c) => "([√".contains(*c),
             _ => false,
         };
         starts && divisor.literal != Literal::Unit
     }
 
     /// Whether what is in the brackets ahead only repeats the value in another unit, or is the number of an equation.
-    fn repeats(&mut self, value: &Value, cursor: &mut Cursor<'_>) -> Evaluated<bool> {
+    fn repeats(&mut self, value: &SideValue, cursor: &mut Cursor<'_>) -> Evaluated<bool> {
         let mut ahead = *cursor;
-        let inner = ahead.group()?;
+        let inner = ahead.take_group()?;
         let core: Vec<&Token> = inner.iter().filter(|token| !token.is_space()).collect();
         let ends = ahead.peek().is_none();
-        if let [Token { kind: Kind::Word(word), .. }] = core.as_slice()
+        if let [Token { kind: TokenKind::Word(word), .. }] = core.as_slice()
             && value.has_unit
             && unit(word).is_some_and(|unit| unit.dimension == value.dimension)
         {
@@ -373,13 +311,13 @@ impl<'b> Evaluator<'b> {
             return Ok(true);
         }
         let apart = cursor.at.checked_sub(1).and_then(|at| cursor.tokens.get(at)).is_some_and(Token::is_space);
-        if let [Token { kind: Kind::Number(number), .. }] = core.as_slice()
+        if let [Token { kind: TokenKind::Number(number), .. }] = core.as_slice()
             && ends
             && (apart || value.has_unit)
             && is_equation_number(number)
         {
-            self.noticed.note(Reading::TAG);
-            if self.chosen(Reading::TAG) {
+            self.noticed.insert(ReadingChoices::TAG);
+            if self.is_chosen(ReadingChoices::TAG) {
                 *cursor = ahead;
                 return Ok(true);
             }
@@ -390,10 +328,10 @@ impl<'b> Evaluator<'b> {
             && value.literal == Literal::Number
             && value.has_unit
             && core.len() > 1
-            && matches!(core[0].kind, Kind::Number(_))
+            && matches!(core[0].kind, TokenKind::Number(_))
         {
             let (noticed, used) = (self.noticed, self.used.len());
-            if let Ok(other) = self.whole(inner)
+            if let Ok(other) = self.evaluate_all(inner)
                 && other.literal == Literal::Number
                 && other.has_unit
                 && other.dimension == value.dimension
@@ -405,21 +343,21 @@ impl<'b> Evaluator<'b> {
             self.noticed = noticed;
             self.used.truncate(used);
         }
-        if let [Token { kind: Kind::Number(_), .. }, percent] = core.as_slice()
+        if let [Token { kind: TokenKind::Number(_), .. }, percent] = core.as_slice()
             && percent.word() == Some("%")
             && ends
             && value.literal == Literal::Number
         {
             // A count with its share, or a factor before a percentage.
-            self.noticed.note(Reading::SHARE);
-            if !self.chosen(Reading::SHARE) {
+            self.noticed.insert(ReadingChoices::SHARE);
+            if !self.is_chosen(ReadingChoices::SHARE) {
                 *cursor = ahead;
                 return Ok(true);
             }
         }
         if ends && core.iter().any(|token| token.word() == Some("%")) {
             let (noticed, used) = (self.noticed, self.used.len());
-            if let Ok(other) = self.whole(inner)
+            if let Ok(other) = self.evaluate_all(inner)
                 && value.meets(&other, 0.02)
             {
                 *cursor = ahead;
@@ -431,61 +369,61 @@ impl<'b> Evaluator<'b> {
         Ok(false)
     }
 
-    fn signed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn signed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let negative = cursor.take('-');
         let value = self.factor(cursor)?;
-        Ok(if negative { value.negated() } else { value })
+        Ok(if negative { value.negate() } else { value })
     }
 
     fn starts_factor(&self, token: &Token) -> bool {
         match &token.kind {
-            Kind::Number(_)
-            | Kind::Name(_)
-            | Kind::Function(_)
-            | Kind::Fraction(..)
-            | Kind::Root(..)
-            | Kind::Group(_)
-            | Kind::Basis(_)
-            | Kind::Unknown(_) => true,
-            Kind::Word(word) => {
+            TokenKind::Number(_)
+            | TokenKind::Name(_)
+            | TokenKind::Function(_)
+            | TokenKind::Fraction(..)
+            | TokenKind::Root(..)
+            | TokenKind::Group(_)
+            | TokenKind::Basis(_)
+            | TokenKind::Unknown(_) => true,
+            TokenKind::Word(word) => {
                 unit(word).is_some()
                     || word.chars().count() == 1
                     || self.bindings.is_some_and(|known| known.contains_key(word))
             }
-            Kind::Operator(c) => "([{√".contains(*c),
+            TokenKind::Operator(c) => "([{√".contains(*c),
             _ => false,
         }
     }
 
     fn exponent(&mut self, tokens: &[Token]) -> Evaluated<Interval> {
         let mode = std::mem::replace(&mut self.mode, Mode::Point);
-        let exact = self.whole(tokens);
+        let exact = self.evaluate_all(tokens);
         self.mode = mode;
         let exact = exact?;
-        let value = if exact.operations == 0 && !exact.has_unit { exact } else { self.whole(tokens)? };
+        let value = if exact.operations == 0 && !exact.has_unit { exact } else { self.evaluate_all(tokens)? };
         if !value.dimension.is_none() {
             return Err(Obstacle::Unclear("an exponent with a unit"));
         }
         value.number()
     }
 
-    pub fn raised(&mut self, value: &Value, exponent: &[Token]) -> Evaluated<Value> {
+    pub fn raise(&mut self, value: &SideValue, exponent: &[Token]) -> Evaluated<SideValue> {
         let exponent = self.exponent(exponent)?;
         value.power(exponent)
     }
 
     /// Exponents and factorials behind a value.
-    pub fn followed(&mut self, mut value: Value, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
-        while let Some(token) = cursor.here() {
-            if let Kind::Power(exponent) = &token.kind {
+    pub fn with_powers(&mut self, mut value: SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        while let Some(token) = cursor.current() {
+            if let TokenKind::Power(exponent) = &token.kind {
                 cursor.at += 1;
-                value = self.raised(&value, exponent)?;
-            } else if token.is('!') {
+                value = self.raise(&value, exponent)?;
+            } else if token.is_sign('!') {
                 cursor.at += 1;
-                if cursor.here().is_some_and(|next| next.is('!')) {
+                if cursor.current().is_some_and(|next| next.is_sign('!')) {
                     return Err(Obstacle::Unclear("a double factorial"));
                 }
-                value = factorial(&value)?;
+                value = value.factorial()?;
             } else {
                 break;
             }
@@ -494,106 +432,112 @@ impl<'b> Evaluator<'b> {
     }
 
     /// One factor, for the argument of a function.
-    pub fn single(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    pub fn evaluate_factor(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         self.factor(cursor)
     }
 
-    fn factor(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn factor(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         self.work += 1;
-        effort::count(1);
+        effort::count_steps(1);
         if self.work > LONGEST {
             return Err(Obstacle::TooLarge);
         }
         let Some(token) = cursor.peek() else { return Err(Obstacle::Unclear("something is missing")) };
-        self.inside(|inside| inside.factor_of(token, cursor))
+        self.nest(|inside| inside.factor_of(token, cursor))
     }
 
-    fn factor_of(&mut self, token: &Token, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn factor_of(&mut self, token: &Token, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         match &token.kind {
-            Kind::Number(text) => self.number(text, cursor),
-            Kind::Word(word) | Kind::Name(word) => self.name(token, word, cursor),
-            Kind::Basis(which) => {
+            TokenKind::Number(text) => self.number(text, cursor),
+            TokenKind::Word(word) | TokenKind::Name(word) => self.name(token, word, cursor),
+            TokenKind::Basis(which) => {
                 cursor.at += 1;
-                let mut value = Value::of(Interval::exact(1.0));
+                let mut value = SideValue::from_interval(Interval::exact(1.0));
                 value.parts.0 = [None; 4];
                 value.parts.0[usize::from(*which).min(3)] = Some(Interval::exact(1.0));
                 Ok(value)
             }
-            Kind::Fraction(above, below) => {
+            TokenKind::Fraction(above, below) => {
                 cursor.at += 1;
-                let (above, below) = (self.whole(above)?, self.whole(below)?);
-                let mut value = above.over(&below)?;
+                let (above, below) = (self.evaluate_all(above)?, self.evaluate_all(below)?);
+                let mut value = above.quotient(&below)?;
                 if above.literal == Literal::Unit && below.literal == Literal::Unit {
                     value.literal = Literal::Unit;
                     value.operations = 0;
                 }
-                let value = self.followed(value, cursor)?;
+                let value = self.with_powers(value, cursor)?;
                 self.with_unit(value, cursor, false)
             }
-            Kind::Root(of, index) => {
+            TokenKind::Root(of, index) => {
                 cursor.at += 1;
-                if matches!(of.as_slice(), [minus, one] if minus.is('-') && one.number() == Some("1")) {
+                if matches!(of.as_slice(), [minus, one] if minus.is_sign('-') && one.number() == Some("1")) {
                     return Err(Obstacle::Unclear("an imaginary number"));
                 }
                 let index = if index.is_empty() { 2.0 } else { self.exponent(index)?.point };
-                let value = self.whole(of)?.power(Interval::exact(1.0 / index))?;
-                let value = self.followed(value, cursor)?;
+                let value = self.evaluate_all(of)?.power(Interval::exact(1.0 / index))?;
+                let value = self.with_powers(value, cursor)?;
                 self.with_unit(value, cursor, false)
             }
-            Kind::Group(inner) => {
+            TokenKind::Group(inner) => {
                 cursor.at += 1;
-                let value = self.whole(inner)?;
-                let value = self.followed(value, cursor)?;
+                let value = self.evaluate_all(inner)?;
+                let value = self.with_powers(value, cursor)?;
                 self.with_unit(value, cursor, false)
             }
-            Kind::Operator('√') => {
+            TokenKind::Operator('√') => {
                 cursor.at += 1;
                 let value = self.factor(cursor)?.power(Interval::exact(0.5))?;
                 self.with_unit(value, cursor, false)
             }
-            Kind::Operator('(' | '[' | '{') => self.bracketed(cursor),
-            Kind::Operator('|') => {
-                let end = cursor.tokens.iter().skip(cursor.at + 1).position(|token| token.is('|'));
+            TokenKind::Operator('(' | '[' | '{') => self.evaluate_bracketed(cursor),
+            TokenKind::Operator('|') => {
+                let end = cursor.tokens.iter().skip(cursor.at + 1).position(|token| token.is_sign('|'));
                 let end = cursor.at + 1 + end.ok_or(Obstacle::Unclear("a bar without another one"))?;
-                let mut value = self.whole(&cursor.tokens[cursor.at + 1..end])?;
+                let mut value = self.evaluate_all(&cursor.tokens[cursor.at + 1..end])?;
                 cursor.at = end + 1;
                 value.number()?;
                 value.parts = value.parts.map(Interval::abs);
                 value.operations += 1;
                 value.literal = Literal::No;
-                let value = self.followed(value, cursor)?;
+                let value = self.with_powers(value, cursor)?;
                 self.with_unit(value, cursor, false)
             }
-            Kind::Function(function) => self.function(*function, cursor),
+            TokenKind::Function(function) => self.function(*function, cursor),
             _ => Err(leftover(token)),
         }
     }
 
-    fn bracketed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
-        let inner = cursor.group()?;
-        if trimmed(inner).is_empty() {
+    fn evaluate_bracketed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        let inner = cursor.take_group()?;
+        if trim_space(inner).is_empty() {
             return Err(Obstacle::Unclear("empty brackets"));
         }
-        if let Some(limits) = cursor.here().filter(|token| matches!(token.kind, Kind::Limits(..))) {
+        if let Some(limits) = cursor.current().filter(|token| matches!(token.kind, TokenKind::Limits(..))) {
             cursor.at += 1;
-            let value = self.between(inner, limits)?;
+            let value = self.evaluate_between(inner, limits)?;
             return self.with_unit(value, cursor, false);
         }
-        let mut value = self.whole(inner)?;
+        let mut value = self.evaluate_all(inner)?;
         if value.literal != Literal::Unit {
             value.literal = Literal::No;
         }
-        let value = self.followed(value, cursor)?;
+        let value = self.with_powers(value, cursor)?;
         self.with_unit(value, cursor, false)
     }
 }
 
 pub(crate) fn leftover(token: &Token) -> Obstacle {
     match &token.kind {
-        Kind::Name(name) => Obstacle::Letter(name.clone()),
-        Kind::Word(word) => Obstacle::Word(word.clone()),
-        Kind::Unknown(_) => Obstacle::Unclear("it has a sign or command that is not known"),
-        Kind::Limits(..) => Obstacle::Unclear("a bar in the middle of an expression"),
+        TokenKind::Name(name) => Obstacle::Letter(name.clone()),
+        TokenKind::Word(word) => Obstacle::Word(word.clone()),
+        TokenKind::Unknown(_) => Obstacle::Unclear("it has a sign or command that is not known"),
+        TokenKind::Limits(..) => Obstacle::Unclear("a bar in the middle of an expression"),
         _ => Obstacle::Unclear("it has a sign in a place where none is expected"),
     }
+}
+
+/// Whether brackets around it make the number of an equation.
+fn is_equation_number(text: &str) -> bool {
+    let [chapter, number] = text.split_once('.').map_or(["", text], |(chapter, number)| [chapter, number]);
+    chapter.len() <= 2 && (1..=3).contains(&number.len()) && !number.contains(',')
 }

@@ -1,18 +1,19 @@
 //! What was found at one place.
 
-use crate::chain::{Chain, Relation, Side};
+use crate::chain::{Chain, ChainSide, Relation};
 use crate::doubt::Doubt;
+use crate::exponent::plain_exponent;
 use crate::hint::Hint;
-use crate::printed::{power_of_ten, written};
-use crate::reading::Reading;
-use crate::token::{Kind, Span, Token, show};
-use crate::value::Value;
-use crate::verdict::{Judgement, Verdict};
+use crate::printed::{format_significant, power_of_ten};
+use crate::reading::ReadingChoices;
+use crate::token::{Span, Token, TokenKind, show};
+use crate::value::SideValue;
+use crate::verdict::{ChainVerdict, PairJudgement};
 use std::ops::Range;
 
-/// The lists that findings belong to.
+/// The section of a report in which a finding stands. JSON calls it `list`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum List {
+pub enum ReportSection {
     /// Printed numbers that do not follow from what is printed beside them.
     Numbers,
     /// Numbers that agree although their units do not.
@@ -25,18 +26,21 @@ pub enum List {
     Doubts,
 }
 
-impl List {
-    /// The list of a verdict; `bound` says that values from elsewhere in the text were used.
-    pub(crate) fn of(verdict: Verdict, bound: bool) -> Self {
+impl ReportSection {
+    /// The section of a verdict; `bound` says that values from elsewhere in the text were used.
+    pub(crate) fn for_verdict(verdict: ChainVerdict, bound: bool) -> Self {
         match verdict {
-            Verdict::Truncated | Verdict::LastDigit | Verdict::Inconsistent | Verdict::Dimensions => {
+            ChainVerdict::Truncated
+            | ChainVerdict::LastDigit
+            | ChainVerdict::Inconsistent
+            | ChainVerdict::Dimensions => {
                 if bound {
                     Self::Bindings
                 } else {
                     Self::Numbers
                 }
             }
-            Verdict::Units if !bound => Self::Units,
+            ChainVerdict::Units if !bound => Self::Units,
             _ => Self::Agreeing,
         }
     }
@@ -54,12 +58,24 @@ impl List {
 }
 
 /// Two neighbouring sides that do not agree.
+///
+/// ```
+/// use proofread::{CheckOptions, TextFormat, proofread};
+///
+/// let text = r"It is $\tan 31.0^\circ = 0.609$. And it is $3 + 4 = 111$ in binary.";
+/// let options = CheckOptions { agreeing: true, ..CheckOptions::default() };
+/// let [tangent, sum] = proofread(text, TextFormat::Markdown, options)?.findings.try_into().expect("two findings");
+/// assert_eq!((tangent.printed.as_str(), tangent.recomputed.as_deref()), ("0.609", Some("0.601")));
+/// assert_eq!(tangent.hint.map(|hint| hint.words).as_deref(), Some("`0.601` for `0.609`"));
+/// assert_eq!((tangent.explanation, sum.explanation), (None, Some("other-base")));
+/// # Ok::<(), proofread::UnreadableText>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
+pub struct ChainFinding {
     /// How they compare.
-    pub verdict: Verdict,
-    /// Which list it belongs to.
-    pub list: List,
+    pub verdict: ChainVerdict,
+    /// In which section of the report it stands.
+    pub section: ReportSection,
     /// Why it is set aside, if it is.
     pub doubt: Option<Doubt>,
     /// The chain, as one line; of a long one, the part around the two sides.
@@ -82,6 +98,9 @@ pub struct Finding {
     pub printed: String,
     /// What is computed, to as many digits and in the same unit; none if the sides have no common unit.
     pub recomputed: Option<String>,
+    /// The name of the explanation that decided the verdict, one of [`explanation_names`](crate::explanation_names); none if the
+    /// sides compare so as they are printed.
+    pub explanation: Option<&'static str>,
     /// What keeps the sides from being compared, if that is what was found.
     pub why: Option<String>,
     /// The single edit that makes the sides agree, if there is exactly one near.
@@ -95,13 +114,13 @@ pub struct Finding {
 /// Sides of a chain that are shown before and behind the two sides that do not agree.
 const SHOWN_AROUND: usize = 12;
 
-impl Finding {
+impl ChainFinding {
     pub(crate) fn new(
         chain: &Chain,
-        left: &Side,
-        right: &Side,
-        judgement: &Judgement,
-        list: List,
+        left: &ChainSide,
+        right: &ChainSide,
+        judgement: &PairJudgement,
+        section: ReportSection,
         hint: Option<Hint>,
     ) -> Self {
         let values = judgement.values.as_ref();
@@ -116,7 +135,7 @@ impl Finding {
         });
         Self {
             verdict: judgement.verdict,
-            list,
+            section,
             doubt: None,
             chain: line,
             marked,
@@ -128,22 +147,23 @@ impl Finding {
             at: printed.span,
             printed: show(&printed.tokens),
             recomputed,
+            explanation: judgement.explanation,
             why: judgement.obstacle.as_ref().map(ToString::to_string),
             hint,
-            reading: judgement.reading.words(),
+            reading: judgement.reading.descriptions(),
             names: judgement.used.clone(),
         }
     }
 
     /// Changes where everything in it was written.
-    pub(crate) fn place(&mut self, to: &dyn Fn(Span) -> Span) {
+    pub(crate) fn map_spans(&mut self, to: &dyn Fn(Span) -> Span) {
         let own = [&mut self.span, &mut self.left_span, &mut self.right_span, &mut self.at];
         own.into_iter().chain(self.hint.as_mut().map(|hint| &mut hint.at)).for_each(|span| *span = to(*span));
     }
 }
 
 /// The chain around the side `right` as one line, and where the side `printed` is in it.
-fn line(chain: &Chain, right: &Side, printed: &Side) -> (String, Range<usize>) {
+fn line(chain: &Chain, right: &ChainSide, printed: &ChainSide) -> (String, Range<usize>) {
     let at = chain.sides.iter().position(|side| std::ptr::eq(side, right)).unwrap_or(0);
     let shown = at.saturating_sub(SHOWN_AROUND)..chain.sides.len().min(at + SHOWN_AROUND);
     let mut line = if shown.start > 0 { "…".to_owned() } else { String::new() };
@@ -168,21 +188,26 @@ fn line(chain: &Chain, right: &Side, printed: &Side) -> (String, Range<usize>) {
 }
 
 /// The computed value in the unit and with the digits of the printed one.
-fn recomputed(computed: &Value, printed: &Value, tokens: &[Token], judgement: &Judgement) -> Option<String> {
-    if judgement.verdict == Verdict::Units || judgement.verdict == Verdict::Dimensions {
+fn recomputed(
+    computed: &SideValue,
+    printed: &SideValue,
+    tokens: &[Token],
+    judgement: &PairJudgement,
+) -> Option<String> {
+    if judgement.verdict == ChainVerdict::Units || judgement.verdict == ChainVerdict::Dimensions {
         return None;
     }
-    if computed.parts.is_vector() || printed.parts.is_vector() || judgement.reading.has(Reading::POINTS) {
+    if computed.parts.is_vector() || printed.parts.is_vector() || judgement.reading.contains(ReadingChoices::POINTS) {
         return None;
     }
     let computed = computed.number().ok()?.point;
     let printed_point = printed.number().ok()?.point;
     if !printed.is_literal() {
-        return Some(format!("{} against {}", written(computed, 4), written(printed_point, 4)));
+        return Some(format!("{} against {}", format_significant(computed, 4), format_significant(printed_point, 4)));
     }
     let factor = if printed.factor == 0.0 { 1.0 } else { printed.factor };
     let (value, digits) = (computed / factor, digits_of(tokens));
-    let scaled = |power: i32| written(value / power_of_ten(f64::from(power)), digits);
+    let scaled = |power: i32| format_significant(value / power_of_ten(f64::from(power)), digits);
     let mut text = match power_of(tokens) {
         // The power of ten of the printed number, or the nearest one if that is far off.
         Some(power) => {
@@ -193,7 +218,7 @@ fn recomputed(computed: &Value, printed: &Value, tokens: &[Token], judgement: &J
         None if is_whole(tokens) && libm::fabs(value - libm::round(value)) < 1e-9 && value.abs() < 1e9 => {
             format!("{}", libm::round(value))
         }
-        None => written(value, digits),
+        None => format_significant(value, digits),
     };
     if let Some(size) = text.strip_prefix('-') {
         text = format!("−{size}");
@@ -220,13 +245,13 @@ fn digits_of(tokens: &[Token]) -> usize {
 
 fn power_of(tokens: &[Token]) -> Option<i32> {
     let at = tokens.iter().position(|token| token.number() == Some("10"))?;
-    let Kind::Power(exponent) = &tokens.get(at + 1)?.kind else { return None };
-    crate::atom::plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
+    let TokenKind::Power(exponent) = &tokens.get(at + 1)?.kind else { return None };
+    plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
 }
 
 /// What follows the number.
 fn unit_text(tokens: &[Token]) -> String {
-    let start = tokens.iter().position(|token| token.word().is_some() || matches!(token.kind, Kind::Fraction(..)));
+    let start = tokens.iter().position(|token| token.word().is_some() || matches!(token.kind, TokenKind::Fraction(..)));
     let unit = start.map_or(&[][..], |start| &tokens[start..]);
     show(unit)
 }

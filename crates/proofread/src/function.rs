@@ -1,20 +1,21 @@
 //! Functions by name: their arguments with and without brackets, and their values on intervals.
 
-use crate::atom::plain_exponent;
-use crate::evaluate::{Cursor, Evaluator};
+use crate::cursor::Cursor;
+use crate::evaluate::Evaluator;
+use crate::exponent::plain_exponent;
 use crate::interval::{Interval, RESIDUE};
-use crate::reading::Reading;
-use crate::token::{Function, Kind, Token};
+use crate::reading::ReadingChoices;
+use crate::token::{MathFunction, Token, TokenKind};
 use crate::unit::unit;
-use crate::value::{Angle, Evaluated, Obstacle, Value};
+use crate::value::{AngleUnit, Evaluated, Obstacle, SideValue};
 use std::f64::consts::PI;
 
 impl Evaluator<'_> {
     /// The value of a function, whose name is the next token.
-    pub fn function(&mut self, function: Function, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    pub fn function(&mut self, function: MathFunction, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         cursor.at += 1;
         let (mut function, mut power) = (function, None);
-        if let Some(Token { kind: Kind::Power(exponent), .. }) = cursor.here() {
+        if let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.current() {
             let exponent = plain_exponent(exponent)?;
             cursor.at += 1;
             if exponent == -1.0 {
@@ -30,23 +31,28 @@ impl Evaluator<'_> {
         let mut x = argument.number()?;
         let trigonometric = matches!(
             function,
-            Function::Sin | Function::Cos | Function::Tan | Function::Cot | Function::Sec | Function::Csc
+            MathFunction::Sin
+                | MathFunction::Cos
+                | MathFunction::Tan
+                | MathFunction::Cot
+                | MathFunction::Sec
+                | MathFunction::Csc
         );
         if trigonometric && argument.angle.is_none() {
-            self.noticed.note(Reading::DEGREES);
-            if self.chosen(Reading::DEGREES) {
+            self.noticed.insert(ReadingChoices::DEGREES);
+            if self.is_chosen(ReadingChoices::DEGREES) {
                 x = x.scaled(PI / 180.0);
             }
         }
-        if function == Function::Log {
-            self.noticed.note(Reading::NATURAL);
-            if self.chosen(Reading::NATURAL) {
-                function = Function::Ln;
+        if function == MathFunction::Log {
+            self.noticed.insert(ReadingChoices::NATURAL);
+            if self.is_chosen(ReadingChoices::NATURAL) {
+                function = MathFunction::Ln;
             }
         }
         let is_outside = match function {
-            Function::Arcsin | Function::Arccos => x.low > OUTSIDE || x.high < -OUTSIDE,
-            Function::Ln | Function::Log | Function::Lg | Function::LogTo(_) => x.high < 0.0,
+            MathFunction::Arcsin | MathFunction::Arccos => x.low > OUTSIDE || x.high < -OUTSIDE,
+            MathFunction::Ln | MathFunction::Log | MathFunction::Lg | MathFunction::LogTo(_) => x.high < 0.0,
             _ => false,
         };
         if is_outside {
@@ -54,80 +60,84 @@ impl Evaluator<'_> {
         }
         let result = on_interval(function, x).filter(|result| result.is_finite());
         let result = result.ok_or(Obstacle::Unclear("a function outside its domain"))?;
-        let mut value = Value { operations: argument.operations + 1, bound: argument.bound, ..Value::of(result) };
-        if matches!(function, Function::Arcsin | Function::Arccos | Function::Arctan) {
-            self.noticed.note(Reading::DEGREES);
+        let mut value = SideValue {
+            operations: argument.operations + 1,
+            bound: argument.bound,
+            ..SideValue::from_interval(result)
+        };
+        if matches!(function, MathFunction::Arcsin | MathFunction::Arccos | MathFunction::Arctan) {
+            self.noticed.insert(ReadingChoices::DEGREES);
             self.inverse = true;
-            value.angle = Some(Angle::Radians);
+            value.angle = Some(AngleUnit::Radians);
         }
         if let Some(power) = power {
             value = value.power(Interval::exact(power))?;
         }
-        self.followed(value, cursor)
+        self.with_powers(value, cursor)
     }
 
-    fn argument(&mut self, of: Function, cursor: &mut Cursor<'_>) -> Evaluated<Value> {
+    fn argument(&mut self, of: MathFunction, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         if cursor.peek().is_some_and(|token| token.is_one_of("([{")) {
-            let inner = cursor.group()?;
-            let mut value = self.whole(inner)?;
-            let raised = cursor.here().is_some_and(|token| matches!(token.kind, Kind::Power(_)));
+            let inner = cursor.take_group()?;
+            let mut value = self.evaluate_all(inner)?;
+            let raised = cursor.current().is_some_and(|token| matches!(token.kind, TokenKind::Power(_)));
             if raised {
-                self.noticed.note(Reading::POWER_OUTSIDE);
+                self.noticed.insert(ReadingChoices::POWER_OUTSIDE);
             }
-            if !raised || !self.chosen(Reading::POWER_OUTSIDE) {
-                value = self.followed(value, cursor)?;
+            if !raised || !self.is_chosen(ReadingChoices::POWER_OUTSIDE) {
+                value = self.with_powers(value, cursor)?;
             }
             let bare = !value.has_unit && value.angle.is_none();
             let degrees = cursor.peek().and_then(Token::word) == Some("°");
             return if bare && degrees { self.with_unit(value, cursor, false) } else { Ok(value) };
         }
         // Factors without a sign between them, up to the first angle in degrees.
-        let mut argument: Option<Value> = None;
+        let mut argument: Option<SideValue> = None;
         while let Some(token) = cursor.peek() {
             let starts = match &token.kind {
-                Kind::Number(_) | Kind::Name(_) | Kind::Fraction(..) | Kind::Root(..) => true,
-                Kind::Word(word) => unit(word).is_some(),
+                TokenKind::Number(_) | TokenKind::Name(_) | TokenKind::Fraction(..) | TokenKind::Root(..) => true,
+                TokenKind::Word(word) => unit(word).is_some(),
                 _ => false,
             };
             let next = match &argument {
                 None if token.is_one_of("|√-") => {
                     let negative = cursor.take('-');
-                    let value = self.single(cursor)?;
-                    argument = Some(if negative { value.negated() } else { value });
+                    let value = self.evaluate_factor(cursor)?;
+                    argument = Some(if negative { value.negate() } else { value });
                     if negative { continue } else { break }
                 }
-                Some(so_far) if token.is('/') && so_far.angle.is_none() && !so_far.has_unit => {
-                    if cursor.look(cursor.at + 1).0.and_then(Token::number).is_none() {
+                Some(so_far) if token.is_sign('/') && so_far.angle.is_none() && !so_far.has_unit => {
+                    if cursor.token_from(cursor.at + 1).0.and_then(Token::number).is_none() {
                         break;
                     }
-                    if matches!(of, Function::Ln | Function::Log | Function::Lg) {
-                        self.noticed.note(Reading::LOGARITHM_ABOVE);
-                        if self.chosen(Reading::LOGARITHM_ABOVE) {
+                    if matches!(of, MathFunction::Ln | MathFunction::Log | MathFunction::Lg) {
+                        self.noticed.insert(ReadingChoices::LOGARITHM_ABOVE);
+                        if self.is_chosen(ReadingChoices::LOGARITHM_ABOVE) {
                             break;
                         }
                     }
                     cursor.at += 1;
-                    let divisor = self.single(cursor)?;
-                    so_far.over(&divisor)?
+                    let divisor = self.evaluate_factor(cursor)?;
+                    so_far.quotient(&divisor)?
                 }
                 // An angle in brackets: cos 2(30°).
-                Some(so_far) if token.is('(') && so_far.angle.is_none() && !so_far.has_unit => {
+                Some(so_far) if token.is_sign('(') && so_far.angle.is_none() && !so_far.has_unit => {
                     let mut ahead = *cursor;
-                    let factor = self.whole(ahead.group()?)?;
-                    if factor.angle != Some(Angle::Degrees) {
+                    let factor = self.evaluate_all(ahead.take_group()?)?;
+                    if factor.angle != Some(AngleUnit::Degrees) {
                         break;
                     }
                     *cursor = ahead;
-                    so_far.times(&factor, None, true)?
+                    so_far.product(&factor, None, true)?
                 }
                 Some(so_far) if starts => {
-                    if token.number().is_some() || so_far.angle == Some(Angle::Degrees) {
+                    if token.number().is_some() || so_far.angle == Some(AngleUnit::Degrees) {
                         break;
                     }
-                    let factor = self.single(cursor)?;
-                    so_far.times(&factor, None, true)?
+                    let factor = self.evaluate_factor(cursor)?;
+                    so_far.product(&factor, None, true)?
                 }
-                None if starts => self.single(cursor)?,
+                None if starts => self.evaluate_factor(cursor)?,
                 _ => break,
             };
             argument = Some(next);
@@ -136,11 +146,11 @@ impl Evaluator<'_> {
     }
 }
 
-fn inverse(function: Function) -> Option<Function> {
+fn inverse(function: MathFunction) -> Option<MathFunction> {
     Some(match function {
-        Function::Sin => Function::Arcsin,
-        Function::Cos => Function::Arccos,
-        Function::Tan => Function::Arctan,
+        MathFunction::Sin => MathFunction::Arcsin,
+        MathFunction::Cos => MathFunction::Arccos,
+        MathFunction::Tan => MathFunction::Arctan,
         _ => return None,
     })
 }
@@ -149,37 +159,37 @@ fn inverse(function: Function) -> Option<Function> {
 const OUTSIDE: f64 = 1.000_000_1;
 
 /// The least and greatest value of a function on an interval, and its value at the point.
-fn on_interval(function: Function, x: Interval) -> Option<Interval> {
+fn on_interval(function: MathFunction, x: Interval) -> Option<Interval> {
     let inside = |x: Interval| {
         let fits = x.point.abs() <= OUTSIDE;
-        fits.then(|| x.through(|x| x.clamp(-1.0, 1.0)))
+        fits.then(|| x.map_monotone(|x| x.clamp(-1.0, 1.0)))
     };
     Some(match function {
-        Function::Sin => wave(x, |x| without_residue(libm::sin(x), x), PI / 2.0),
-        Function::Cos => wave(x, |x| without_residue(libm::cos(x), x), 0.0),
-        Function::Tan => {
+        MathFunction::Sin => wave(x, |x| without_residue(libm::sin(x), x), PI / 2.0),
+        MathFunction::Cos => wave(x, |x| without_residue(libm::cos(x), x), 0.0),
+        MathFunction::Tan => {
             let branch = |x: f64| libm::floor((x - PI / 2.0) / PI);
             if branch(x.low) != branch(x.high) {
                 return None;
             }
-            x.through(|x| without_residue(libm::tan(x), x))
+            x.map_monotone(|x| without_residue(libm::tan(x), x))
         }
-        Function::Cot => on_interval(Function::Tan, x)?.inverse()?,
-        Function::Sec => wave(x, libm::cos, 0.0).inverse()?,
-        Function::Csc => wave(x, libm::sin, PI / 2.0).inverse()?,
-        Function::Arcsin => inside(x)?.through(libm::asin),
-        Function::Arccos => inside(x)?.through(libm::acos),
-        Function::Arctan => x.through(libm::atan),
-        Function::Ln if x.low > 0.0 => x.through(libm::log),
-        Function::Log | Function::Lg if x.low > 0.0 => x.through(libm::log10),
-        Function::LogTo(base) if x.low > 0.0 => x.through(|x| libm::log(x) / libm::log(f64::from(base))),
-        Function::Ln | Function::Log | Function::Lg | Function::LogTo(_) => return None,
-        Function::Exp => x.through(libm::exp),
-        Function::Sinh => x.through(libm::sinh),
-        Function::Tanh => x.through(libm::tanh),
-        Function::Cosh => {
+        MathFunction::Cot => on_interval(MathFunction::Tan, x)?.inverse()?,
+        MathFunction::Sec => wave(x, libm::cos, 0.0).inverse()?,
+        MathFunction::Csc => wave(x, libm::sin, PI / 2.0).inverse()?,
+        MathFunction::Arcsin => inside(x)?.map_monotone(libm::asin),
+        MathFunction::Arccos => inside(x)?.map_monotone(libm::acos),
+        MathFunction::Arctan => x.map_monotone(libm::atan),
+        MathFunction::Ln if x.low > 0.0 => x.map_monotone(libm::log),
+        MathFunction::Log | MathFunction::Lg if x.low > 0.0 => x.map_monotone(libm::log10),
+        MathFunction::LogTo(base) if x.low > 0.0 => x.map_monotone(|x| libm::log(x) / libm::log(f64::from(base))),
+        MathFunction::Ln | MathFunction::Log | MathFunction::Lg | MathFunction::LogTo(_) => return None,
+        MathFunction::Exp => x.map_monotone(libm::exp),
+        MathFunction::Sinh => x.map_monotone(libm::sinh),
+        MathFunction::Tanh => x.map_monotone(libm::tanh),
+        MathFunction::Cosh => {
             let around_zero = x.low < 0.0 && x.high > 0.0;
-            let ends = x.through(libm::cosh);
+            let ends = x.map_monotone(libm::cosh);
             if around_zero { Interval { low: 1.0, ..ends } } else { ends }
         }
     })
@@ -192,7 +202,7 @@ fn without_residue(value: f64, x: f64) -> f64 {
 
 /// A sine or cosine, whose crests are at `crest` and every 2π from there.
 fn wave(x: Interval, function: impl Fn(f64) -> f64, crest: f64) -> Interval {
-    let mut on = x.through(function);
+    let mut on = x.map_monotone(function);
     let passes = |at: f64| libm::floor((x.high - at) / (2.0 * PI)) > libm::floor((x.low - at) / (2.0 * PI));
     if passes(crest) {
         on.high = 1.0;

@@ -1,9 +1,10 @@
 //! The single edit that makes two sides agree, if there is exactly one near.
 
-use crate::chain::{Relation, Side};
-use crate::token::{Kind, Span, Token, show};
+use crate::chain::{ChainSide, Relation};
+use crate::exponent::plain_exponent;
+use crate::token::{Span, Token, TokenKind, show};
 use crate::unit::unit;
-use crate::verdict::{Judgement, Verdict, judge};
+use crate::verdict::{ChainVerdict, PairJudgement, judge};
 use std::ops::ControlFlow;
 
 /// An edit of one place.
@@ -27,7 +28,7 @@ impl Hint {
 
 /// How near an edit is: a slip of one sign or step is nearer than another digit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Near {
+enum EditNearness {
     /// A comma for a point: no digit differs.
     Comma,
     /// An exponent or its sign, a factor 2, a sign, a power of a unit, a square.
@@ -67,22 +68,22 @@ fn size(tokens: &[Token]) -> usize {
 /// If only the last digit differs, it must be one of the printed result: of a digit as far behind in an operand, this is no
 /// evidence.
 pub(crate) fn hint(
-    left: &Side,
-    right: &Side,
+    left: &ChainSide,
+    right: &ChainSide,
     relation: Relation,
-    judgement: &Judgement,
+    judgement: &PairJudgement,
     budget: &mut usize,
 ) -> Option<Hint> {
     let printed =
         judgement.values.as_ref().map_or(1, |(left, right)| usize::from(right.is_literal() || !left.is_literal()));
-    let only = matches!(judgement.verdict, Verdict::LastDigit | Verdict::Truncated).then_some(printed);
+    let only = matches!(judgement.verdict, ChainVerdict::LastDigit | ChainVerdict::Truncated).then_some(printed);
     let sizes = [left, right].map(|side| size(&side.tokens));
     if sizes.into_iter().any(|size| size > LONGEST) {
         return None;
     }
     let each = sizes[0] + sizes[1];
     let mut spent = 0;
-    for near in [Near::Comma, Near::Step, Near::Digit] {
+    for near in [EditNearness::Comma, EditNearness::Step, EditNearness::Digit] {
         let mut found: Vec<(usize, Hint)> = Vec::new();
         for (which, side) in [left, right].into_iter().enumerate() {
             let mut tried = 0;
@@ -97,7 +98,7 @@ pub(crate) fn hint(
                     return ControlFlow::Break(());
                 }
                 let sides = if which == 0 { [&edit.tokens, &right.tokens] } else { [&left.tokens, &edit.tokens] };
-                let fits = judge(sides[0], sides[1], relation, None).verdict == Verdict::Consistent;
+                let fits = judge(sides[0], sides[1], relation, None).verdict == ChainVerdict::Consistent;
                 if fits && !found.iter().any(|(_, other)| other.words == edit.words) {
                     found.push((which, Hint { words: edit.words, at: edit.at }));
                 }
@@ -105,7 +106,7 @@ pub(crate) fn hint(
             };
             let all = variants(&side.tokens, near, &mut tries);
             // On one side is as good as on the other.
-            if all.is_continue() && near == Near::Step && which == 0 && only.is_none() {
+            if all.is_continue() && near == EditNearness::Step && which == 0 && only.is_none() {
                 let _ = whole_side(side, &mut tries);
             }
             // Of two, neither is the one.
@@ -124,30 +125,30 @@ pub(crate) fn hint(
 }
 
 fn number(text: String, span: Span) -> Token {
-    Token::new(Kind::Number(text), span)
+    Token::new(TokenKind::Number(text), span)
 }
 
 /// Edits of a side as a whole: its sign and a factor 2. Which of the two sides is wrong, they leave open.
-fn whole_side(side: &Side, tries: &mut Tries<'_>) -> ControlFlow<()> {
-    let group = |before: &[Kind], after: &[Kind]| {
-        let token = |kind: &Kind| Token::new(kind.clone(), side.span);
+fn whole_side(side: &ChainSide, tries: &mut Tries<'_>) -> ControlFlow<()> {
+    let group = |before: &[TokenKind], after: &[TokenKind]| {
+        let token = |kind: &TokenKind| Token::new(kind.clone(), side.span);
         let mut tokens: Vec<Token> = before.iter().map(token).collect();
-        tokens.push(Token::new(Kind::Operator('('), side.span));
+        tokens.push(Token::new(TokenKind::Operator('('), side.span));
         tokens.extend(side.tokens.iter().cloned());
-        tokens.push(Token::new(Kind::Operator(')'), side.span));
+        tokens.push(Token::new(TokenKind::Operator(')'), side.span));
         tokens.extend(after.iter().map(token));
         tokens
     };
-    let two = Kind::Number("2".to_owned());
+    let two = TokenKind::Number("2".to_owned());
     let mut push = |tokens: Vec<Token>, words: &str| {
         tries(Edit { tokens, words: format!("{words} on one of the two sides"), at: side.span })
     };
-    push(group(&[two.clone(), Kind::Operator('·')], &[]), "a factor 2")?;
-    push(group(&[], &[Kind::Operator('/'), two]), "a factor 2")?;
-    push(group(&[Kind::Operator('-')], &[]), "the opposite sign")
+    push(group(&[two.clone(), TokenKind::Operator('·')], &[]), "a factor 2")?;
+    push(group(&[], &[TokenKind::Operator('/'), two]), "a factor 2")?;
+    push(group(&[TokenKind::Operator('-')], &[]), "the opposite sign")
 }
 
-fn cut(text: &str) -> String {
+fn truncate(text: &str) -> String {
     if text.chars().count() <= 40 {
         return text.to_owned();
     }
@@ -155,7 +156,7 @@ fn cut(text: &str) -> String {
 }
 
 /// Tries all lists of tokens that differ in one place.
-fn variants(tokens: &[Token], near: Near, tries: &mut Tries<'_>) -> ControlFlow<()> {
+fn variants(tokens: &[Token], near: EditNearness, tries: &mut Tries<'_>) -> ControlFlow<()> {
     for (at, token) in tokens.iter().enumerate() {
         let with = |new: Vec<Token>, taken: usize| {
             let mut all = tokens[..at].to_vec();
@@ -166,20 +167,21 @@ fn variants(tokens: &[Token], near: Near, tries: &mut Tries<'_>) -> ControlFlow<
         let span = token.span;
         let mut push = |tokens: Vec<Token>, words: String| tries(Edit { tokens, words, at: span });
         match &token.kind {
-            Kind::Number(text) if near == Near::Digit => {
+            TokenKind::Number(text) if near == EditNearness::Digit => {
                 for other in digits(text) {
                     push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"))?;
                 }
             }
-            Kind::Number(text) if near == Near::Comma => {
+            TokenKind::Number(text) if near == EditNearness::Comma => {
                 for other in commas(text) {
                     push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"))?;
                 }
             }
-            Kind::Number(text) => {
+            TokenKind::Number(text) => {
                 if let Some(exponent) = without_caret(tokens, at) {
                     let words = format!("`10^{0}` for `10{0}`", show(exponent));
-                    let power = Token::new(Kind::Power(exponent.to_vec()), exponent[0].span.join(exponent[1].span));
+                    let power =
+                        Token::new(TokenKind::Power(exponent.to_vec()), exponent[0].span.join(exponent[1].span));
                     push(with(vec![token.clone(), power], 3), words)?;
                 }
                 let power = tokens.get(at + 1).filter(|_| text == "10").and_then(exponent_of);
@@ -187,41 +189,42 @@ fn variants(tokens: &[Token], near: Near, tries: &mut Tries<'_>) -> ControlFlow<
                     push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"))?;
                 }
             }
-            Kind::Operator(sign @ ('+' | '-')) if near == Near::Digit => {
+            TokenKind::Operator(sign @ ('+' | '-')) if near == EditNearness::Digit => {
                 let other = if *sign == '+' { '-' } else { '+' };
                 let name = |sign: char| if sign == '-' { '−' } else { sign };
-                let place = around(tokens, at);
+                let place = tokens_around(tokens, at);
                 push(
-                    with(vec![Token::new(Kind::Operator(other), span)], 1),
+                    with(vec![Token::new(TokenKind::Operator(other), span)], 1),
                     format!("`{}` for `{}` in `{place}`", name(other), name(*sign)),
                 )?;
             }
-            Kind::Power(_) if near == Near::Step => powers(tokens, at, tries)?,
-            Kind::Word(word) if near == Near::Step && unit(word).is_some() => {
-                let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
+            TokenKind::Power(_) if near == EditNearness::Step => powers(tokens, at, tries)?,
+            TokenKind::Word(word) if near == EditNearness::Step && unit(word).is_some() => {
+                let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, TokenKind::Power(_)));
                 if !raised && !matches!(word.as_str(), "°" | "%" | "rad") {
                     for power in ["2", "3"] {
-                        let exponent = Token::new(Kind::Power(vec![number(power.to_owned(), span)]), span);
+                        let exponent = Token::new(TokenKind::Power(vec![number(power.to_owned(), span)]), span);
                         push(with(vec![token.clone(), exponent], 1), format!("`{word}^{power}` for `{word}`"))?;
                     }
                 }
             }
-            Kind::Operator(')')
-                if near == Near::Step
-                    && !tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_))) =>
+            TokenKind::Operator(')')
+                if near == EditNearness::Step
+                    && !tokens.get(at + 1).is_some_and(|next| matches!(next.kind, TokenKind::Power(_))) =>
             {
-                let squared = vec![token.clone(), Token::new(Kind::Power(vec![number("2".to_owned(), span)]), span)];
-                push(with(squared, 1), format!("the square of `{}`", cut(&show(&bracketed(tokens, at)))))?;
+                let squared =
+                    vec![token.clone(), Token::new(TokenKind::Power(vec![number("2".to_owned(), span)]), span)];
+                push(with(squared, 1), format!("the square of `{}`", truncate(&show(&bracketed_tokens(tokens, at)))))?;
             }
             _ => {}
         }
-        nested(tokens, at, near, tries)?;
+        nested_variants(tokens, at, near, tries)?;
     }
     ControlFlow::Continue(())
 }
 
 /// The brackets that end at `at`, with what is in them.
-fn bracketed(tokens: &[Token], at: usize) -> Vec<Token> {
+fn bracketed_tokens(tokens: &[Token], at: usize) -> Vec<Token> {
     let mut depth = 0i32;
     for start in (0..=at).rev() {
         depth += i32::from(tokens[start].is_one_of(")]")) - i32::from(tokens[start].is_one_of("(["));
@@ -232,17 +235,17 @@ fn bracketed(tokens: &[Token], at: usize) -> Vec<Token> {
     tokens[..=at].to_vec()
 }
 
-fn around(tokens: &[Token], at: usize) -> String {
-    cut(&show(&tokens[at.saturating_sub(2)..tokens.len().min(at + 3)]))
+fn tokens_around(tokens: &[Token], at: usize) -> String {
+    truncate(&show(&tokens[at.saturating_sub(2)..tokens.len().min(at + 3)]))
 }
 
 /// Edits inside a fraction, a root or a group.
-fn nested(tokens: &[Token], at: usize, near: Near, tries: &mut Tries<'_>) -> ControlFlow<()> {
+fn nested_variants(tokens: &[Token], at: usize, near: EditNearness, tries: &mut Tries<'_>) -> ControlFlow<()> {
     let token = &tokens[at];
     let lists = match token.kind {
-        Kind::Fraction(..) => 2,
+        TokenKind::Fraction(..) => 2,
         // The index of a root is no place for a slip.
-        Kind::Root(..) | Kind::Group(_) => 1,
+        TokenKind::Root(..) | TokenKind::Group(_) => 1,
         _ => 0,
     };
     for (which, list) in token.inner().into_iter().take(lists).enumerate() {
@@ -263,13 +266,13 @@ fn without_caret(tokens: &[Token], at: usize) -> Option<&[Token]> {
     let before = tokens[..at].iter().rev().find(|token| !token.is_space())?;
     let exponent = tokens.get(at + 1..at + 3)?;
     let digits = exponent[1].number().is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
-    let fits = tokens[at].number() == Some("10") && before.is_one_of("×·") && exponent[0].is('-') && digits;
+    let fits = tokens[at].number() == Some("10") && before.is_one_of("×·") && exponent[0].is_sign('-') && digits;
     fits.then_some(exponent)
 }
 
 fn exponent_of(token: &Token) -> Option<i32> {
-    let Kind::Power(exponent) = &token.kind else { return None };
-    let value = crate::atom::plain_exponent(exponent).ok()?;
+    let TokenKind::Power(exponent) = &token.kind else { return None };
+    let value = plain_exponent(exponent).ok()?;
     (value.fract() == 0.0 && value.abs() < 1000.0).then_some(value as i32)
 }
 
@@ -286,23 +289,23 @@ fn powers(tokens: &[Token], at: usize, tries: &mut Tries<'_>) -> ControlFlow<()>
     }
     others.sort_unstable();
     others.dedup();
-    let base = cut(&base.map(|base| show(std::slice::from_ref(base))).unwrap_or_default());
+    let base = truncate(&base.map(|base| show(std::slice::from_ref(base))).unwrap_or_default());
     for other in others.into_iter().filter(|other| *other != power && *other != 0) {
         let mut exponent = Vec::new();
         if other < 0 {
-            exponent.push(Token::new(Kind::Operator('-'), token.span));
+            exponent.push(Token::new(TokenKind::Operator('-'), token.span));
         }
         exponent.push(number(other.unsigned_abs().to_string(), token.span));
         let mut all = tokens[..at].to_vec();
         if other != 1 || of_ten {
-            all.push(Token::new(Kind::Power(exponent), token.span));
+            all.push(Token::new(TokenKind::Power(exponent), token.span));
         }
         all.extend_from_slice(&tokens[at + 1..]);
         let words = format!("{base}^{other}` for `{base}^{power}`").replace('-', "−");
         tries(Edit { tokens: all, words: format!("`{words}"), at: token.span })?;
     }
     // The square of a unit that belongs to the whole bracket.
-    if tokens.get(at + 1).is_some_and(|next| next.is(')')) && at > 0 && tokens[at - 1].word().is_some() {
+    if tokens.get(at + 1).is_some_and(|next| next.is_sign(')')) && at > 0 && tokens[at - 1].word().is_some() {
         let mut all = tokens[..at].to_vec();
         all.push(tokens[at + 1].clone());
         all.push(token.clone());
@@ -387,13 +390,13 @@ fn digits(text: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chain::chains;
-    use crate::reader::{self, Format};
+    use crate::chain::split_chains;
+    use crate::reader::{self, TextFormat};
 
     fn hinted(tex: &str) -> Option<String> {
         let mut found = None;
-        reader::read(&format!("${tex}$"), Format::Markdown, &mut |formula| {
-            let chain = &chains(&formula.tokens)[0];
+        reader::read(&format!("${tex}$"), TextFormat::Markdown, &mut |formula| {
+            let chain = &split_chains(&formula.tokens)[0];
             let [left, right] = [&chain.sides[0], &chain.sides[1]];
             let judgement = judge(&left.tokens, &right.tokens, Relation::Equal, None);
             found = hint(left, right, Relation::Equal, &judgement, &mut MOST_FOR_ALL.clone());

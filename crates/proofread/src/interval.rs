@@ -21,7 +21,7 @@ impl Interval {
     }
 
     /// A number known to within `half` either way.
-    pub fn around(value: f64, half: f64) -> Self {
+    pub fn with_half_width(value: f64, half: f64) -> Self {
         Self { low: value - half, point: value, high: value + half }
     }
 
@@ -43,21 +43,21 @@ impl Interval {
 
     /// Each value through a function that rises or falls all along the interval.
     #[must_use]
-    pub fn through(self, function: impl Fn(f64) -> f64) -> Self {
+    pub fn map_monotone(self, function: impl Fn(f64) -> f64) -> Self {
         let (a, b) = (function(self.low), function(self.high));
         Self { low: a.min(b), point: function(self.point), high: a.max(b) }
     }
 
     /// Each value moved by a number.
     #[must_use]
-    pub fn moved(self, by: f64) -> Self {
+    pub fn shifted(self, by: f64) -> Self {
         self + Self::exact(by)
     }
 
     /// One over each value, unless zero is among them.
     #[must_use]
     pub fn inverse(self) -> Option<Self> {
-        (self.low > 0.0 || self.high < 0.0).then(|| self.through(|x| 1.0 / x))
+        (self.low > 0.0 || self.high < 0.0).then(|| self.map_monotone(|x| 1.0 / x))
     }
 
     /// The sizes of the values.
@@ -73,7 +73,7 @@ impl Interval {
     }
 
     /// Half of the width, in the interval's own unit.
-    pub fn half(self) -> f64 {
+    pub fn half_width(self) -> f64 {
         (self.high - self.low) / 2.0
     }
 
@@ -93,7 +93,7 @@ impl Interval {
             if n < 0.0 && self.low <= 0.0 && self.high >= 0.0 {
                 return None;
             }
-            let raised = self.through(|x| libm::pow(x, n));
+            let raised = self.map_monotone(|x| libm::pow(x, n));
             let around_zero = n % 2.0 == 0.0 && self.low < 0.0 && self.high > 0.0;
             if around_zero { Self { low: 0.0, ..raised } } else { raised }
         } else {
@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn products_take_the_outermost_corners() {
         let x = Interval { low: -1.0, point: 1.0, high: 2.0 };
-        assert_eq!(x * Interval::around(3.0, 1.0), Interval { low: -4.0, point: 3.0, high: 8.0 });
+        assert_eq!(x * Interval::with_half_width(3.0, 1.0), Interval { low: -4.0, point: 3.0, high: 8.0 });
         assert_eq!(x.abs(), Interval { low: 0.0, point: 1.0, high: 2.0 });
         assert_eq!(x.inverse(), None);
     }
@@ -178,8 +178,8 @@ mod tests {
 
     #[test]
     fn meeting_is_symmetric_and_forgives_rounding() {
-        let (a, b) = (Interval::around(1.0, 0.05), Interval::around(1.1, 0.05));
+        let (a, b) = (Interval::with_half_width(1.0, 0.05), Interval::with_half_width(1.1, 0.05));
         assert!(a.meets(b, 0.0) && b.meets(a, 0.0));
-        assert!(!a.meets(Interval::around(1.2, 0.05), 0.0));
+        assert!(!a.meets(Interval::with_half_width(1.2, 0.05), 0.0));
     }
 }

@@ -1,15 +1,15 @@
 //! The program `proofread`. Everything it does is in the library's module `cli`.
 
 use clap::{Args, Command, FromArgMatches};
-use proofread::cli::{self, Streams, TextLayout};
+use proofread::cli::{self, CommandStreams, TextLayout};
 use std::borrow::Cow;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
 /// The streams of this process, with colours where a terminal shows them.
-struct Own;
+struct ProcessStreams;
 
-impl Streams for Own {
+impl CommandStreams for ProcessStreams {
     fn print(&mut self, text: &str) -> Result<(), String> {
         let mut stream = anstream::stdout().lock();
         match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
@@ -19,7 +19,7 @@ impl Streams for Own {
         }
     }
 
-    fn tell(&mut self, text: &str) {
+    fn print_error(&mut self, text: &str) {
         let text = TextLayout::of_errors().map_or(Cow::Borrowed(text), |layout| layout.folded(text).into());
         // Nobody is left to be told if this fails.
         let _ = anstream::stderr().lock().write_all(text.as_bytes());
@@ -35,9 +35,9 @@ fn main() -> ExitCode {
         .version(env!("CARGO_PKG_VERSION"))
         .about("Recompute every chain of numbers that a text prints, with units and to the printed digits")
         .after_help(cli::EXAMPLES);
-    let matches = cli::Arguments::augment_args(command).get_matches();
-    match cli::Arguments::from_arg_matches(&matches) {
-        Ok(arguments) => cli::run(&arguments, &mut Own).into(),
+    let matches = cli::ProofreadArguments::augment_args(command).get_matches();
+    match cli::ProofreadArguments::from_arg_matches(&matches) {
+        Ok(arguments) => cli::run(&arguments, &mut ProcessStreams).into(),
         Err(error) => error.exit(),
     }
 }

@@ -1,28 +1,28 @@
 //! Ways of writing that only some texts have, each tried where two sides differ: what the sides would be if they were written in one of
 //! them, and what shows that they may be.
 
-use crate::chain::{ROW_END, Relation, Side};
-use crate::reader::{Formula, Written};
-use crate::substitution::solid;
-use crate::token::{Function, Kind, Token, any};
+use crate::chain::{ChainSide, ROW_END, Relation};
+use crate::reader::{Formula, FormulaStyle};
+use crate::substitution::without_space;
+use crate::token::{MathFunction, Token, TokenKind, any};
 use crate::unit::unit;
-use crate::value::{Angle, Value};
-use crate::verdict::{Verdict, judge};
+use crate::value::{AngleUnit, SideValue};
+use crate::verdict::{ChainVerdict, judge};
 use std::f64::consts::PI;
 
 /// Both sides in another way of writing.
 pub(crate) type Sides = [Vec<Token>; 2];
 
 /// What two sides would be in each of the ways of writing that they may be in.
-pub(crate) fn others(text: &str, formula: &Formula, left: &Side, right: &Side) -> Vec<Sides> {
+pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, right: &ChainSide) -> Vec<Sides> {
     let sides = || [left.tokens.clone(), right.tokens.clone()];
     let mut out = Vec::new();
-    let plain = formula.written == Written::Plain;
+    let plain = formula.style == FormulaStyle::Plain;
     for rest in without_label(&left.tokens, plain) {
         out.push([rest, right.tokens.clone()]);
     }
     // A row that begins with a sign may be an equation of its own.
-    let breaks = |side: &Side| side.tokens.iter().position(|token| token.kind == Kind::Space(ROW_END));
+    let breaks = |side: &ChainSide| side.tokens.iter().position(|token| token.kind == TokenKind::Space(ROW_END));
     let behind = breaks(left).map(|at| left.tokens[at + 1..].to_vec());
     let before = breaks(right).map(|at| right.tokens[..at].to_vec());
     out.extend(behind.iter().map(|behind| [behind.clone(), right.tokens.clone()]));
@@ -47,7 +47,7 @@ pub(crate) fn others(text: &str, formula: &Formula, left: &Side, right: &Side) -
     each(&under_function);
     each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));
-    if formula.written == Written::Plain {
+    if formula.style == FormulaStyle::Plain {
         each(&under_root);
     }
     if is_binary(&left.tokens) && is_binary(&right.tokens) {
@@ -63,8 +63,8 @@ fn without_label(side: &[Token], plain: bool) -> Vec<Vec<Token>> {
     let starts = |at: usize| {
         let next = side[at..].iter().find(|token| !token.is_space());
         next.is_some_and(|next| match &next.kind {
-            Kind::Operator(c) => "([√-".contains(*c),
-            Kind::Number(_) | Kind::Function(_) | Kind::Fraction(..) | Kind::Root(..) => true,
+            TokenKind::Operator(c) => "([√-".contains(*c),
+            TokenKind::Number(_) | TokenKind::Function(_) | TokenKind::Fraction(..) | TokenKind::Root(..) => true,
             _ => false,
         })
     };
@@ -83,10 +83,11 @@ fn without_label(side: &[Token], plain: bool) -> Vec<Vec<Token>> {
         _ => {}
     }
     // A dash with space on both sides.
-    let dashes = side.windows(3).position(|of| of[0].is_space() && of[1].is('-') && of[2].is_space());
+    let dashes = side.windows(3).position(|of| of[0].is_space() && of[1].is_sign('-') && of[2].is_space());
     ends.extend(dashes.filter(|_| plain).map(|at| at + 3));
     let computes = |token: &Token| {
-        token.is_one_of("+-×·/([√") || matches!(token.kind, Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_))
+        token.is_one_of("+-×·/([√")
+            || matches!(token.kind, TokenKind::Fraction(..) | TokenKind::Root(..) | TokenKind::Function(_))
     };
     ends.retain(|end| *end < side.len() && starts(*end) && side[*end..].iter().any(computes));
     ends.into_iter().map(|end| side[end..].to_vec()).collect()
@@ -98,7 +99,7 @@ fn from_left_to_right(side: &[Token]) -> Option<Vec<Token>> {
     let mut found = false;
     for token in side.iter().filter(|token| !token.is_space()) {
         let mut copy = token.clone();
-        let lists = if matches!(copy.kind, Kind::Fraction(..)) { copy.kind.lists() } else { Vec::new() };
+        let lists = if matches!(copy.kind, TokenKind::Fraction(..)) { copy.kind.lists() } else { Vec::new() };
         for list in lists {
             if let Some(changed) = from_left_to_right(list) {
                 (*list, found) = (changed, true);
@@ -106,12 +107,12 @@ fn from_left_to_right(side: &[Token]) -> Option<Vec<Token>> {
         }
         out.push(copy);
         let [.., above, slash, below, times, ten, power] = out.as_slice() else { continue };
-        let is_pi = above.kind == Kind::Name("π".to_owned());
+        let is_pi = above.kind == TokenKind::Name("π".to_owned());
         let numbers = (above.number().is_some() || is_pi) && below.number().is_some() && ten.number() == Some("10");
-        if numbers && slash.is('/') && times.is_one_of("×·") && matches!(power.kind, Kind::Power(_)) {
+        if numbers && slash.is_sign('/') && times.is_one_of("×·") && matches!(power.kind, TokenKind::Power(_)) {
             let (at, span) = (out.len() - 6, above.span);
-            out.insert(at + 3, Token::new(Kind::Operator(')'), span));
-            out.insert(at, Token::new(Kind::Operator('('), span));
+            out.insert(at + 3, Token::new(TokenKind::Operator(')'), span));
+            out.insert(at, Token::new(TokenKind::Operator('('), span));
             found = true;
         }
     }
@@ -124,25 +125,26 @@ fn without_second(side: &[Token]) -> Option<Vec<Token>> {
     let close = side.iter().rposition(|token| token.is_one_of(")]}"))?;
     let mut open = side[..close].iter().rposition(|token| token.is_one_of("([{"))?;
     let is_reference = close == open + 2 && integer(&side[open + 1]).is_some();
-    let mut apart = side[open].is('[') && is_reference;
+    let mut apart = side[open].is_sign('[') && is_reference;
     // It is a printed value, and nothing computed.
     let inner = &side[open + 1..close];
     let numbers = inner.iter().filter_map(Token::number).filter(|digits| *digits != "10").count();
     let printed = numbers < 2
         && !inner.iter().any(|token| {
-            matches!(token.kind, Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_)) || token.is_one_of("+([√")
+            matches!(token.kind, TokenKind::Fraction(..) | TokenKind::Root(..) | TokenKind::Function(_))
+                || token.is_one_of("+([√")
         });
     // The number of an equation behind a dash: 12 – (1).
     let last = side[..open].iter().rposition(|token| !token.is_space())?;
-    if side[last].is('-') && is_reference && last > 0 && side[last - 1].is_space() {
+    if side[last].is_sign('-') && is_reference && last > 0 && side[last - 1].is_space() {
         (open, apart) = (last, true);
     }
     let before = side[..open].iter().rev().find(|token| !token.is_space())?;
-    apart |= side[open - 1].is_space() || before.word().is_some() || matches!(before.kind, Kind::Power(_));
+    apart |= side[open - 1].is_space() || before.word().is_some() || matches!(before.kind, TokenKind::Power(_));
     // It says once more what stands before it: 1/2 (0.5).
-    apart |= printed && judge(&side[..open], inner, Relation::Equal, None).verdict == Verdict::Consistent;
+    apart |= printed && judge(&side[..open], inner, Relation::Equal, None).verdict == ChainVerdict::Consistent;
     let is_unit = |token: &Token| {
-        token.is_space() || matches!(token.kind, Kind::Word(_) | Kind::Power(_)) || token.is_one_of("/·")
+        token.is_space() || matches!(token.kind, TokenKind::Word(_) | TokenKind::Power(_)) || token.is_one_of("/·")
     };
     (apart && printed && !before.is_one_of("+-×·/([{") && side[close + 1..].iter().all(is_unit))
         .then(|| [&side[..open], &side[close + 1..]].concat())
@@ -183,7 +185,7 @@ fn in_one_unit(side: &[Token]) -> Option<Vec<Token>> {
         {
             let (span, unit) = (out[*a].span.join(out[*c].span), out[*b].clone());
             out.truncate(*a);
-            out.push(Token::new(Kind::Number(format!("{:.8}", whole + rest / parts)), span));
+            out.push(Token::new(TokenKind::Number(format!("{:.8}", whole + rest / parts)), span));
             out.push(unit);
             found = true;
         }
@@ -194,26 +196,26 @@ fn in_one_unit(side: &[Token]) -> Option<Vec<Token>> {
 /// A side without the mark of a note, `12^(3)`, on its last number.
 fn without_note(side: &[Token]) -> Option<Vec<Token>> {
     let (last, rest) = side.split_last()?;
-    let Kind::Power(mark) = &last.kind else { return None };
+    let TokenKind::Power(mark) = &last.kind else { return None };
     let [open, number, close] = mark.as_slice() else { return None };
     (open.is_one_of("([") && close.is_one_of(")]") && integer(number).is_some()).then(|| rest.to_vec())
 }
 
 /// A side in which a function takes all factors behind it, `sin 2 · 30°`; none if there is no such function.
 fn under_function(side: &[Token]) -> Option<Vec<Token>> {
-    let at = side.iter().position(|token| matches!(token.kind, Kind::Function(_)))?;
+    let at = side.iter().position(|token| matches!(token.kind, TokenKind::Function(_)))?;
     let end = side[at..].iter().position(|token| token.is_one_of("+-/")).map_or(side.len(), |end| at + end);
     let inner = &side[at + 1..end];
     let fits = inner.iter().any(|token| token.is_one_of("·×")) && inner.iter().all(|token| !token.is_one_of("()[]"));
-    let sign = |c| Token::new(Kind::Operator(c), side[at].span);
+    let sign = |c| Token::new(TokenKind::Operator(c), side[at].span);
     fits.then(|| [&side[..=at], &[sign('(')], inner, &[sign(')')], &side[end..]].concat())
 }
 
 /// A side with its logarithms without a base to the base 2; none if there are none.
 fn to_base_two(side: &[Token]) -> Option<Vec<Token>> {
-    let is_log = |token: &Token| matches!(token.kind, Kind::Function(Function::Log | Function::Lg));
+    let is_log = |token: &Token| matches!(token.kind, TokenKind::Function(MathFunction::Log | MathFunction::Lg));
     let change = |token: &Token| {
-        if is_log(token) { Token::new(Kind::Function(Function::LogTo(2)), token.span) } else { token.clone() }
+        if is_log(token) { Token::new(TokenKind::Function(MathFunction::LogTo(2)), token.span) } else { token.clone() }
     };
     side.iter().any(is_log).then(|| side.iter().map(change).collect())
 }
@@ -223,8 +225,8 @@ fn bracketed_digits(side: &[Token]) -> Vec<usize> {
     let fits = |at: &usize| match &side[*at..*at + 4] {
         [decimals, open, digits, close] => {
             let short = integer(digits).is_some() && digits.number().is_some_and(|of| of.len() < 4);
-            open.is('(')
-                && close.is(')')
+            open.is_sign('(')
+                && close.is_sign(')')
                 && short
                 && touch(&side[*at..*at + 4])
                 && decimals.number().is_some_and(|of| of.contains('.'))
@@ -248,7 +250,7 @@ fn with_period(side: &[Token]) -> Option<Vec<Token>> {
     let mut out = without_uncertainty(side)?;
     for (gone, at) in found.into_iter().enumerate() {
         let period = side[at + 2].number()?.repeat(8);
-        if let Kind::Number(digits) = &mut out[at - 3 * gone].kind {
+        if let TokenKind::Number(digits) = &mut out[at - 3 * gone].kind {
             digits.push_str(&period);
         }
     }
@@ -261,12 +263,12 @@ fn with_raised_points(text: &str, side: &[Token]) -> Option<Vec<Token>> {
     let (mut at, mut found) = (0, false);
     while let Some(token) = side.get(at) {
         if let [whole, point, decimals] = side.get(at..at + 3).unwrap_or_default()
-            && point.is('·')
+            && point.is_sign('·')
             && let (Some(one), Some(other)) = (whole.number(), decimals.number())
             && [one, other].iter().all(|of| of.chars().all(|c| c.is_ascii_digit()))
             && text.get(whole.span.end as usize..decimals.span.start as usize).is_some_and(|of| !of.contains(' '))
         {
-            out.push(Token::new(Kind::Number(format!("{one}.{other}")), whole.span.join(decimals.span)));
+            out.push(Token::new(TokenKind::Number(format!("{one}.{other}")), whole.span.join(decimals.span)));
             (at, found) = (at + 3, true);
             continue;
         }
@@ -290,7 +292,7 @@ fn with_braced_decimals(text: &str, side: &[Token]) -> Option<Vec<Token>> {
     let changed = side.iter().map(|token| {
         let mut copy = token.clone();
         let braced = text.get(token.span.range()).is_some_and(|source| source.contains("{,}"));
-        if let Kind::Number(digits) = &mut copy.kind
+        if let TokenKind::Number(digits) = &mut copy.kind
             && braced
             && digits.matches(',').count() == 1
             && !digits.contains('.')
@@ -314,51 +316,51 @@ pub(crate) fn has_phasor(side: &[Token]) -> bool {
     let is_phasor = |of: &[&Token]| {
         let [bare, stroke, angle @ ..] = of else { return false };
         let angle = match angle {
-            [minus, rest @ ..] if minus.is('-') => rest,
+            [minus, rest @ ..] if minus.is_sign('-') => rest,
             all => all,
         };
         bare.number().is_some()
-            && stroke.is('/')
+            && stroke.is_sign('/')
             && matches!(angle, [number, sign, ..] if number.number().is_some() && sign.word() == Some("°"))
     };
-    let plain = solid(side);
+    let plain = without_space(side);
     let here = (0..plain.len()).any(|at| is_phasor(&plain[at..]));
     here || side.iter().any(|token| token.inner().into_iter().any(has_phasor))
 }
 
 /// Whether a side is one number in brackets, which may mean something else than the number: [4,6] = 12, {3.7} = 0.7.
 pub(crate) fn is_bracketed_number(side: &[Token]) -> bool {
-    matches!(solid(side).as_slice(), [open, number, close] if open.is_one_of("([{") && close.is_one_of(")]}") && number.number().is_some())
+    matches!(without_space(side).as_slice(), [open, number, close] if open.is_one_of("([{") && close.is_one_of(")]}") && number.number().is_some())
 }
 
 /// Whether a side adds or multiplies numbers in brackets of their own, which may be those of lines or equations: (4) + (5).
 pub(crate) fn are_references(side: &[Token]) -> bool {
-    let solid = solid(side);
+    let solid = without_space(side);
     // (2) · 7 = 7, where (2) is a result.
     if let [open, number, close, sign, rest @ ..] = solid.as_slice()
-        && !rest.iter().any(|token| token.is('('))
-        && open.is('(')
+        && !rest.iter().any(|token| token.is_sign('('))
+        && open.is_sign('(')
         && integer(number).is_some()
-        && close.is(')')
+        && close.is_sign(')')
         && sign.is_one_of("+-×·/")
     {
         return true;
     }
     let terms = solid.split(|token| token.is_one_of("+-"));
-    let is_reference = |term: &[&Token]| matches!(term, [open, number, close] if open.is('(') && close.is(')') && integer(number).is_some());
+    let is_reference = |term: &[&Token]| matches!(term, [open, number, close] if open.is_sign('(') && close.is_sign(')') && integer(number).is_some());
     solid.len() > 4 && terms.into_iter().all(is_reference)
 }
 
 /// Whether a side has the sign of two units: `au` of the atomic mass and the astronomical unit, `D` of the debye and the dioptre.
 pub(crate) fn has_two_meanings(side: &[Token]) -> bool {
-    any(side, &|kind| matches!(kind, Kind::Word(word) if ["au", "AU", "D"].contains(&word.as_str())))
+    any(side, &|kind| matches!(kind, TokenKind::Word(word) if ["au", "AU", "D"].contains(&word.as_str())))
 }
 
 /// Whether a side is two years or other numbers with a dash between them: 1914–1918.
 pub(crate) fn is_range(text: &str, side: &[Token]) -> bool {
     let [one, dash, other] = side else { return false };
     let from_to = integer(one).zip(integer(other)).is_some_and(|(one, other)| one < other);
-    dash.is('-') && from_to && touch(side) && text.get(dash.span.range()) == Some("–")
+    dash.is_sign('-') && from_to && touch(side) && text.get(dash.span.range()) == Some("–")
 }
 
 fn integer(token: &Token) -> Option<u32> {
@@ -377,15 +379,15 @@ fn mixed(side: &[Token]) -> Option<Vec<Token>> {
     while let Some(token) = side.get(at) {
         let of = side.get(at..at + 5).unwrap_or_default();
         if let [whole, hyphen, above, stroke, below] = of
-            && hyphen.is('-')
-            && stroke.is('/')
+            && hyphen.is_sign('-')
+            && stroke.is_sign('/')
             && touch(of)
             && integer(whole).is_some()
             && let (Some(above), Some(below)) = (integer(above), integer(below))
             && above < below
             && below <= 64
         {
-            let sign = |c| Token::new(Kind::Operator(c), token.span);
+            let sign = |c| Token::new(TokenKind::Operator(c), token.span);
             out.extend([sign('('), whole.clone(), sign('+')]);
             out.extend_from_slice(&of[2..]);
             out.push(sign(')'));
@@ -401,24 +403,26 @@ fn mixed(side: &[Token]) -> Option<Vec<Token>> {
 /// Whether a side has integers with the digits 0 and 1 only, one of them a long one.
 fn is_binary(side: &[Token]) -> bool {
     let digits: Vec<&str> = side.iter().filter_map(Token::number).collect();
-    let plain = side.iter().all(|token| matches!(token.kind, Kind::Number(_) | Kind::Space(_) | Kind::Operator(_)));
+    let plain = side
+        .iter()
+        .all(|token| matches!(token.kind, TokenKind::Number(_) | TokenKind::Space(_) | TokenKind::Operator(_)));
     plain && digits.iter().all(|of| of.chars().all(|c| c == '0' || c == '1')) && digits.iter().any(|of| of.len() > 1)
 }
 
 fn in_decimal(side: &[Token]) -> Vec<Token> {
     let decimal = |token: &Token| {
         let value = token.number().and_then(|digits| u64::from_str_radix(digits, 2).ok());
-        value.map_or_else(|| token.clone(), |value| Token::new(Kind::Number(value.to_string()), token.span))
+        value.map_or_else(|| token.clone(), |value| Token::new(TokenKind::Number(value.to_string()), token.span))
     };
     side.iter().map(decimal).collect()
 }
 
 /// A side such as `6.7 L/100 km` or `98 mL/min/1.73 m²`, whose unit has a number in it, without that part of the unit.
 fn per_hundred(side: &[Token]) -> Option<Vec<Token>> {
-    let stroke = side.iter().rposition(|token| token.is('/'))?;
+    let stroke = side.iter().rposition(|token| token.is_sign('/'))?;
     let is_unit = |token: &Token| match &token.kind {
-        Kind::Word(word) => unit(word).is_some(),
-        kind => matches!(kind, Kind::Power(_) | Kind::Space(_)) || token.is_one_of("/·"),
+        TokenKind::Word(word) => unit(word).is_some(),
+        kind => matches!(kind, TokenKind::Power(_) | TokenKind::Space(_)) || token.is_one_of("/·"),
     };
     let mut below = side[stroke + 1..].iter().filter(|token| !token.is_space());
     let number = below.next()?.number().is_some();
@@ -431,19 +435,19 @@ fn per_hundred(side: &[Token]) -> Option<Vec<Token>> {
 
 /// A side with all factors behind a root sign under it, whose bar is lost in running text; none if there is no such sign.
 fn under_root(side: &[Token]) -> Option<Vec<Token>> {
-    let at = side.iter().position(|token| token.is('√'))?;
-    if side.get(at + 1)?.is('(') {
+    let at = side.iter().position(|token| token.is_sign('√'))?;
+    if side.get(at + 1)?.is_sign('(') {
         return None;
     }
     let ends = |token: &Token| token.is_one_of("+-");
     let end = side[at..].iter().position(ends).map_or(side.len(), |end| at + end);
-    let sign = |c| Token::new(Kind::Operator(c), side[at].span);
+    let sign = |c| Token::new(TokenKind::Operator(c), side[at].span);
     Some([&side[..=at], &[sign('(')], &side[at + 1..end], &[sign(')')], &side[end..]].concat())
 }
 
 /// Whether exponents may have lost their place in running text: (6.38 × 106)2 for (6.38 × 10⁶)².
 pub(crate) fn has_lost_exponents(side: &[Token]) -> bool {
-    let solid = solid(side);
+    let solid = without_space(side);
     solid.windows(2).any(|pair| {
         let touches = pair[0].span.end == pair[1].span.start;
         let digits = pair[1].number().unwrap_or_default();
@@ -453,22 +457,22 @@ pub(crate) fn has_lost_exponents(side: &[Token]) -> bool {
             && digits.starts_with("10")
             && digits.chars().all(|c| c.is_ascii_digit())
             && digits.trim_end_matches('0') != "1";
-        power || (touches && pair[0].is(')') && matches!(digits, "2" | "3" | "4"))
+        power || (touches && pair[0].is_sign(')') && matches!(digits, "2" | "3" | "4"))
     })
 }
 
 /// Whether both sides are angles that differ by whole turns.
-pub(crate) fn differ_by_turns(left: &Value, right: &Value) -> bool {
-    let degrees = |of: &Value| of.angle == Some(Angle::Degrees);
+pub(crate) fn differ_by_turns(left: &SideValue, right: &SideValue) -> bool {
+    let degrees = |of: &SideValue| of.angle == Some(AngleUnit::Degrees);
     let moved = |turns: i32| {
         let by = 2.0 * PI * f64::from(turns);
-        Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() }
+        SideValue { parts: left.parts.map(|part| part.shifted(by)), ..left.clone() }
     };
     degrees(left) && degrees(right) && (-3..=3).any(|turns| turns != 0 && moved(turns).meets(right, 1e-3))
 }
 
 /// Whether the right side counts whole pieces, of which there have to be at least as many as the left side says.
-pub(crate) fn counts_up(left: &Value, right: &Value) -> bool {
+pub(crate) fn counts_up(left: &SideValue, right: &SideValue) -> bool {
     let bare = !left.has_unit && !right.has_unit && right.is_literal();
     let whole = |of: f64| of.fract() == 0.0 && of > 0.0;
     match (left.number(), right.number()) {
@@ -479,16 +483,16 @@ pub(crate) fn counts_up(left: &Value, right: &Value) -> bool {
 
 /// The number with which a side begins, with its power of ten and unit, and what stands behind the sign that follows.
 fn parts(side: &[Token]) -> Option<(&[Token], &[Token])> {
-    let first = side.iter().position(|token| !token.is_space() && !token.is('-'))?;
+    let first = side.iter().position(|token| !token.is_space() && !token.is_sign('-'))?;
     side[first].number()?;
     let is_unit = |token: Option<&Token>| token.and_then(Token::word).is_some_and(|word| unit(word).is_some());
     for (at, token) in side.iter().enumerate().skip(first + 1) {
         let next = side[at + 1..].iter().find(|token| !token.is_space());
         let goes_on = match &token.kind {
-            Kind::Operator('×' | '·') => next.and_then(Token::number) == Some("10") || is_unit(next),
-            Kind::Operator('/') => is_unit(next),
-            Kind::Number(digits) => digits == "10",
-            Kind::Word(_) | Kind::Power(_) | Kind::Space(_) => true,
+            TokenKind::Operator('×' | '·') => next.and_then(Token::number) == Some("10") || is_unit(next),
+            TokenKind::Operator('/') => is_unit(next),
+            TokenKind::Number(digits) => digits == "10",
+            TokenKind::Word(_) | TokenKind::Power(_) | TokenKind::Space(_) => true,
             _ => false,
         };
         if !goes_on {
@@ -502,7 +506,7 @@ fn parts(side: &[Token]) -> Option<(&[Token], &[Token])> {
 pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let Some((result, rest)) = parts(sides[1]) else { return false };
     let holds =
-        |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < Verdict::Truncated;
+        |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < ChainVerdict::Truncated;
     holds(sides[0], result) && holds(rest, sides[2])
 }
 
@@ -512,10 +516,10 @@ pub(crate) fn is_mark(side: &[Token]) -> bool {
         token.number().is_some_and(|digits| digits.split('.').next().is_some_and(|whole| whole.len() == 2))
     };
     match side {
-        [place, plus, feet] => plus.is('+') && integer(place).is_some() && two(feet) && touch(side),
+        [place, plus, feet] => plus.is_sign('+') && integer(place).is_some() && two(feet) && touch(side),
         [degrees, one, minutes, other, seconds] => {
             let numbers = integer(degrees).is_some() && two(minutes) && two(seconds);
-            one.is('-') && other.is('-') && numbers && touch(side)
+            one.is_sign('-') && other.is_sign('-') && numbers && touch(side)
         }
         _ => false,
     }

@@ -15,7 +15,7 @@ pub(crate) enum Mode {
 
 /// A number as printed, without its sign.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Printed {
+pub struct PrintedNumber {
     /// The value of the digits, dimensionless.
     pub value: f64,
     /// Digits behind the point; none if there is no point.
@@ -24,7 +24,7 @@ pub struct Printed {
     trailing_zeros: usize,
 }
 
-impl Printed {
+impl PrintedNumber {
     /// Reads digits with at most one point and commas between thousands.
     pub fn read(text: &str) -> Option<Self> {
         let plain: String = text.chars().filter(|c| *c != ',').collect();
@@ -81,7 +81,7 @@ pub(crate) fn power_of_ten(exponent: f64) -> f64 {
 }
 
 /// A number with as many significant digits as asked, in the manner of the printed number beside it.
-pub(crate) fn written(value: f64, significant: usize) -> String {
+pub(crate) fn format_significant(value: f64, significant: usize) -> String {
     let significant = significant.clamp(1, 15);
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn the_last_place_says_how_much_is_open() {
-        let half = |text: &str, mode| Printed::read(text).expect("a number").open(mode, false).0;
+        let half = |text: &str, mode| PrintedNumber::read(text).expect("a number").open(mode, false).0;
         for (text, mode, expected) in [
             ("0.50", Mode::Result, 0.005),
             ("2300", Mode::Result, 50.0),
@@ -115,9 +115,9 @@ mod tests {
         ] {
             assert!((half(text, mode) - expected).abs() < 1e-12, "{text} {mode:?}");
         }
-        assert_eq!(Printed::read("1,234.50").map(|of| (of.value, of.decimals)), Some((1234.5, Some(2))));
+        assert_eq!(PrintedNumber::read("1,234.50").map(|of| (of.value, of.decimals)), Some((1234.5, Some(2))));
         for text in ["", ".", "1.2.3", "abc", "1e3"] {
-            assert_eq!(Printed::read(text), None, "{text}");
+            assert_eq!(PrintedNumber::read(text), None, "{text}");
         }
     }
 
@@ -130,7 +130,7 @@ mod tests {
             (5.63e-3, 3, "0.00563"),
             (0.0, 3, "0"),
         ] {
-            assert_eq!(written(value, digits), expected);
+            assert_eq!(format_significant(value, digits), expected);
         }
     }
 }

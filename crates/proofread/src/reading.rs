@@ -2,9 +2,9 @@
 
 /// A set of choices. Without any, a formula is read in the commonest way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Reading(u32);
+pub struct ReadingChoices(u32);
 
-impl Reading {
+impl ReadingChoices {
     /// The commonest way.
     pub const USUAL: Self = Self(0);
     /// A bare argument of a trigonometric function is in degrees.
@@ -51,18 +51,18 @@ impl Reading {
     pub const POWER_OUTSIDE: Self = Self(1 << 19);
 
     /// Whether all choices of another set are in this one.
-    pub fn has(self, other: Self) -> bool {
+    pub fn contains(self, other: Self) -> bool {
         self.0 & other.0 == other.0
     }
 
     /// Adds the choices of another set.
-    pub fn note(&mut self, other: Self) {
+    pub fn insert(&mut self, other: Self) {
         self.0 |= other.0;
     }
 
     /// Both sets together.
     #[must_use]
-    pub fn with(self, other: Self) -> Self {
+    pub fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
@@ -84,29 +84,29 @@ impl Reading {
     }
 
     /// The choices in words.
-    pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 19] = [
-            (Reading::DEGREES, "angles in degrees"),
-            (Reading::TURNS, "a revolution counted as 1"),
-            (Reading::POINTS, "temperatures on the scale"),
-            (Reading::MIXED, "a mixed number"),
-            (Reading::MINUS, "the minus of ±"),
-            (Reading::QUOTIENT, "the unit of the whole quotient"),
-            (Reading::DOSE, "rad as the unit of a dose"),
-            (Reading::TAG, "the number of an equation at the end"),
-            (Reading::ONE_BELOW, "one unit below the stroke"),
-            (Reading::ALL_BELOW, "all factors behind the stroke below it"),
-            (Reading::CHARGES, "particles counted as their charge"),
-            (Reading::POUNDS, "pounds as a mass"),
-            (Reading::NATURAL, "natural logarithms"),
-            (Reading::CYCLES, "a hertz as a turn in a second"),
-            (Reading::LOGARITHM_ABOVE, "the logarithm above the stroke"),
-            (Reading::PERCENT, "a percentage of what stands before it"),
-            (Reading::ZERO_DEGREES, "an exponent of zero as a degree sign"),
-            (Reading::SHARE, "a percentage as a factor"),
-            (Reading::POWER_OUTSIDE, "a power of the function"),
+    pub fn descriptions(self) -> Vec<&'static str> {
+        const WORDS: [(ReadingChoices, &str); 19] = [
+            (ReadingChoices::DEGREES, "angles in degrees"),
+            (ReadingChoices::TURNS, "a revolution counted as 1"),
+            (ReadingChoices::POINTS, "temperatures on the scale"),
+            (ReadingChoices::MIXED, "a mixed number"),
+            (ReadingChoices::MINUS, "the minus of ±"),
+            (ReadingChoices::QUOTIENT, "the unit of the whole quotient"),
+            (ReadingChoices::DOSE, "rad as the unit of a dose"),
+            (ReadingChoices::TAG, "the number of an equation at the end"),
+            (ReadingChoices::ONE_BELOW, "one unit below the stroke"),
+            (ReadingChoices::ALL_BELOW, "all factors behind the stroke below it"),
+            (ReadingChoices::CHARGES, "particles counted as their charge"),
+            (ReadingChoices::POUNDS, "pounds as a mass"),
+            (ReadingChoices::NATURAL, "natural logarithms"),
+            (ReadingChoices::CYCLES, "a hertz as a turn in a second"),
+            (ReadingChoices::LOGARITHM_ABOVE, "the logarithm above the stroke"),
+            (ReadingChoices::PERCENT, "a percentage of what stands before it"),
+            (ReadingChoices::ZERO_DEGREES, "an exponent of zero as a degree sign"),
+            (ReadingChoices::SHARE, "a percentage as a factor"),
+            (ReadingChoices::POWER_OUTSIDE, "a power of the function"),
         ];
-        WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()
+        WORDS.iter().filter(|(choice, _)| self.contains(*choice)).map(|(_, words)| *words).collect()
     }
 }
 
@@ -116,10 +116,10 @@ mod tests {
 
     #[test]
     fn subsets_begin_with_the_usual_reading() {
-        let of = Reading::DEGREES.with(Reading::MIXED).with(Reading::TAG);
+        let of = ReadingChoices::DEGREES.union(ReadingChoices::MIXED).union(ReadingChoices::TAG);
         let subsets = of.subsets(2);
-        assert_eq!((subsets.len(), subsets[0]), (7, Reading::USUAL));
-        assert!(subsets.iter().all(|subset| of.has(*subset)));
-        assert_eq!(of.words().len(), 3);
+        assert_eq!((subsets.len(), subsets[0]), (7, ReadingChoices::USUAL));
+        assert!(subsets.iter().all(|subset| of.contains(*subset)));
+        assert_eq!(of.descriptions().len(), 3);
     }
 }

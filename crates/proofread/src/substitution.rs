@@ -1,15 +1,15 @@
 //! Formulas with letters that were taken for units, and the sides that put numbers in their place.
 
-use crate::token::{Kind, Token};
+use crate::token::{Token, TokenKind};
 use crate::unit::unit;
 
 /// Whether the right side is the left one with numbers for letters that were taken for units: `5/D = 5/4`, `2·g·h = 2·9.81·5`.
 pub(crate) fn substitutes(left: &[Token], right: &[Token]) -> bool {
     let mut letters = 0;
-    fits(&solid(left), &solid(right), &mut letters) && letters > 0
+    fits(&without_space(left), &without_space(right), &mut letters) && letters > 0
 }
 
-pub(crate) fn solid(side: &[Token]) -> Vec<&Token> {
+pub(crate) fn without_space(side: &[Token]) -> Vec<&Token> {
     side.iter().filter(|token| !token.is_space()).collect()
 }
 
@@ -20,11 +20,11 @@ fn fits(mut left: &[&Token], mut right: &[&Token], letters: &mut usize) -> bool 
         if let [other, behind @ ..] = right
             && (one.kind == other.kind || (times(one) && times(other)))
         {
-            (left, right, behind_sign) = (rest, behind, matches!(one.kind, Kind::Operator(_)));
+            (left, right, behind_sign) = (rest, behind, matches!(one.kind, TokenKind::Operator(_)));
             continue;
         }
         match (&one.kind, right) {
-            (Kind::Word(_) | Kind::Name(_), _) => {
+            (TokenKind::Word(_) | TokenKind::Name(_), _) => {
                 // Between a number and a letter there need be no sign.
                 if let [sign, behind @ ..] = right
                     && !behind_sign
@@ -35,7 +35,7 @@ fn fits(mut left: &[&Token], mut right: &[&Token], letters: &mut usize) -> bool 
                 let Some(behind) = behind_value(right) else { return false };
                 right = behind;
                 // Two letters may be a product of two quantities.
-                let two = matches!(&one.kind, Kind::Word(word) if word.chars().count() == 2);
+                let two = matches!(&one.kind, TokenKind::Word(word) if word.chars().count() == 2);
                 if let [sign, behind @ ..] = right
                     && two
                     && times(sign)
@@ -45,9 +45,11 @@ fn fits(mut left: &[&Token], mut right: &[&Token], letters: &mut usize) -> bool 
                 }
                 *letters += 1;
             }
-            (Kind::Fraction(a, b), [Token { kind: Kind::Fraction(c, d), .. }, behind @ ..])
-            | (Kind::Root(a, b), [Token { kind: Kind::Root(c, d), .. }, behind @ ..]) => {
-                if !fits(&solid(a), &solid(c), letters) || !fits(&solid(b), &solid(d), letters) {
+            (TokenKind::Fraction(a, b), [Token { kind: TokenKind::Fraction(c, d), .. }, behind @ ..])
+            | (TokenKind::Root(a, b), [Token { kind: TokenKind::Root(c, d), .. }, behind @ ..]) => {
+                if !fits(&without_space(a), &without_space(c), letters)
+                    || !fits(&without_space(b), &without_space(d), letters)
+                {
                     return false;
                 }
                 right = behind;
@@ -75,7 +77,7 @@ fn behind_value<'t, 's>(side: &'s [&'t Token]) -> Option<&'s [&'t Token]> {
     if let [sign, ten, power, behind @ ..] = rest
         && sign.is_one_of("×·")
         && ten.number() == Some("10")
-        && matches!(power.kind, Kind::Power(_))
+        && matches!(power.kind, TokenKind::Power(_))
     {
         rest = behind;
     }
@@ -90,7 +92,7 @@ fn behind_value<'t, 's>(side: &'s [&'t Token]) -> Option<&'s [&'t Token]> {
 /// Whether a side may be a formula whose letters were taken for units: no number in it has more than two digits, and a single letter stands
 /// behind a sign, as in `1/T` and `1/2·C·V²`.
 pub(crate) fn is_formula(side: &[Token]) -> bool {
-    let side = solid(side);
+    let side = without_space(side);
     let letter = |token: &Token| {
         token.word().is_some_and(|word| word.chars().count() == 1 && word.chars().all(char::is_alphabetic))
     };
@@ -98,7 +100,7 @@ pub(crate) fn is_formula(side: &[Token]) -> bool {
     let words = side.iter().filter_map(|token| token.word()).all(|word| word.chars().count() == 1);
     // Units of a product stand behind one another: 60 N·m.
     let behind_sign = (1..side.len()).any(|at| {
-        let of_unit = at > 1 && matches!(side[at - 2].kind, Kind::Word(_) | Kind::Power(_));
+        let of_unit = at > 1 && matches!(side[at - 2].kind, TokenKind::Word(_) | TokenKind::Power(_));
         side[at - 1].is_one_of("/·×+-") && letter(side[at]) && !of_unit
     });
     words && behind_sign && side.iter().all(|token| small(&token))

@@ -1,15 +1,15 @@
 //! What the text around a formula says about it.
 
 use crate::effort;
-use crate::join::joined;
-use crate::reader::{is_noun, running, unit_sign};
-use crate::token::{Kind, Span, Token};
+use crate::reader::{is_noun, tokenise_text, unit_sign};
+use crate::token::{Span, Token, TokenKind};
+use crate::token_joining::join_tokens;
 use crate::unit::unit;
 
 /// Most bytes of text that are looked at on each side.
 const NEAR: usize = 160;
 
-fn around(text: &str, span: Span) -> (String, String) {
+fn text_around(text: &str, span: Span) -> (String, String) {
     let range = span.range();
     let bound = |mut at: usize| {
         while !text.is_char_boundary(at) {
@@ -21,7 +21,7 @@ fn around(text: &str, span: Span) -> (String, String) {
     let end = bound(range.end.clamp(start, text.len()));
     let before = &text[bound(start.saturating_sub(NEAR))..start];
     let after = &text[end..bound((end + NEAR).min(text.len()))];
-    effort::count(before.len() + after.len());
+    effort::count_steps(before.len() + after.len());
     (without_tags(before), without_tags(after))
 }
 
@@ -47,8 +47,8 @@ fn without_tags(text: &str) -> String {
 }
 
 /// Whether the text asks if the formula holds, or says that it does not.
-pub(crate) fn meant_false(text: &str, span: Span) -> bool {
-    let (before, after) = around(text, span);
+pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_lowercase();
     let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_lowercase();
     let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
@@ -82,7 +82,7 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
 
 /// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.
 pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
-    let (before, after) = around(text, span);
+    let (before, after) = text_around(text, span);
     let words = format!("{before} {after}").to_lowercase();
     let mut words = words.split(|c: char| !c.is_alphabetic());
     words.any(|word| {
@@ -91,7 +91,7 @@ pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
 }
 
 /// Whether only marks of formulas and space are between two places.
-pub(crate) fn adjoin(text: &str, first: Span, second: Span) -> bool {
+pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
     let between = text.get(first.end as usize..second.start as usize).unwrap_or("…");
     if between.len() > 400 {
         return false;
@@ -103,7 +103,7 @@ pub(crate) fn adjoin(text: &str, first: Span, second: Span) -> bool {
 }
 
 /// The text behind a place, without marks of formulas and tags at its start.
-fn behind(text: &str, span: Span) -> &str {
+fn text_behind(text: &str, span: Span) -> &str {
     let start = text.len().min(span.end as usize);
     let mut end = text.len().min(start + NEAR);
     while !text.is_char_boundary(end) {
@@ -112,12 +112,12 @@ fn behind(text: &str, span: Span) -> &str {
     text.get(start..end).unwrap_or_default()
 }
 
-fn behind_space(text: &str) -> &str {
+fn skip_space(text: &str) -> &str {
     text.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}', '\u{2009}']).trim_start_matches("\\,")
 }
 
 /// The first word of a text with commands for signs of units as these signs: `k\Ohm` and `k$\Omega$` as kΩ.
-fn spelled(text: &str) -> String {
+fn spell_unit_signs(text: &str) -> String {
     let word = text.split(char::is_whitespace).next().unwrap_or_default();
     let mut out = String::new();
     let mut rest = word;
@@ -148,7 +148,7 @@ fn spelled(text: &str) -> String {
 
 /// Whether what stands directly behind a formula may be a unit that is not known: a noun, or a prefix that touches a command.
 pub(crate) fn may_be_unit_behind(text: &str, span: Span) -> bool {
-    let rest = behind_space(behind(text, span));
+    let rest = skip_space(text_behind(text, span));
     let word = rest.split(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
     let is_command = |text: &str| text.strip_prefix('\\').is_some_and(|name| name.starts_with(char::is_alphabetic));
     let prefixed = word.chars().count() == 1 && is_command(&rest[word.len()..]);
@@ -157,28 +157,28 @@ pub(crate) fn may_be_unit_behind(text: &str, span: Span) -> bool {
 
 /// The unit in running text directly behind a formula, as tokens; none if there is none.
 pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
-    let rest = behind(text, span);
-    let rest = spelled(behind_space(rest));
+    let rest = text_behind(text, span);
+    let rest = spell_unit_signs(skip_space(rest));
     let end = rest.find(|c: char| c.is_whitespace() || ",;:<$\\".contains(c)).unwrap_or(rest.len());
     let word = rest[..end].trim_end_matches(['.', ')', '!', '?', '"', '*', '_']);
-    let mut tokens = joined(&running(word, span.end as usize));
+    let mut tokens = join_tokens(&tokenise_text(word, span.end as usize));
     for token in &mut tokens {
         match token.word() {
-            Some("turn" | "turns") => token.kind = Kind::Word("revolution".to_owned()),
-            Some("percentage") => token.kind = Kind::Word("percent".to_owned()),
+            Some("turn" | "turns") => token.kind = TokenKind::Word("revolution".to_owned()),
+            Some("percentage") => token.kind = TokenKind::Word("percent".to_owned()),
             _ => {}
         }
     }
     let is_unit = |token: &Token| match &token.kind {
-        Kind::Word(word) => unit(word).is_some() || ["thousand", "million", "billion"].contains(&word.as_str()),
-        Kind::Power(_) | Kind::Operator('/' | '·') => true,
+        TokenKind::Word(word) => unit(word).is_some() || ["thousand", "million", "billion"].contains(&word.as_str()),
+        TokenKind::Power(_) | TokenKind::Operator('/' | '·') => true,
         _ => false,
     };
     let first_is_word = tokens.first().is_some_and(|token| token.word().is_some());
     if !first_is_word || !tokens.iter().all(is_unit) {
         return Vec::new();
     }
-    tokens.insert(0, Token::new(Kind::Space(2), span));
+    tokens.insert(0, Token::new(TokenKind::Space(2), span));
     tokens
 }
 
@@ -246,7 +246,7 @@ pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
     const JOINTS: [&str; 10] =
         ["per", "in", "out of", "times", "by", "plus", "minus", "over", "divided by", "multiplied by"];
     let marks = |c: char| c == ' ' || "$)\\~".contains(c);
-    let rest = behind(text, span).trim_start_matches(marks);
+    let rest = text_behind(text, span).trim_start_matches(marks);
     JOINTS.iter().filter_map(|joint| rest.strip_prefix(joint)).any(|rest| {
         let next = rest.trim_start_matches(|c: char| c == ' ' || "$(\\~".contains(c));
         rest.starts_with([' ', '~']) && next.starts_with(|c: char| c.is_ascii_digit())
@@ -255,14 +255,14 @@ pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
 
 /// Whether the line below goes on with a sign of a product or a relation.
 pub(crate) fn goes_on_below(text: &str, span: Span) -> bool {
-    let Some(below) = behind(text, span).trim_start_matches([' ', '\r']).strip_prefix('\n') else { return false };
+    let Some(below) = text_behind(text, span).trim_start_matches([' ', '\r']).strip_prefix('\n') else { return false };
     let below = below.trim_start_matches([' ', '\t', '>']);
     below.strip_prefix(['/', '×', '·', '÷', '=']).is_some_and(|rest| rest.starts_with(' '))
 }
 
 /// Whether a comma behind a place leads to a last number, so that two lists may be equal: `6/2, 8/2 = 3, 4`.
 pub(crate) fn ends_in_list(text: &str, span: Span) -> bool {
-    let rest = behind(text, span);
+    let rest = text_behind(text, span);
     let next = rest
         .trim_start_matches(['}', ' '])
         .strip_prefix(',')
@@ -275,7 +275,7 @@ pub(crate) fn ends_in_list(text: &str, span: Span) -> bool {
 
 /// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.
 pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
-    let rest = behind(text, span).trim_start();
+    let rest = text_behind(text, span).trim_start();
     let arrows = ["-->", "->", "→", "\\to ", "\\rightarrow "];
     let next = arrows.iter().find_map(|arrow| rest.strip_prefix(arrow));
     next.is_some_and(|next| next.trim_start().starts_with(|c: char| c.is_ascii_digit()))
@@ -362,7 +362,7 @@ pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
         "two's complement",
         "in base",
     ];
-    let (before, after) = around(text, span);
+    let (before, after) = text_around(text, span);
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
     let near = format!("{sentence} {rest}").to_lowercase();
@@ -378,9 +378,9 @@ pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.
-pub(crate) fn base_named(text: &str, span: Span) -> Option<u32> {
+pub(crate) fn named_base(text: &str, span: Span) -> Option<u32> {
     const BASES: [(&str, u32); 4] = [("binary", 2), ("octal", 8), ("hexadecimal", 16), ("hex", 16)];
-    let near: String = behind(text, span).chars().take(30).collect();
+    let near: String = text_behind(text, span).chars().take(30).collect();
     let near = without_tags(&near);
     let near = near.split(['.', ';', '=', '?', '!']).next().unwrap_or_default();
     let mut words = near.split(|c: char| !c.is_alphabetic());
@@ -427,7 +427,7 @@ const DIRECTIONS: [&str; 34] = [
 
 /// Whether the words just behind a place name a direction.
 pub(crate) fn names_direction(text: &str, span: Span) -> bool {
-    let rest = behind(text, span);
+    let rest = text_behind(text, span);
     let near: String = rest.chars().take(70).collect();
     // The commands \left and \right are no words, nor are attributes of tags.
     let mut outside = String::new();

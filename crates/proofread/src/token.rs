@@ -3,6 +3,15 @@
 use crate::effort;
 
 /// A stretch of the text that was read, in bytes from its start.
+///
+/// ```
+/// use proofread::Span;
+///
+/// let (left, right) = (Span::new(0, 5), Span::new(8, 9));
+/// assert_eq!(&"1 + 1 = 3"[left.range()], "1 + 1");
+/// assert_eq!(left.join(right).range(), 0..9);
+/// assert_eq!(left.join(Span::default()), left);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// The first byte.
@@ -37,20 +46,20 @@ impl Span {
 
 /// A character as it is to be read, and where it was written: an entity or an escape is one character.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Sign {
+pub(crate) struct SourceChar {
     pub c: char,
     pub span: Span,
 }
 
 /// The characters of a text that starts `base` bytes into the document.
-pub(crate) fn signs(text: &str, base: usize) -> Vec<Sign> {
-    text.char_indices().map(|(at, c)| Sign { c, span: Span::new(base + at, base + at + c.len_utf8()) }).collect()
+pub(crate) fn signs(text: &str, base: usize) -> Vec<SourceChar> {
+    text.char_indices().map(|(at, c)| SourceChar { c, span: Span::new(base + at, base + at + c.len_utf8()) }).collect()
 }
 
 /// A function that is written by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
-pub enum Function {
+pub enum MathFunction {
     Sin,
     Cos,
     Tan,
@@ -72,7 +81,7 @@ pub enum Function {
     Tanh,
 }
 
-impl Function {
+impl MathFunction {
     const ALL: [(&'static str, Self); 20] = [
         ("sin", Self::Sin),
         ("cos", Self::Cos),
@@ -97,7 +106,7 @@ impl Function {
     ];
 
     /// The function of this name.
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function)
     }
 
@@ -122,7 +131,7 @@ pub(crate) const ENDLESS: &str = "macros without end";
 #[derive(Debug, PartialEq)]
 pub struct Token {
     /// What it is.
-    pub kind: Kind,
+    pub kind: TokenKind,
     /// Where it was written.
     pub span: Span,
     /// How many tokens are in each other here at most, without this one.
@@ -131,14 +140,14 @@ pub struct Token {
 
 impl Clone for Token {
     fn clone(&self) -> Self {
-        effort::count(1);
+        effort::count_steps(1);
         Self { kind: self.kind.clone(), ..*self }
     }
 }
 
 /// What a token is.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
+pub enum TokenKind {
     /// A number without a sign, as printed, with its thousands commas.
     Number(String),
     /// A letter that stands for a quantity, with its subscript behind `_`.
@@ -146,7 +155,7 @@ pub enum Kind {
     /// Upright text: a unit, or a word of prose.
     Word(String),
     /// A function's name.
-    Function(Function),
+    Function(MathFunction),
     /// Any other single sign: an operator, a relation, a bracket, punctuation.
     Operator(char),
     /// Space, in tenths of an em.
@@ -180,34 +189,34 @@ pub enum Kind {
 impl Token {
     /// A token at a place. No other way makes one, so that none is nested more deeply than all that goes through tokens can bear:
     /// what would be is unknown.
-    pub fn new(kind: Kind, span: Span) -> Self {
-        effort::count(1);
+    pub fn new(kind: TokenKind, span: Span) -> Self {
+        effort::count_steps(1);
         let inner = kind.inner().into_iter().flatten().map(|token| token.nesting + 1);
         match inner.max().unwrap_or(0) {
-            nesting if nesting > DEEPEST => Self { kind: Kind::Unknown(TOO_DEEP.to_owned()), span, nesting: 0 },
+            nesting if nesting > DEEPEST => Self { kind: TokenKind::Unknown(TOO_DEEP.to_owned()), span, nesting: 0 },
             nesting => Self { kind, span, nesting },
         }
     }
 
     /// Whether it is this sign.
-    pub fn is(&self, sign: char) -> bool {
-        self.kind == Kind::Operator(sign)
+    pub fn is_sign(&self, sign: char) -> bool {
+        self.kind == TokenKind::Operator(sign)
     }
 
     /// Whether it is one of these signs.
     pub fn is_one_of(&self, signs: &str) -> bool {
-        matches!(self.kind, Kind::Operator(c) if signs.contains(c))
+        matches!(self.kind, TokenKind::Operator(c) if signs.contains(c))
     }
 
     /// Whether it is space of any width.
     pub fn is_space(&self) -> bool {
-        matches!(self.kind, Kind::Space(_))
+        matches!(self.kind, TokenKind::Space(_))
     }
 
     /// The text of a unit or a word.
     pub fn word(&self) -> Option<&str> {
         match &self.kind {
-            Kind::Word(text) => Some(text),
+            TokenKind::Word(text) => Some(text),
             _ => None,
         }
     }
@@ -215,7 +224,7 @@ impl Token {
     /// The printed digits of a number.
     pub fn number(&self) -> Option<&str> {
         match &self.kind {
-            Kind::Number(text) => Some(text),
+            TokenKind::Number(text) => Some(text),
             _ => None,
         }
     }
@@ -226,13 +235,13 @@ impl Token {
     }
 
     /// Changes where it and everything in it was written.
-    pub(crate) fn place(&mut self, to: &dyn Fn(Span) -> Span) {
+    pub(crate) fn map_spans(&mut self, to: &dyn Fn(Span) -> Span) {
         self.span = to(self.span);
-        self.kind.lists().into_iter().flatten().for_each(|token| token.place(to));
+        self.kind.lists().into_iter().flatten().for_each(|token| token.map_spans(to));
     }
 }
 
-impl Kind {
+impl TokenKind {
     /// The lists of tokens inside it.
     fn inner(&self) -> Vec<&[Token]> {
         match self {
@@ -262,7 +271,7 @@ impl Kind {
 }
 
 /// The tokens without space at either end.
-pub(crate) fn trimmed(mut tokens: &[Token]) -> &[Token] {
+pub(crate) fn trim_space(mut tokens: &[Token]) -> &[Token] {
     while let [first, rest @ ..] = tokens
         && first.is_space()
     {
@@ -282,9 +291,9 @@ pub(crate) fn span_of(tokens: &[Token]) -> Span {
 }
 
 /// Whether any token here or inside another one is as asked.
-pub(crate) fn any(tokens: &[Token], is: &dyn Fn(&Kind) -> bool) -> bool {
+pub(crate) fn any(tokens: &[Token], is: &dyn Fn(&TokenKind) -> bool) -> bool {
     let looked_at = |token: &Token| {
-        effort::count(1);
+        effort::count_steps(1);
         is(&token.kind)
     };
     tokens.iter().any(|token| looked_at(token) || token.inner().into_iter().any(|inner| any(inner, is)))
@@ -292,7 +301,19 @@ pub(crate) fn any(tokens: &[Token], is: &dyn Fn(&Kind) -> bool) -> bool {
 
 /// Whether a number is printed anywhere in the tokens.
 pub(crate) fn has_number(tokens: &[Token]) -> bool {
-    any(tokens, &|kind| matches!(kind, Kind::Number(_)))
+    any(tokens, &|kind| matches!(kind, TokenKind::Number(_)))
+}
+
+/// Adds the names of quantities among the tokens and inside them, without π and e.
+pub(crate) fn collect_names(tokens: &[Token], out: &mut Vec<String>) {
+    for token in tokens {
+        if let TokenKind::Name(name) = &token.kind
+            && !matches!(name.as_str(), "π" | "e")
+        {
+            out.push(name.clone());
+        }
+        token.inner().into_iter().for_each(|inner| collect_names(inner, out));
+    }
 }
 
 /// The tokens as one line of text.
@@ -310,10 +331,9 @@ pub fn show(tokens: &[Token]) -> String {
 }
 
 fn show_into(tokens: &[Token], out: &mut String) {
-    effort::count(tokens.len());
+    effort::count_steps(tokens.len());
     let bracketed = |inner: &[Token], out: &mut String| {
-        let signed =
-            matches!(inner, [sign, Token { kind: Kind::Number(_) | Kind::Name(_), .. }] if sign.is_one_of("+-"));
+        let signed = matches!(inner, [sign, Token { kind: TokenKind::Number(_) | TokenKind::Name(_), .. }] if sign.is_one_of("+-"));
         let plain = inner.len() <= 1 || signed;
         out.push_str(if plain { "" } else { "(" });
         show_into(inner, out);
@@ -321,38 +341,38 @@ fn show_into(tokens: &[Token], out: &mut String) {
     };
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
-            Kind::Number(text) | Kind::Name(text) | Kind::Unknown(text) => out.push_str(text),
-            Kind::Word(text) => {
+            TokenKind::Number(text) | TokenKind::Name(text) | TokenKind::Unknown(text) => out.push_str(text),
+            TokenKind::Word(text) => {
                 if !text.starts_with(['°', '%']) && !out.ends_with(['/', '·', '(', '^', '-']) {
                     out.push(' ');
                 }
                 out.push_str(text);
             }
-            Kind::Function(function) => {
+            TokenKind::Function(function) => {
                 out.push_str(if out.ends_with(['(', '/', '√']) { "" } else { " " });
                 out.push_str(function.name());
-                let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
+                let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, TokenKind::Power(_)));
                 out.push_str(if raised { "" } else { " " });
             }
-            Kind::Operator('-' | '+') if at == 0 || tokens[at - 1].is_one_of("([/·×") => {
-                out.push(if token.is('-') { '−' } else { '+' });
+            TokenKind::Operator('-' | '+') if at == 0 || tokens[at - 1].is_one_of("([/·×") => {
+                out.push(if token.is_sign('-') { '−' } else { '+' });
             }
-            Kind::Operator('-') => out.push_str(" − "),
-            Kind::Operator(c) if "=≈+×±⇒".contains(*c) => out.extend([' ', *c, ' ']),
-            Kind::Operator(c) => out.push(*c),
-            Kind::Space(0) | Kind::Cell => {}
-            Kind::Space(_) | Kind::Line => out.push(' '),
-            Kind::Fraction(above, below) => {
+            TokenKind::Operator('-') => out.push_str(" − "),
+            TokenKind::Operator(c) if "=≈+×±⇒".contains(*c) => out.extend([' ', *c, ' ']),
+            TokenKind::Operator(c) => out.push(*c),
+            TokenKind::Space(0) | TokenKind::Cell => {}
+            TokenKind::Space(_) | TokenKind::Line => out.push(' '),
+            TokenKind::Fraction(above, below) => {
                 bracketed(above, out);
                 out.push('/');
                 bracketed(below, out);
             }
-            Kind::Root(of, index) => {
+            TokenKind::Root(of, index) => {
                 show_into(index, out);
                 out.push('√');
                 bracketed(of, out);
             }
-            Kind::Scripts(base, sub, sup) => {
+            TokenKind::Scripts(base, sub, sup) => {
                 show_into(base, out);
                 for (mark, script) in [('_', sub), ('^', sup)] {
                     if !script.is_empty() {
@@ -361,23 +381,23 @@ fn show_into(tokens: &[Token], out: &mut String) {
                     }
                 }
             }
-            Kind::Accent(base, sign) => {
+            TokenKind::Accent(base, sign) => {
                 show_into(base, out);
                 out.push_str(sign);
             }
-            Kind::Group(inner) => show_into(inner, out),
-            Kind::Table(rows) => {
+            TokenKind::Group(inner) => show_into(inner, out),
+            TokenKind::Table(rows) => {
                 for row in rows {
                     out.push(' ');
                     show_into(row, out);
                 }
             }
-            Kind::Power(exponent) => {
+            TokenKind::Power(exponent) => {
                 out.push('^');
                 bracketed(exponent, out);
             }
-            Kind::Basis(which) => out.push_str(["", "î", "ĵ", "k̂"].get(usize::from(*which)).unwrap_or(&"")),
-            Kind::Limits(from, to) => {
+            TokenKind::Basis(which) => out.push_str(["", "î", "ĵ", "k̂"].get(usize::from(*which)).unwrap_or(&"")),
+            TokenKind::Limits(from, to) => {
                 out.push_str("|_");
                 bracketed(from, out);
                 out.push('^');

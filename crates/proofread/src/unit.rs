@@ -6,13 +6,13 @@ use std::sync::LazyLock;
 
 /// Exponents of metre, kilogram, second, ampere, kelvin, mole and candela, each in sixtieths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Dimension([i32; 7]);
+pub struct UnitDimension([i32; 7]);
 
-impl Dimension {
+impl UnitDimension {
     /// No dimension.
     pub const NONE: Self = Self([0; 7]);
 
-    const fn of(exponents: [i32; 7]) -> Self {
+    const fn from_exponents(exponents: [i32; 7]) -> Self {
         let mut sixtieths = [0; 7];
         let mut at = 0;
         while at < 7 {
@@ -29,7 +29,7 @@ impl Dimension {
 
     /// The dimension of a product with another quantity to a power; sizes that no text has are cut.
     #[must_use]
-    pub fn times(self, other: Self, power: f64) -> Self {
+    pub fn with_factor(self, other: Self, power: f64) -> Self {
         let mut result = self.0;
         for (mine, its) in result.iter_mut().zip(other.0) {
             let more = (f64::from(its) * power).round().clamp(-1e6, 1e6) as i32;
@@ -41,17 +41,17 @@ impl Dimension {
     /// The dimension of a quantity to a power.
     #[must_use]
     pub fn power(self, power: f64) -> Self {
-        Self::NONE.times(self, power)
+        Self::NONE.with_factor(self, power)
     }
 }
 
 /// A unit: one of it is `factor` base units of its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unit {
+pub struct MeasurementUnit {
     /// How many base units of the SI it is, in units of its dimension.
     pub factor: f64,
     /// Its dimension.
-    pub dimension: Dimension,
+    pub dimension: UnitDimension,
 }
 
 const LENGTH: [i32; 7] = [1, 0, 0, 0, 0, 0, 0];
@@ -76,9 +76,9 @@ const EV: f64 = 1.602_176_634e-19;
 const DALTON: f64 = 1.660_539_07e-27;
 
 /// Units that take a prefix if they are written by their sign: names, factor, dimension, and the signs that take one.
-type Row = (&'static str, f64, [i32; 7]);
+type UnitRow = (&'static str, f64, [i32; 7]);
 
-const PREFIXED: &[Row] = &[
+const PREFIXED: &[UnitRow] = &[
     ("m", 1.0, LENGTH),
     ("g", 1e-3, MASS),
     ("s", 1.0, TIME),
@@ -110,7 +110,7 @@ const PREFIXED: &[Row] = &[
     ("pc", 3.085_677_581_491_367e16, LENGTH),
 ];
 
-const WHOLE: &[Row] = &[
+const WHOLE: &[UnitRow] = &[
     ("meter meters metre metres", 1.0, LENGTH),
     ("gram grams", 1e-3, MASS),
     ("kilogram kilograms", 1.0, MASS),
@@ -245,23 +245,23 @@ const NO_UNITS: &str = " as am aA aK aN aJ aV aT aH aC aF aL al ds dA dV dN dK d
 const AMBIGUOUS: &str =
     " kT fL fC mg mV fA mL mA mC nl pV nT fT dN mH mT mK mN nA nV pT pA nC pC kA kV mF fF hc dL ML MV GM MR ";
 
-fn listed(list: &str, word: &str) -> bool {
+fn is_listed(list: &str, word: &str) -> bool {
     list.split_whitespace().any(|of| of == word)
 }
 
-static TABLE: LazyLock<HashMap<String, Unit>> = LazyLock::new(|| {
+static TABLE: LazyLock<HashMap<String, MeasurementUnit>> = LazyLock::new(|| {
     let mut table = HashMap::new();
     for (names, factor, exponents) in PREFIXED {
         for name in names.split_whitespace() {
-            let dimension = Dimension::of(*exponents);
-            table.insert(name.to_owned(), Unit { factor: *factor, dimension });
+            let dimension = UnitDimension::from_exponents(*exponents);
+            table.insert(name.to_owned(), MeasurementUnit { factor: *factor, dimension });
             if name.starts_with("ohm") {
                 continue;
             }
             for (prefix, times) in PREFIXES {
                 let word = format!("{prefix}{name}");
-                if word == "kT" || !listed(NO_UNITS, &word) {
-                    table.insert(word, Unit { factor: factor * times, dimension });
+                if word == "kT" || !is_listed(NO_UNITS, &word) {
+                    table.insert(word, MeasurementUnit { factor: factor * times, dimension });
                 }
             }
         }
@@ -269,26 +269,29 @@ static TABLE: LazyLock<HashMap<String, Unit>> = LazyLock::new(|| {
     // What stands here by itself wins over a prefix: `min` is no milli-inch, `ft` no femtotonne.
     for (names, factor, exponents) in WHOLE {
         for name in names.split_whitespace() {
-            table.insert(name.to_owned(), Unit { factor: *factor, dimension: Dimension::of(*exponents) });
+            table.insert(
+                name.to_owned(),
+                MeasurementUnit { factor: *factor, dimension: UnitDimension::from_exponents(*exponents) },
+            );
         }
     }
     for (word, one, other) in PAIRS {
         if let (Some(one), Some(other)) = (table.get(*one).copied(), table.get(*other).copied()) {
-            let dimension = one.dimension.times(other.dimension, 1.0);
-            table.insert((*word).to_owned(), Unit { factor: one.factor * other.factor, dimension });
+            let dimension = one.dimension.with_factor(other.dimension, 1.0);
+            table.insert((*word).to_owned(), MeasurementUnit { factor: one.factor * other.factor, dimension });
         }
     }
     table
 });
 
 /// The unit of this name or sign.
-pub fn unit(word: &str) -> Option<Unit> {
+pub fn unit(word: &str) -> Option<MeasurementUnit> {
     TABLE.get(word).copied()
 }
 
 /// Whether the letters are as likely a product of quantities as a unit.
 pub(crate) fn is_ambiguous(word: &str) -> bool {
-    listed(AMBIGUOUS, word)
+    is_listed(AMBIGUOUS, word)
 }
 
 /// Whether a word is the sign of a percentage.
@@ -341,15 +344,15 @@ mod tests {
     #[test]
     fn derived_units_have_the_dimensions_of_their_definition() {
         let of = |word: &str| unit(word).unwrap_or_else(|| panic!("{word}")).dimension;
-        let joule = of("N").times(of("m"), 1.0);
+        let joule = of("N").with_factor(of("m"), 1.0);
         for word in ["J", "Nm", "eV", "kWh", "cal", "Btu"] {
             assert_eq!(of(word), joule, "{word}");
         }
-        assert_eq!(of("V"), joule.times(of("C"), -1.0));
-        assert_eq!(of("Ω"), of("V").times(of("A"), -1.0));
-        assert_eq!(of("F"), of("C").times(of("V"), -1.0));
-        assert_eq!(of("H"), of("Wb").times(of("A"), -1.0));
-        assert_eq!(of("Pa"), of("N").times(of("m"), -2.0));
+        assert_eq!(of("V"), joule.with_factor(of("C"), -1.0));
+        assert_eq!(of("Ω"), of("V").with_factor(of("A"), -1.0));
+        assert_eq!(of("F"), of("C").with_factor(of("V"), -1.0));
+        assert_eq!(of("H"), of("Wb").with_factor(of("A"), -1.0));
+        assert_eq!(of("Pa"), of("N").with_factor(of("m"), -2.0));
         assert_eq!(of("S"), of("Ω").power(-1.0));
     }
 }

@@ -1,57 +1,59 @@
 //! Units behind a number or a bracket: products and quotients of signs with exponents.
 
-use crate::atom::{is_power_of_e, plain_exponent};
-use crate::evaluate::{Cursor, Evaluator};
+use crate::cursor::Cursor;
+use crate::evaluate::Evaluator;
+use crate::exponent::{is_power_of_e, plain_exponent};
 use crate::interval::Interval;
-use crate::reading::Reading;
-use crate::token::{Kind, Token};
-use crate::unit::{Dimension, Unit, is_ambiguous, is_percent, unit};
-use crate::value::{Angle, Evaluated, Literal, Obstacle, Value};
+use crate::reading::ReadingChoices;
+use crate::token::{Token, TokenKind};
+use crate::unit::{MeasurementUnit, UnitDimension, is_ambiguous, is_percent, unit};
+use crate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
 use std::f64::consts::PI;
 
 /// What the units at a place are together.
-pub(crate) struct Units {
+pub(crate) struct UnitProduct {
     /// How many base units of the SI they are, in units of their dimension.
     pub factor: f64,
-    pub dimension: Dimension,
-    pub angle: Option<Angle>,
+    pub dimension: UnitDimension,
+    pub angle: Option<AngleUnit>,
     /// The scale of a temperature, if it stands alone.
     pub scale: Option<char>,
 }
 
-fn light_speed() -> Option<Unit> {
-    unit("m")
-        .zip(unit("s"))
-        .map(|(metre, second)| Unit { factor: 299_792_458.0, dimension: metre.dimension.times(second.dimension, -1.0) })
+fn light_speed() -> Option<MeasurementUnit> {
+    unit("m").zip(unit("s")).map(|(metre, second)| MeasurementUnit {
+        factor: 299_792_458.0,
+        dimension: metre.dimension.with_factor(second.dimension, -1.0),
+    })
 }
 
-fn unit_of(token: Option<&Token>) -> Option<Unit> {
+fn unit_of(token: Option<&Token>) -> Option<MeasurementUnit> {
     token.and_then(Token::word).and_then(unit)
 }
 
 /// Whether it may be the speed of light behind a stroke, as in MeV/c².
 fn is_light(token: Option<&Token>) -> bool {
-    token.is_some_and(|token| matches!(&token.kind, Kind::Name(name) | Kind::Word(name) if name == "c"))
+    token.is_some_and(|token| matches!(&token.kind, TokenKind::Name(name) | TokenKind::Word(name) if name == "c"))
 }
 
 impl Evaluator<'_> {
     /// The units from here on.
-    pub fn units(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<Units> {
-        let mut all = Units { factor: 1.0, dimension: Dimension::NONE, angle: None, scale: None };
+    pub fn units(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<UnitProduct> {
+        let mut all = UnitProduct { factor: 1.0, dimension: UnitDimension::NONE, angle: None, scale: None };
         let (mut below, mut count) = (false, 0);
         loop {
-            let (token, at) = cursor.look(cursor.at);
+            let (token, at) = cursor.token_from(cursor.at);
             let letter = token.and_then(|token| match &token.kind {
-                Kind::Name(name) if below && matches!(name.as_str(), "m" | "s" | "g") => unit(name),
+                TokenKind::Name(name) if below && matches!(name.as_str(), "m" | "s" | "g") => unit(name),
                 _ => None,
             });
             let light = || (count > 0 && is_light(token)).then(light_speed).flatten();
             let Some(one) = unit_of(token).or(letter).or_else(light) else { break };
             let word = token.and_then(Token::word).unwrap_or_default();
-            let one = self.meant(word, one, &mut all);
+            let one = self.resolve_unit(word, one, &mut all);
             cursor.at = at + 1;
             let mut exponent = 1.0;
-            if let Some(Token { kind: Kind::Power(power), .. }) = cursor.here() {
+            if let Some(Token { kind: TokenKind::Power(power), .. }) = cursor.current() {
                 exponent = plain_exponent(power)?;
                 if is_percent(word) {
                     return Err(Obstacle::Unclear("a power of a percentage"));
@@ -62,19 +64,19 @@ impl Evaluator<'_> {
                 exponent = -exponent;
             }
             all.factor *= libm::pow(one.factor, exponent);
-            all.dimension = all.dimension.times(one.dimension, exponent);
+            all.dimension = all.dimension.with_factor(one.dimension, exponent);
             count += 1;
-            if self.chosen(Reading::ONE_BELOW) {
+            if self.is_chosen(ReadingChoices::ONE_BELOW) {
                 below = false;
             }
-            if !self.connected(cursor, &mut below, &mut all)? {
+            if !self.take_connection(cursor, &mut below, &mut all)? {
                 break;
             }
         }
         if count != 1 {
             all.scale = None;
         }
-        if count > 1 && all.angle == Some(Angle::Degrees) && self.chosen(Reading::NUMBERS) {
+        if count > 1 && all.angle == Some(AngleUnit::Degrees) && self.is_chosen(ReadingChoices::NUMBERS) {
             all.factor = 1.0;
         }
         if !all.factor.is_finite() || all.factor == 0.0 {
@@ -84,61 +86,61 @@ impl Evaluator<'_> {
     }
 
     /// A unit as the reading means it.
-    fn meant(&mut self, word: &str, mut one: Unit, all: &mut Units) -> Unit {
+    fn resolve_unit(&mut self, word: &str, mut one: MeasurementUnit, all: &mut UnitProduct) -> MeasurementUnit {
         let turns = matches!(word, "rev" | "revs" | "revolution" | "revolutions" | "rpm");
         if turns || matches!(word, "cycle" | "cycles") {
-            self.noticed.note(Reading::TURNS);
+            self.noticed.insert(ReadingChoices::TURNS);
         }
         match word {
-            "°" => all.angle = Some(Angle::Degrees),
+            "°" => all.angle = Some(AngleUnit::Degrees),
             "rad" => {
-                self.noticed.note(Reading::DOSE);
-                if self.chosen(Reading::DOSE) {
+                self.noticed.insert(ReadingChoices::DOSE);
+                if self.is_chosen(ReadingChoices::DOSE) {
                     let dose = unit("Gy").map(|gray| gray.dimension).unwrap_or_default();
-                    one = Unit { factor: 0.01, dimension: dose };
+                    one = MeasurementUnit { factor: 0.01, dimension: dose };
                 }
-                all.angle = all.angle.or(Some(Angle::Radians));
+                all.angle = all.angle.or(Some(AngleUnit::Radians));
             }
             "electron" | "electrons" | "proton" | "protons" | "ion" | "ions" => {
-                self.noticed.note(Reading::CHARGES);
-                if self.chosen(Reading::CHARGES)
+                self.noticed.insert(ReadingChoices::CHARGES);
+                if self.is_chosen(ReadingChoices::CHARGES)
                     && let Some(charge) = unit("e")
                 {
                     one = charge;
                 }
             }
             "Hz" | "kHz" => {
-                self.noticed.note(Reading::CYCLES);
-                if self.chosen(Reading::CYCLES) {
+                self.noticed.insert(ReadingChoices::CYCLES);
+                if self.is_chosen(ReadingChoices::CYCLES) {
                     one.factor *= 2.0 * PI;
                 }
             }
             "lb" | "lbs" => {
-                self.noticed.note(Reading::POUNDS);
-                if self.chosen(Reading::POUNDS)
+                self.noticed.insert(ReadingChoices::POUNDS);
+                if self.is_chosen(ReadingChoices::POUNDS)
                     && let Some(mass) = unit("lbm")
                 {
                     one = mass;
                 }
             }
             "°C" | "°F" => {
-                self.noticed.note(Reading::POINTS);
+                self.noticed.insert(ReadingChoices::POINTS);
                 all.scale = word.chars().last();
             }
             _ if turns => {
-                all.angle = all.angle.or(Some(Angle::Radians));
-                if self.chosen(Reading::TURNS) {
+                all.angle = all.angle.or(Some(AngleUnit::Radians));
+                if self.is_chosen(ReadingChoices::TURNS) {
                     one.factor /= 2.0 * PI;
                 }
             }
             _ => {}
         }
-        if self.chosen(Reading::NUMBERS) && word != "°" {
+        if self.is_chosen(ReadingChoices::NUMBERS) && word != "°" {
             let percent = is_percent(word);
             if percent {
-                self.noticed.note(Reading::SHARE);
+                self.noticed.insert(ReadingChoices::SHARE);
             }
-            if !(percent && self.chosen(Reading::SHARE)) {
+            if !(percent && self.is_chosen(ReadingChoices::SHARE)) {
                 one.factor = 1.0;
             }
         }
@@ -146,42 +148,42 @@ impl Evaluator<'_> {
     }
 
     /// Takes what connects two units; whether another one follows.
-    fn connected(&mut self, cursor: &mut Cursor<'_>, below: &mut bool, all: &mut Units) -> Evaluated<bool> {
-        let (sign, at) = cursor.look(cursor.at);
+    fn take_connection(&mut self, cursor: &mut Cursor<'_>, below: &mut bool, all: &mut UnitProduct) -> Evaluated<bool> {
+        let (sign, at) = cursor.token_from(cursor.at);
         let Some(sign) = sign else { return Ok(false) };
-        let (next, next_at) = cursor.look(at + 1);
+        let (next, next_at) = cursor.token_from(at + 1);
         if sign.is_one_of("·*×") {
             if unit_of(next).is_none() {
                 return Ok(false);
             }
             cursor.at = at + 1;
             if *below {
-                self.noticed.note(Reading::ONE_BELOW);
+                self.noticed.insert(ReadingChoices::ONE_BELOW);
             }
             return Ok(true);
         }
-        if sign.is('-') && at == cursor.at {
+        if sign.is_sign('-') && at == cursor.at {
             let follows = unit_of(cursor.tokens.get(at + 1)).is_some();
             cursor.at += usize::from(follows);
             return Ok(follows);
         }
-        if sign.is('/') {
+        if sign.is_sign('/') {
             if unit_of(next).is_some() || is_light(next) {
                 cursor.at = at + 1;
                 *below = true;
-                self.noticed.note(Reading::ONE_BELOW);
+                self.noticed.insert(ReadingChoices::ONE_BELOW);
                 return Ok(true);
             }
-            if next.is_some_and(|next| next.is('(')) && unit_of(cursor.look(next_at + 1).0).is_some() {
+            if next.is_some_and(|next| next.is_sign('(')) && unit_of(cursor.token_from(next_at + 1).0).is_some() {
                 cursor.at = next_at;
-                let inner = cursor.group()?;
+                let inner = cursor.take_group()?;
                 let mut inside = Cursor::new(inner);
                 let divisor = self.units(&mut inside)?;
                 if inside.peek().is_some() {
                     return Err(Obstacle::Unclear("brackets among units"));
                 }
                 all.factor /= divisor.factor;
-                all.dimension = all.dimension.times(divisor.dimension, -1.0);
+                all.dimension = all.dimension.with_factor(divisor.dimension, -1.0);
             }
             return Ok(false);
         }
@@ -189,22 +191,22 @@ impl Evaluator<'_> {
     }
 
     /// A value with the units behind it, if there are any. `number` says that it is a printed number.
-    pub fn with_unit(&mut self, value: Value, cursor: &mut Cursor<'_>, number: bool) -> Evaluated<Value> {
+    pub fn with_unit(&mut self, value: SideValue, cursor: &mut Cursor<'_>, number: bool) -> Evaluated<SideValue> {
         if value.has_unit {
             return Ok(value);
         }
-        let (token, at) = cursor.look(cursor.at);
+        let (token, at) = cursor.token_from(cursor.at);
         let Some(word) = token.and_then(Token::word) else { return Ok(value) };
         let before = cursor.at.checked_sub(1).and_then(|at| cursor.tokens.get(at));
-        if !number && !before.is_some_and(|before| before.is(')')) {
-            let behind_fraction = before.is_some_and(|before| matches!(before.kind, Kind::Fraction(..)));
+        if !number && !before.is_some_and(|before| before.is_sign(')')) {
+            let behind_fraction = before.is_some_and(|before| matches!(before.kind, TokenKind::Fraction(..)));
             if is_ambiguous(word) || (matches!(word, "°C" | "°F") && behind_fraction) {
                 return Err(Obstacle::Letter(word.to_owned()));
             }
         }
         // An upright e with such an exponent is the base of the logarithms, not a charge.
         let raised = cursor.tokens.get(at + 1).is_some_and(|next| match &next.kind {
-            Kind::Power(power) => plain_exponent(power).map_or(true, is_power_of_e),
+            TokenKind::Power(power) => plain_exponent(power).map_or(true, is_power_of_e),
             _ => false,
         });
         if unit(word).is_none() || (word == "e" && raised) {
@@ -212,11 +214,11 @@ impl Evaluator<'_> {
         }
         cursor.at = at;
         let units = self.units(cursor)?;
-        let mut with = match units.scale.filter(|_| self.chosen(Reading::POINTS) && number) {
-            Some('C') => Value { parts: value.parts.map(|part| part.moved(273.15)), ..value },
+        let mut with = match units.scale.filter(|_| self.is_chosen(ReadingChoices::POINTS) && number) {
+            Some('C') => SideValue { parts: value.parts.map(|part| part.shifted(273.15)), ..value },
             Some(_) => {
-                let kelvin = |part: Interval| part.moved(-32.0).scaled(5.0 / 9.0).moved(273.15);
-                Value { parts: value.parts.map(kelvin), factor: 5.0 / 9.0, ..value }
+                let kelvin = |part: Interval| part.shifted(-32.0).scaled(5.0 / 9.0).shifted(273.15);
+                SideValue { parts: value.parts.map(kelvin), factor: 5.0 / 9.0, ..value }
             }
             None => value.scaled(units.factor),
         };

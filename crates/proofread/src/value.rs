@@ -1,7 +1,7 @@
 //! The value of a side: an interval or the components of a vector, with a dimension and what is known of its origin.
 
 use crate::interval::Interval;
-use crate::unit::Dimension;
+use crate::unit::UnitDimension;
 
 /// Why a side could not be evaluated.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -83,17 +83,17 @@ pub(crate) enum Literal {
 
 /// How an angle says that it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Angle {
+pub(crate) enum AngleUnit {
     Degrees,
     Radians,
 }
 
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Value {
+pub(crate) struct SideValue {
     pub parts: Parts,
-    pub dimension: Dimension,
+    pub dimension: UnitDimension,
     pub has_unit: bool,
-    pub angle: Option<Angle>,
+    pub angle: Option<AngleUnit>,
     pub operations: u32,
     pub bound: bool,
     pub literal: Literal,
@@ -101,8 +101,8 @@ pub(crate) struct Value {
     pub factor: f64,
 }
 
-impl Value {
-    pub fn of(interval: Interval) -> Self {
+impl SideValue {
+    pub fn from_interval(interval: Interval) -> Self {
         Self { parts: Parts::scalar(interval), factor: 1.0, ..Self::default() }
     }
 
@@ -127,11 +127,11 @@ impl Value {
         self.operations == 0
     }
 
-    pub fn negated(self) -> Self {
+    pub fn negate(self) -> Self {
         Self { parts: self.parts.map(|part| -part), ..self }
     }
 
-    fn joined(&self, other: &Self, operations: u32) -> Self {
+    fn combined(&self, other: &Self, operations: u32) -> Self {
         Self {
             parts: Parts::default(),
             dimension: self.dimension,
@@ -145,7 +145,7 @@ impl Value {
     }
 
     /// The sum; `loosely` adds whatever the units are.
-    pub fn plus(&self, other: &Self, loosely: bool) -> Evaluated<Self> {
+    pub fn sum(&self, other: &Self, loosely: bool) -> Evaluated<Self> {
         if self.dimension != other.dimension && !loosely && !self.is_zero() && !other.is_zero() {
             return Err(Obstacle::MixedSum);
         }
@@ -154,7 +154,7 @@ impl Value {
             mine.iter().copied().chain(its).for_each(|part| parts.add(at, part));
         }
         let alike = self.parts.0.iter().zip(other.parts.0).any(|(mine, its)| mine.is_some() && its.is_some());
-        let mut sum = self.joined(other, u32::from(alike));
+        let mut sum = self.combined(other, u32::from(alike));
         sum.parts = *parts;
         let takes_its = (self.is_zero() && !other.dimension.is_none()) || !self.has_unit;
         sum.dimension = if takes_its { other.dimension } else { self.dimension };
@@ -165,9 +165,9 @@ impl Value {
     }
 
     /// The product; `sign` tells a dot product of vectors from a cross product, and `counts` whether it is an operation.
-    pub fn times(&self, other: &Self, sign: Option<char>, counts: bool) -> Evaluated<Self> {
-        let mut product = self.joined(other, u32::from(counts));
-        product.dimension = self.dimension.times(other.dimension, 1.0);
+    pub fn product(&self, other: &Self, sign: Option<char>, counts: bool) -> Evaluated<Self> {
+        let mut product = self.combined(other, u32::from(counts));
+        product.dimension = self.dimension.with_factor(other.dimension, 1.0);
         let both = self.parts.is_vector() && other.parts.is_vector();
         if both && sign.is_none() {
             return Err(Obstacle::Unclear("a product of vectors without a sign"));
@@ -193,14 +193,14 @@ impl Value {
         Ok(product)
     }
 
-    pub fn over(&self, other: &Self) -> Evaluated<Self> {
+    pub fn quotient(&self, other: &Self) -> Evaluated<Self> {
         let below = other.number()?;
         if below.is_zero() && !self.is_zero_at_point() {
             return Err(Obstacle::NoValue("it divides by zero"));
         }
         let below = below.inverse().ok_or(Obstacle::Unclear("a division by what may be zero"))?;
-        let mut quotient = self.joined(other, 1);
-        quotient.dimension = self.dimension.times(other.dimension, -1.0);
+        let mut quotient = self.combined(other, 1);
+        quotient.dimension = self.dimension.with_factor(other.dimension, -1.0);
         quotient.parts = self.parts.map(|part| part * below);
         Ok(quotient)
     }
@@ -220,6 +220,16 @@ impl Value {
             factor: 1.0,
             ..self.clone()
         })
+    }
+
+    /// The factorial of a small integer.
+    pub fn factorial(&self) -> Evaluated<Self> {
+        let n = self.number()?.point;
+        if n.fract() != 0.0 || !(0.0..=170.0).contains(&n) || self.has_unit {
+            return Err(Obstacle::Unclear("a factorial of what is no small integer"));
+        }
+        let product = (1..=n as u32).map(f64::from).product();
+        Ok(Self { operations: self.operations + 1, ..Self::from_interval(Interval::exact(product)) })
     }
 
     /// Its number times a factor, as if by a unit.
@@ -244,18 +254,18 @@ impl Value {
 mod tests {
     use super::*;
 
-    fn vector(i: f64, j: f64, k: f64) -> Value {
+    fn vector(i: f64, j: f64, k: f64) -> SideValue {
         let parts = Parts([None, Some(Interval::exact(i)), Some(Interval::exact(j)), Some(Interval::exact(k))]);
-        Value { parts, ..Value::of(Interval::exact(0.0)) }
+        SideValue { parts, ..SideValue::from_interval(Interval::exact(0.0)) }
     }
 
     #[test]
     fn cross_and_dot_products_have_their_signs() {
         let (x, y) = (vector(1.0, 2.0, 3.0), vector(4.0, 5.0, 6.0));
-        let dot = x.times(&y, Some('·'), true).expect("a product");
+        let dot = x.product(&y, Some('·'), true).expect("a product");
         assert_eq!(dot.number().expect("a number").point, 32.0);
-        let cross = x.times(&y, Some('×'), true).expect("a product");
+        let cross = x.product(&y, Some('×'), true).expect("a product");
         assert_eq!(cross.parts.0.map(|part| part.map(|of| of.point)), [None, Some(-3.0), Some(6.0), Some(-3.0)]);
-        assert!(x.times(&y, None, true).is_err());
+        assert!(x.product(&y, None, true).is_err());
     }
 }

@@ -1,20 +1,20 @@
 //! Two neighbouring sides compared under every reading that makes a difference.
 
 use crate::chain::Relation;
-use crate::customs;
-use crate::evaluate::{Bindings, Evaluator};
+use crate::equals_conventions;
+use crate::evaluate::{Evaluator, NameValues};
 use crate::interval::Interval;
-use crate::join::has_letters;
+use crate::numeral::with_shared_exact;
 use crate::printed::Mode;
-use crate::reading::Reading;
-use crate::token::{Kind, Token, any};
-use crate::unrounded;
-use crate::value::{Evaluated, Obstacle, Value};
+use crate::reading::ReadingChoices;
+use crate::token::{Token, TokenKind, any};
+use crate::token_joining::has_letters;
+use crate::value::{Evaluated, Obstacle, SideValue};
 use std::f64::consts::PI;
 
 /// How two neighbouring sides compare, from the best to the worst. The best over all readings counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Verdict {
+pub enum ChainVerdict {
     /// The printed digits of one side give the other one to its printed digits.
     Consistent,
     /// The sides agree if the printed numbers had more digits than they show.
@@ -37,7 +37,7 @@ pub enum Verdict {
     CannotEvaluate,
 }
 
-impl Verdict {
+impl ChainVerdict {
     /// Every verdict, the best first.
     pub const ALL: [Self; 10] = [
         Self::Consistent,
@@ -69,12 +69,23 @@ impl Verdict {
     }
 
     /// The verdict of this name.
-    pub fn named(name: &str) -> Option<Self> {
+    ///
+    /// ```
+    /// use proofread::ChainVerdict;
+    ///
+    /// assert_eq!(ChainVerdict::from_name("last-digit"), Some(ChainVerdict::LastDigit));
+    /// assert!(ChainVerdict::ALL.iter().all(|verdict| ChainVerdict::from_name(verdict.name()) == Some(*verdict)));
+    /// ```
+    pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|verdict| verdict.name() == name)
     }
 
     /// The verdict in words for a reader.
-    pub fn words(self) -> &'static str {
+    ///
+    /// ```
+    /// assert_eq!(proofread::ChainVerdict::LastDigit.description(), "the last digit differs");
+    /// ```
+    pub fn description(self) -> &'static str {
         match self {
             Self::Consistent => "the two sides agree",
             Self::Rounded => "the two sides agree if the steps were rounded",
@@ -92,17 +103,19 @@ impl Verdict {
 
 /// A verdict, and the values behind it.
 #[derive(Clone, Debug)]
-pub(crate) struct Judgement {
-    pub verdict: Verdict,
+pub(crate) struct PairJudgement {
+    pub verdict: ChainVerdict,
     /// The reading under which it is so.
-    pub reading: Reading,
+    pub reading: ReadingChoices,
     /// Both sides as their digits are printed.
-    pub values: Option<(Value, Value)>,
+    pub values: Option<(SideValue, SideValue)>,
     pub obstacle: Option<Obstacle>,
     pub used: Vec<String>,
+    /// The name of the explanation under which it is so, if one was needed.
+    pub explanation: Option<&'static str>,
 }
 
-impl Judgement {
+impl PairJudgement {
     /// Whether its sides are nearer to each other than those of another reading.
     fn is_nearer(&self, other: &Self) -> bool {
         let apart = |of: &Self| of.values.as_ref().map_or(f64::INFINITY, |(left, right)| left.difference(right));
@@ -114,26 +127,37 @@ impl Judgement {
 const MOST_CHOICES: u32 = 4;
 
 /// Compares two sides.
-pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, bindings: Option<&Bindings>) -> Judgement {
-    let mut pair =
-        Pair { sides: [left, right], relation, bindings, noticed: Reading::USUAL, inverse: false, alike: None };
-    let mut best: Option<Judgement> = None;
+pub(crate) fn judge(
+    left: &[Token],
+    right: &[Token],
+    relation: Relation,
+    bindings: Option<&NameValues>,
+) -> PairJudgement {
+    let mut pair = ComparedSides {
+        sides: [left, right],
+        relation,
+        bindings,
+        noticed: ReadingChoices::USUAL,
+        inverse: false,
+        alike: None,
+    };
+    let mut best: Option<PairJudgement> = None;
     let mut obstacle = None;
     let mut without_value = true;
-    let mut tried: Vec<Reading> = Vec::new();
+    let mut tried: Vec<ReadingChoices> = Vec::new();
     loop {
         let mut open = pair.noticed;
         // Revolutions beside radians are angles.
-        if open.has(Reading::TURNS) && open.has(Reading::DOSE) {
-            open = Reading::USUAL.with(pair.without(open, Reading::TURNS));
+        if open.contains(ReadingChoices::TURNS) && open.contains(ReadingChoices::DOSE) {
+            open = ReadingChoices::USUAL.union(pair.without_choice(open, ReadingChoices::TURNS));
         }
         let next = open.subsets(MOST_CHOICES).into_iter().find(|reading| !tried.contains(reading));
         let Some(reading) = next else { break };
         tried.push(reading);
-        for numbers in [Reading::USUAL, Reading::NUMBERS] {
-            match pair.compare(reading.with(numbers)) {
+        for numbers in [ReadingChoices::USUAL, ReadingChoices::NUMBERS] {
+            match pair.compare(reading.union(numbers)) {
                 Ok(Some(found)) => {
-                    let better = |best: &Judgement| {
+                    let better = |best: &PairJudgement| {
                         found.verdict < best.verdict || (found.verdict == best.verdict && found.is_nearer(best))
                     };
                     if best.as_ref().is_none_or(better) {
@@ -146,39 +170,52 @@ pub(crate) fn judge(left: &[Token], right: &[Token], relation: Relation, binding
                     obstacle = obstacle.or(Some(why));
                 }
             }
-            if best.as_ref().is_some_and(|best| best.verdict == Verdict::Consistent) {
+            if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) {
                 break;
             }
         }
-        if best.as_ref().is_some_and(|best| best.verdict == Verdict::Consistent) || tried.len() > 64 {
+        if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) || tried.len() > 64 {
             break;
         }
     }
     if let Some(best) = &mut best
         && let Some(values) = &best.values
-        && best.verdict > Verdict::Units
-        && customs::corresponds(left, right, values)
+        && best.verdict > ChainVerdict::Units
+        && equals_conventions::may_stand_for_each_other(left, right, values)
     {
-        best.verdict = Verdict::Doubtful;
+        best.verdict = ChainVerdict::Doubtful;
     }
     best.unwrap_or_else(|| {
         let verdict = match obstacle {
             // A name whose value is zero, or has lost its unit, says nothing of the dimensions.
             Some(Obstacle::MixedSum) if bindings.is_none() || ![left, right].into_iter().any(has_letters) => {
-                Verdict::Dimensions
+                ChainVerdict::Dimensions
             }
-            Some(Obstacle::NoValue(_)) if without_value => Verdict::Inconsistent,
-            _ => Verdict::CannotEvaluate,
+            Some(Obstacle::NoValue(_)) if without_value => ChainVerdict::Inconsistent,
+            _ => ChainVerdict::CannotEvaluate,
         };
-        Judgement { verdict, reading: Reading::USUAL, values: None, obstacle, used: Vec::new() }
+        PairJudgement {
+            verdict,
+            reading: ReadingChoices::USUAL,
+            values: None,
+            obstacle,
+            used: Vec::new(),
+            explanation: None,
+        }
     })
 }
 
 /// Whether a side can be evaluated under some reading, and whether it is a printed number.
-pub(crate) fn evaluated(side: &[Token], bindings: Option<&Bindings>) -> Evaluated<Value> {
+pub(crate) fn evaluate_freely(side: &[Token], bindings: Option<&NameValues>) -> Evaluated<SideValue> {
     let mut first = None;
-    for reading in [Reading::USUAL, Reading::DEGREES, Reading::ONE_BELOW, Reading::POUNDS, Reading::NUMBERS] {
-        match Evaluator::new(Mode::Point, reading, bindings).side(side) {
+    for reading in [
+        ReadingChoices::USUAL,
+        ReadingChoices::DEGREES,
+        ReadingChoices::ONE_BELOW,
+        ReadingChoices::POUNDS,
+        ReadingChoices::NUMBERS,
+    ] {
+        match Evaluator::new(Mode::Point, reading, bindings).evaluate_side(side) {
             Ok(value) => return Ok(value),
             // Other readings change neither letters nor words.
             Err(why @ (Obstacle::Letter(_) | Obstacle::Word(_) | Obstacle::NoNumber | Obstacle::TooLarge)) => {
@@ -190,32 +227,43 @@ pub(crate) fn evaluated(side: &[Token], bindings: Option<&Bindings>) -> Evaluate
     Err(first.unwrap_or(Obstacle::NoNumber))
 }
 
-struct Pair<'t> {
+struct ComparedSides<'t> {
     sides: [&'t [Token]; 2],
     relation: Relation,
-    bindings: Option<&'t Bindings>,
-    noticed: Reading,
+    bindings: Option<&'t NameValues>,
+    noticed: ReadingChoices,
     inverse: bool,
     /// Both sides with the numbers exact that both of them print.
     alike: Option<[Vec<Token>; 2]>,
 }
 
-impl Pair<'_> {
-    fn without(&self, set: Reading, choice: Reading) -> Reading {
-        set.subsets(16).into_iter().rev().find(|of| !of.has(choice)).unwrap_or_default()
+impl ComparedSides<'_> {
+    fn without_choice(&self, set: ReadingChoices, choice: ReadingChoices) -> ReadingChoices {
+        set.subsets(16).into_iter().rev().find(|of| !of.contains(choice)).unwrap_or_default()
     }
 
-    fn value(&mut self, which: usize, mode: Mode, reading: Reading, used: &mut Vec<String>) -> Evaluated<Value> {
+    fn value(
+        &mut self,
+        which: usize,
+        mode: Mode,
+        reading: ReadingChoices,
+        used: &mut Vec<String>,
+    ) -> Evaluated<SideValue> {
         let mut evaluator = Evaluator::new(mode, reading, self.bindings);
         let side = self.alike.as_ref().filter(|_| mode != Mode::Point).map_or(self.sides[which], |sides| &sides[which]);
-        let value = evaluator.side(side);
-        self.noticed.note(evaluator.noticed);
+        let value = evaluator.evaluate_side(side);
+        self.noticed.insert(evaluator.noticed);
         self.inverse |= evaluator.inverse;
         used.append(&mut evaluator.used);
         value
     }
 
-    fn both(&mut self, inside: Mode, literal: [bool; 2], reading: Reading) -> Evaluated<[Value; 2]> {
+    fn evaluate_both(
+        &mut self,
+        inside: Mode,
+        literal: [bool; 2],
+        reading: ReadingChoices,
+    ) -> Evaluated<[SideValue; 2]> {
         let mode = |literal: bool| if literal { Mode::Result } else { inside };
         let unused = &mut Vec::new();
         let left = self.value(0, mode(literal[0]), reading, unused)?;
@@ -224,7 +272,7 @@ impl Pair<'_> {
     }
 
     /// The verdict under one reading, or none if the sides cannot be compared under it.
-    fn compare(&mut self, reading: Reading) -> Evaluated<Option<Judgement>> {
+    fn compare(&mut self, reading: ReadingChoices) -> Evaluated<Option<PairJudgement>> {
         let mut used = Vec::new();
         let left = self.value(0, Mode::Point, reading, &mut used);
         let right = self.value(1, Mode::Point, reading, &mut used);
@@ -232,31 +280,40 @@ impl Pair<'_> {
         used.sort();
         used.dedup();
         let literal = [points[0].is_literal(), points[1].is_literal()];
-        let numbers = reading.has(Reading::NUMBERS);
+        let numbers = reading.contains(ReadingChoices::NUMBERS);
         let printed = points.clone();
-        let judgement = |verdict: Verdict| {
+        let judgement = |verdict: ChainVerdict| {
             let [left, right] = printed.clone();
-            Some(Judgement { verdict, reading, values: Some((left, right)), obstacle: None, used: used.clone() })
+            Some(PairJudgement {
+                verdict,
+                reading,
+                values: Some((left, right)),
+                obstacle: None,
+                used: used.clone(),
+                explanation: None,
+            })
         };
         let same = points[0].dimension == points[1].dimension;
-        let zero = points.iter().any(Value::is_zero_at_point);
+        let zero = points.iter().any(SideValue::is_zero_at_point);
         if !same && !numbers && !zero {
             // A factor without its unit leaves the number in base units of the SI.
-            let [left, right] = self.both(Mode::Strict, literal, reading)?;
+            let [left, right] = self.evaluate_both(Mode::Strict, literal, reading)?;
             let agree = left.meets(&right, 0.0)
-                || customs::understood(self.sides, &left, &right)
-                || customs::weighs(&left, &right);
-            return Ok(agree.then(|| judgement(Verdict::Units)).flatten());
+                || equals_conventions::agree_with_omitted_unit(self.sides, &left, &right)
+                || equals_conventions::agree_as_weight(&left, &right);
+            return Ok(agree.then(|| judgement(ChainVerdict::Units)).flatten());
         }
         if numbers && !points.iter().any(|point| point.has_unit) {
             return Ok(None);
         }
         if literal == [false, false] {
-            self.alike = unrounded::shared_are_exact(self.sides);
+            self.alike = with_shared_exact(self.sides);
         }
-        let mut strict = self.both(Mode::Strict, literal, reading)?;
-        let mut lenient = self.both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
-        let fewer = |one: &Value, other: &Value| one.parts.pairs(&other.parts).all(|(a, b)| a.half() < b.half());
+        let mut strict = self.evaluate_both(Mode::Strict, literal, reading)?;
+        let mut lenient = self.evaluate_both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
+        let fewer = |one: &SideValue, other: &SideValue| {
+            one.parts.pairs(&other.parts).all(|(a, b)| a.half_width() < b.half_width())
+        };
         // A quantity that is converted isn't rounded to tens before.
         if literal == [true, true] && points.iter().all(|point| point.has_unit) {
             let exact = self.value(0, Mode::Strict, reading, &mut Vec::new())?;
@@ -265,13 +322,13 @@ impl Pair<'_> {
             }
         }
         let both_units = points.iter().all(|point| point.has_unit);
-        if self.noticed.has(Reading::MINUS) {
+        if self.noticed.contains(ReadingChoices::MINUS) {
             for value in points.iter_mut().chain(&mut strict).chain(&mut lenient) {
-                value.parts = value.parts.map(|part| Interval::around(part.point.abs(), part.half()));
+                value.parts = value.parts.map(|part| Interval::with_half_width(part.point.abs(), part.half_width()));
             }
         }
         let by_numbers = numbers && both_units;
-        let fine = |verdict: Verdict| judgement(if by_numbers { Verdict::Units } else { verdict });
+        let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
         let [left, right] = &strict;
         let agrees = match literal {
             [true, true] => points[0].meets(right, 0.0) || left.meets(&points[1], 0.0),
@@ -280,34 +337,39 @@ impl Pair<'_> {
             [false, false] => points[0].difference(&points[1]) < crate::interval::SLACK,
         };
         if agrees {
-            return Ok(fine(Verdict::Consistent));
+            return Ok(fine(ChainVerdict::Consistent));
         }
-        if customs::lacks_degrees(left, right) || customs::counts_electrons(self.sides, left, right) {
-            return Ok(judgement(Verdict::Doubtful));
+        if equals_conventions::lacks_degrees(left, right)
+            || equals_conventions::counts_electrons(self.sides, left, right)
+        {
+            return Ok(judgement(ChainVerdict::Doubtful));
         }
-        if customs::understood(self.sides, left, right) || customs::lacks_direction(left, right) {
-            return Ok(judgement(Verdict::Units));
+        if equals_conventions::agree_with_omitted_unit(self.sides, left, right)
+            || equals_conventions::lacks_direction(left, right)
+        {
+            return Ok(judgement(ChainVerdict::Units));
         }
         for (which, turned) in
             [(0, [left.scaled(PI / 180.0), right.clone()]), (1, [left.clone(), right.scaled(PI / 180.0)])]
         {
-            let turns = self.inverse && customs::turns_into_degrees(self.sides[which]);
-            if turns && (turned[0].meets(&turned[1], 0.0) || angles(&turned, &points, Reading::USUAL).is_some()) {
-                return Ok(judgement(Verdict::Doubtful));
+            let turns = self.inverse && equals_conventions::turns_into_degrees(self.sides[which]);
+            if turns && (turned[0].meets(&turned[1], 0.0) || angles(&turned, &points, ReadingChoices::USUAL).is_some())
+            {
+                return Ok(judgement(ChainVerdict::Doubtful));
             }
         }
-        let loose = customs::looseness(self.sides[0], self.sides[1]);
+        let loose = equals_conventions::unit_looseness(self.sides[0], self.sides[1]);
         let loosely = loose > 0.0 && (points[0].meets(right, loose) || left.meets(&points[1], loose));
-        if loosely || customs::rounded_charge(self.sides, left, right) {
-            return Ok(fine(Verdict::Rounded));
+        if loosely || equals_conventions::agree_with_rounded_charge(self.sides, left, right) {
+            return Ok(fine(ChainVerdict::Rounded));
         }
         if is_continued(left, right) {
-            return Ok(judgement(Verdict::Doubtful));
+            return Ok(judgement(ChainVerdict::Doubtful));
         }
         if self.inverse
             && let Some(verdict) = angles(&strict, &points, reading)
         {
-            return Ok(if verdict == Verdict::Units { judgement(verdict) } else { fine(verdict) });
+            return Ok(if verdict == ChainVerdict::Units { judgement(verdict) } else { fine(verdict) });
         }
         let computed = self.sides[usize::from(literal[0])];
         let of_one_unit = !numbers || has_words_of(self.sides[0], self.sides[1]);
@@ -315,7 +377,7 @@ impl Pair<'_> {
         // A side that shows the next step has the digits that the one before it gives.
         let steps = literal[0] != literal[1] || (literal == [false, false] && points[0].meets(right, 0.0));
         if left.meets(right, 0.0) && !exact_steps && steps && is_likely(&strict, &points, literal, true) {
-            return Ok(fine(Verdict::Rounded));
+            return Ok(fine(ChainVerdict::Rounded));
         }
         let near = (literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left));
         // Three digits behind ≈ are meant to be right.
@@ -325,13 +387,13 @@ impl Pair<'_> {
         let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
         let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
         if self.relation == Relation::Approximate && rounds_to_one {
-            return Ok(fine(Verdict::Approximate));
+            return Ok(fine(ChainVerdict::Approximate));
         }
-        if self.relation == Relation::Approximate && customs::is_order_of_magnitude(self.sides, &points) {
-            return Ok(fine(Verdict::Approximate));
+        if self.relation == Relation::Approximate && equals_conventions::is_order_of_magnitude(self.sides, &points) {
+            return Ok(fine(ChainVerdict::Approximate));
         }
         if self.relation == Relation::Approximate && rough && lenient[0].meets(&lenient[1], 0.05) {
-            return Ok(fine(Verdict::Approximate));
+            return Ok(fine(ChainVerdict::Approximate));
         }
         let cut = match literal {
             [false, true] => is_cut(&points[0], right),
@@ -342,26 +404,26 @@ impl Pair<'_> {
             [false, false] => false,
         };
         if cut {
-            return Ok(fine(Verdict::Truncated));
+            return Ok(fine(ChainVerdict::Truncated));
         }
         if lenient[0].meets(&lenient[1], 0.0)
             && is_likely(&lenient, &points, literal, false)
             && is_as_coarse(&lenient, literal)
         {
-            return Ok(judgement(if by_numbers { Verdict::Units } else { Verdict::Doubtful }));
+            return Ok(judgement(if by_numbers { ChainVerdict::Units } else { ChainVerdict::Doubtful }));
         }
         if by_numbers {
-            return Ok(judgement(Verdict::Dimensions));
+            return Ok(judgement(ChainVerdict::Dimensions));
         }
         // What the steps would allow, but not likely, is more than a digit.
         let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
-        Ok(judgement(if near { Verdict::LastDigit } else { Verdict::Inconsistent }))
+        Ok(judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent }))
     }
 }
 
 /// Whether the digits that were lost on the way explain the difference: it is about one unit of the last digit (if `one_more`), or within
 /// [`LIKELY`] of what all the steps together leave open. Their errors hardly ever all point the same way.
-fn is_likely(open: &[Value; 2], points: &[Value; 2], literal: [bool; 2], one_more: bool) -> bool {
+fn is_likely(open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2], one_more: bool) -> bool {
     let likely = if one_more { LIKELY } else { LIKELY_FROM_TENS };
     let (computed, printed) = match literal {
         [false, true] => (0, 1),
@@ -370,7 +432,7 @@ fn is_likely(open: &[Value; 2], points: &[Value; 2], literal: [bool; 2], one_mor
         _ => return true,
     };
     let differences = points[computed].parts.pairs(&points[printed].parts).map(|(a, b)| (a.point - b.point).abs());
-    let halves = open[computed].parts.pairs(&open[printed].parts).map(|(a, b)| (a.half(), b.half()));
+    let halves = open[computed].parts.pairs(&open[printed].parts).map(|(a, b)| (a.half_width(), b.half_width()));
     differences.zip(halves).all(|(difference, (steps, digits))| {
         digits == 0.0 || (one_more && difference <= 3.0001 * digits) || difference <= likely * (steps + digits)
     })
@@ -379,8 +441,8 @@ fn is_likely(open: &[Value; 2], points: &[Value; 2], literal: [bool; 2], one_mor
 /// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
 fn is_plain_sum(side: &[Token]) -> bool {
     let is_term = |token: &Token| match &token.kind {
-        Kind::Number(_) | Kind::Word(_) | Kind::Space(_) | Kind::Basis(_) => true,
-        Kind::Operator(c) => "+-()[]|".contains(*c),
+        TokenKind::Number(_) | TokenKind::Word(_) | TokenKind::Space(_) | TokenKind::Basis(_) => true,
+        TokenKind::Operator(c) => "+-()[]|".contains(*c),
         _ => false,
     };
     let products =
@@ -390,7 +452,7 @@ fn is_plain_sum(side: &[Token]) -> bool {
 
 /// Whether a side is a round expression, as in 0.0198 ≈ 1/50 and 2498 ≈ 50².
 fn is_round(side: &[Token]) -> bool {
-    let decimal = |kind: &Kind| matches!(kind, Kind::Number(digits) if digits.contains('.'));
+    let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
     side.len() > 1 && !any(side, &decimal)
 }
 
@@ -400,13 +462,13 @@ fn has_words_of(side: &[Token], other: &[Token]) -> bool {
 }
 
 /// Whether a printed result is as coarse as its integers would be if they were rounded; a finer one shows that they are exact.
-fn is_as_coarse([left, right]: &[Value; 2], literal: [bool; 2]) -> bool {
+fn is_as_coarse([left, right]: &[SideValue; 2], literal: [bool; 2]) -> bool {
     let (computed, printed) = match literal {
         [false, true] => (left, right),
         [true, false] => (right, left),
         _ => return true,
     };
-    let halves = computed.parts.pairs(&printed.parts).map(|(a, b)| (a.half(), b.half()));
+    let halves = computed.parts.pairs(&printed.parts).map(|(a, b)| (a.half_width(), b.half_width()));
     halves.into_iter().all(|(steps, digits)| digits == 0.0 || steps <= FINEST * digits)
 }
 
@@ -420,32 +482,32 @@ const LIKELY: f64 = 0.25;
 const LIKELY_FROM_TENS: f64 = 0.15;
 
 /// Angles of an inverse function agree up to half turns, and the degree sign may be missing.
-fn angles([left, right]: &[Value; 2], points: &[Value; 2], reading: Reading) -> Option<Verdict> {
-    if reading.has(Reading::DEGREES) {
+fn angles([left, right]: &[SideValue; 2], points: &[SideValue; 2], reading: ReadingChoices) -> Option<ChainVerdict> {
+    if reading.contains(ReadingChoices::DEGREES) {
         for (angle, bare, point) in [(left, right, &points[1]), (right, left, &points[0])] {
             let in_degrees = angle.scaled(180.0 / PI);
             if point.angle.is_none() && !point.has_unit && in_degrees.meets(bare, 0.0) {
-                return Some(Verdict::Units);
+                return Some(ChainVerdict::Units);
             }
         }
     }
     // Below or above, left or right is said in words.
-    if left.clone().negated().meets(right, 0.0) {
-        return Some(Verdict::Doubtful);
+    if left.clone().negate().meets(right, 0.0) {
+        return Some(ChainVerdict::Doubtful);
     }
     // The other angle with the same sine or cosine.
-    let turned = left.clone().negated();
-    let other = |by: f64| Value { parts: turned.parts.map(|part| part.moved(by)), ..turned.clone() };
+    let turned = left.clone().negate();
+    let other = |by: f64| SideValue { parts: turned.parts.map(|part| part.shifted(by)), ..turned.clone() };
     if other(PI).meets(right, 0.0) || other(2.0 * PI).meets(right, 0.0) {
-        return Some(Verdict::Doubtful);
+        return Some(ChainVerdict::Doubtful);
     }
-    let moved = |by: f64| Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() };
-    [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(Verdict::Rounded)
+    let moved = |by: f64| SideValue { parts: left.parts.map(|part| part.shifted(by)), ..left.clone() };
+    [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(ChainVerdict::Rounded)
 }
 
 /// Whether the left side may be the end of a vector that began in another formula: it lacks components that the right side
 /// has, and those that it has agree.
-fn is_continued(left: &Value, right: &Value) -> bool {
+fn is_continued(left: &SideValue, right: &SideValue) -> bool {
     let (mine, its) = (&left.parts.0[1..], &right.parts.0[1..]);
     let lacks = mine.iter().zip(its).any(|(a, b)| a.is_none() && b.is_some());
     let fits = mine.iter().zip(its).all(|(a, b)| match (a, b) {
@@ -457,23 +519,23 @@ fn is_continued(left: &Value, right: &Value) -> bool {
 }
 
 /// Whether cutting `computed` off gives the printed digits.
-fn is_cut(computed: &Value, printed: &Value) -> bool {
+fn is_cut(computed: &SideValue, printed: &SideValue) -> bool {
     computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
-        let (size, open) = (printed.point.abs(), 2.0 * printed.half());
+        let (size, open) = (printed.point.abs(), 2.0 * printed.half_width());
         let beyond = computed.point.abs() - size;
         open > 0.0 && computed.point * printed.point >= 0.0 && beyond >= -1e-9 * size && beyond < open
     })
 }
 
 /// Whether a printed result has three digits or more.
-fn is_exact(printed: &Value) -> bool {
-    printed.parts.0.iter().flatten().all(|part| part.half() > 0.0 && part.half() < 0.05 * part.point.abs())
+fn is_exact(printed: &SideValue) -> bool {
+    printed.parts.0.iter().flatten().all(|part| part.half_width() > 0.0 && part.half_width() < 0.05 * part.point.abs())
 }
 
 /// Whether a computed value is within one more unit of the last printed digit.
-fn is_near(computed: &Value, printed: &Value) -> bool {
+fn is_near(computed: &SideValue, printed: &SideValue) -> bool {
     computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
-        let more = 2.0001 * printed.half();
+        let more = 2.0001 * printed.half_width();
         more <= printed.point.abs() && computed.high >= printed.low - more && computed.low <= printed.high + more
     })
 }

@@ -1,38 +1,38 @@
 //! The command: its output in each form, accepted cases, changes, and exit codes.
 
 use clap::{Args, FromArgMatches};
-use proofread::cli::{self, Streams};
+use proofread::cli::{self, CommandStreams};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-fn arguments(line: &[&str]) -> cli::Arguments {
-    let command = cli::Arguments::augment_args(clap::Command::new("proofread"));
+fn arguments(line: &[&str]) -> cli::ProofreadArguments {
+    let command = cli::ProofreadArguments::augment_args(clap::Command::new("proofread"));
     let matches = command.try_get_matches_from(line).expect("a command line");
-    cli::Arguments::from_arg_matches(&matches).expect("a command line")
+    cli::ProofreadArguments::from_arg_matches(&matches).expect("a command line")
 }
 
 #[derive(Default)]
-struct Kept {
+struct CapturedStreams {
     out: String,
     told: String,
 }
 
-impl Streams for Kept {
+impl CommandStreams for CapturedStreams {
     fn print(&mut self, text: &str) -> Result<(), String> {
         self.out += &anstream::adapter::strip_str(text).to_string();
         Ok(())
     }
 
-    fn tell(&mut self, text: &str) {
+    fn print_error(&mut self, text: &str) {
         self.told += &anstream::adapter::strip_str(text).to_string();
     }
 }
 
 /// Exit code, standard output and standard error.
 pub fn run(line: &[&str]) -> (u8, String, String) {
-    let mut kept = Kept::default();
+    let mut kept = CapturedStreams::default();
     let code = cli::run(&arguments(&[&["proofread"], line].concat()), &mut kept);
     (code, kept.out, kept.told)
 }
@@ -225,7 +225,7 @@ fn nothing_that_a_terminal_obeys_is_printed() {
     let (folder, _) = folder();
     let file = folder.path().join("c.md");
     fs::write(&file, "\u{1b}[31m\u{202e} $2 + 2 = 5$ \u{7}").expect("written");
-    let mut kept = Kept::default();
+    let mut kept = CapturedStreams::default();
     cli::run(&arguments(&["proofread", file.to_str().expect("UTF-8")]), &mut kept);
     let obeyed = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
     assert!(!kept.out.contains(obeyed) && kept.out.contains("printed 5, recomputed 4"), "{:?}", kept.out);

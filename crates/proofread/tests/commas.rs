@@ -1,12 +1,12 @@
 //! Texts with a decimal comma, and with thousands separated by spaces.
 
 use crate::{report, wrong};
-use proofread::{Format, List};
+use proofread::{ReportSection, TextFormat};
 
 /// How many pairs were compared, and what is wrong.
-fn compared(text: &str, format: Format) -> (usize, Vec<String>) {
+fn compared(text: &str, format: TextFormat) -> (usize, Vec<String>) {
     let report = report(text, format);
-    let numbers = report.findings.iter().filter(|of| of.list == List::Numbers);
+    let numbers = report.findings.iter().filter(|of| of.section == ReportSection::Numbers);
     (report.tally.pairs, numbers.map(|of| format!("{} | {}", of.left, of.right)).collect())
 }
 
@@ -22,26 +22,26 @@ fn a_text_with_decimal_commas_is_read_as_one() {
         (r"$1~250 + 0,5 = 1~250,5$", 1),
         (r"$0,5 + 0,5 = 1,0$, $1,5 + 1,5 = 3,0$, $1.250 + 0,5 = 1.250,5$", 3),
     ] {
-        for format in [Format::Latex, Format::Markdown] {
+        for format in [TextFormat::Latex, TextFormat::Markdown] {
             let (found, wrong) = compared(text, format);
             assert_eq!(wrong, [""; 0], "{text}");
             assert!(found >= pairs, "{text}: {found} of {pairs} pairs");
         }
     }
-    assert_eq!(wrong("$12,75 + 7,25 = 21,0$", Format::Latex), ["12.75 + 7.25 | 21.0"]);
-    assert_eq!(wrong("U = 2,5 V + 1,5 V = 4,5 V", Format::Plain), ["2.5 V + 1.5 V | 4.5 V"]);
+    assert_eq!(wrong("$12,75 + 7,25 = 21,0$", TextFormat::Latex), ["12.75 + 7.25 | 21.0"]);
+    assert_eq!(wrong("U = 2,5 V + 1,5 V = 4,5 V", TextFormat::Plain), ["2.5 V + 1.5 V | 4.5 V"]);
     let html = "<p><math><mn>2,5</mn><mo>+</mo><mn>1,5</mn><mo>=</mo><mn>4,5</mn></math></p>";
-    assert_eq!(wrong(html, Format::Html), ["2.5 + 1.5 | 4.5"]);
+    assert_eq!(wrong(html, TextFormat::Html), ["2.5 + 1.5 | 4.5"]);
 }
 
 #[test]
 fn a_decimal_comma_may_stand_before_an_exponent_or_a_degree_sign() {
     let commas = r"$0,5 + 0,5 = 1,0$, $1,5 + 1,5 = 3,0$";
     for tex in [r"\sin^{-1}(\frac{1}{1,25}) = 53,1^{\circ}", r"1,5^2 = 2,25", r"\sqrt{1,5^2 + 2^2} = 2,5"] {
-        assert_eq!(compared(&format!("{commas}, ${tex}$"), Format::Latex), (3, Vec::new()), "{tex}");
+        assert_eq!(compared(&format!("{commas}, ${tex}$"), TextFormat::Latex), (3, Vec::new()), "{tex}");
     }
     let other = r"\sin^{-1}(\frac{1}{1,25}) = 54,1^{\circ}";
-    assert_eq!(compared(&format!("{commas}, ${other}$"), Format::Latex).1.len(), 1);
+    assert_eq!(compared(&format!("{commas}, ${other}$"), TextFormat::Latex).1.len(), 1);
 }
 
 #[test]
@@ -58,10 +58,10 @@ fn points_beside_decimal_commas_part_thousands_or_decimals() {
         (r"$1.250 + 1.250 = 2500$", 1),
         (r"$1.250 + 0,5 = 1.250,5$ in section $2.3$", 1),
     ] {
-        assert_eq!(compared(&format!("{commas}, {text}"), Format::Latex), (5 + pairs, Vec::new()), "{text}");
+        assert_eq!(compared(&format!("{commas}, {text}"), TextFormat::Latex), (5 + pairs, Vec::new()), "{text}");
     }
     let changed = r"$\sqrt{4.242^2 + 4^2} = 5.93$";
-    assert_eq!(compared(&format!("{commas}, {changed}"), Format::Latex).1.len(), 1);
+    assert_eq!(compared(&format!("{commas}, {changed}"), TextFormat::Latex).1.len(), 1);
 }
 
 #[test]
@@ -74,9 +74,14 @@ fn commas_of_lists_pairs_and_thousands_stay() {
         r"$500 + 700 = 1{,}200$",
         r"$\{1,2\}$, $500 + 700 = 1,200$",
     ] {
-        assert_eq!(wrong(text, Format::Markdown), [""; 0], "{text}");
+        assert_eq!(wrong(text, TextFormat::Markdown), [""; 0], "{text}");
     }
-    assert!(report("$500 + 700 = 1,300$", Format::Markdown).findings.iter().any(|of| of.list == List::Numbers));
+    assert!(
+        report("$500 + 700 = 1,300$", TextFormat::Markdown)
+            .findings
+            .iter()
+            .any(|of| of.section == ReportSection::Numbers)
+    );
 }
 
 #[test]
@@ -84,10 +89,10 @@ fn thousands_are_parted_by_narrow_space() {
     for text in
         ["$2~512 + 500 = 3~012$", r"$2\,512 + 500 = 3\,012$", "$2 512 + 500 = 3 012$", r"$2\ 512.5 - 0.5 = 2\;512.0$"]
     {
-        assert_eq!(compared(text, Format::Markdown), (1, Vec::new()), "{text}");
+        assert_eq!(compared(text, TextFormat::Markdown), (1, Vec::new()), "{text}");
         let changed = text.replacen("512", "612", 1);
-        assert_eq!(wrong(&changed, Format::Markdown).len(), 1, "{changed}");
+        assert_eq!(wrong(&changed, TextFormat::Markdown).len(), 1, "{changed}");
     }
     // In running text, two numbers side by side are two numbers.
-    assert_eq!(wrong("In task 12 100 + 5 = 105.", Format::Plain), [""; 0]);
+    assert_eq!(wrong("In task 12 100 + 5 = 105.", TextFormat::Plain), [""; 0]);
 }

@@ -1,12 +1,12 @@
 //! Definitions from other LaTeX texts: what they change, what they leave alone, and what comes before them.
 
-use proofread::{Definitions, Format, Options, Report, proofread};
+use proofread::{CheckOptions, CheckReport, Definitions, TextFormat, proofread};
 
 /// What is found in a text that is read with the definitions of another one.
-fn with(elsewhere: &str, text: &str) -> Report {
-    let definitions = Definitions::of(elsewhere);
-    let options = Options { definitions: Some(&definitions), agreeing: true, ..Options::default() };
-    proofread(text, Format::Latex, options).expect("it can be read")
+fn with(elsewhere: &str, text: &str) -> CheckReport {
+    let definitions = Definitions::from_latex(elsewhere);
+    let options = CheckOptions { definitions: Some(&definitions), agreeing: true, ..CheckOptions::default() };
+    proofread(text, TextFormat::Latex, options).expect("it can be read")
 }
 
 /// The verdicts of the pairs in a text.
@@ -83,9 +83,9 @@ fn the_own_definition_counts_first() {
 
 #[test]
 fn later_definitions_count_and_comments_do_not() {
-    let mut all = Definitions::of(r"\newcommand{\q}{3} \newcommand{\p}{1}");
-    all.add(&Definitions::of("\\renewcommand{\\q}{4}\n% \\renewcommand{\\p}{2}\n50\\% \\newcommand{\\r}{5}"));
-    assert_eq!(all, Definitions::of(r"\def\q{4} \def\p{1} \def\r{5}"));
+    let mut all = Definitions::from_latex(r"\newcommand{\q}{3} \newcommand{\p}{1}");
+    all.add(&Definitions::from_latex("\\renewcommand{\\q}{4}\n% \\renewcommand{\\p}{2}\n50\\% \\newcommand{\\r}{5}"));
+    assert_eq!(all, Definitions::from_latex(r"\def\q{4} \def\p{1} \def\r{5}"));
 }
 
 #[test]
@@ -118,10 +118,10 @@ fn a_unit_of_siunitx_is_none_in_a_formula() {
 
 #[test]
 fn other_formats_are_read_without() {
-    let definitions = Definitions::of(r"\newcommand{\half}{\frac12}");
-    let options = Options { definitions: Some(&definitions), ..Options::default() };
+    let definitions = Definitions::from_latex(r"\newcommand{\half}{\frac12}");
+    let options = CheckOptions { definitions: Some(&definitions), ..CheckOptions::default() };
     let read = |format| proofread(r"$3\half = 1.6$", format, options).expect("it can be read").tally.checked;
-    assert_eq!((read(Format::Markdown), read(Format::Latex)), (0, 1));
+    assert_eq!((read(TextFormat::Markdown), read(TextFormat::Latex)), (0, 1));
 }
 
 #[test]

@@ -1,25 +1,29 @@
 //! Which differences are set aside, each in a chain of ours beside one that has the same fault and is read whole.
 
 use crate::report;
-use proofread::{Doubt, Format, List, Options, proofread};
+use proofread::{CheckOptions, Doubt, ReportSection, TextFormat, proofread};
 
 /// Why the differences in a text are set aside; none for one that counts.
-fn doubts(text: &str, format: Format) -> Vec<Option<Doubt>> {
+fn doubts(text: &str, format: TextFormat) -> Vec<Option<Doubt>> {
     let findings = report(text, format).findings;
-    findings.iter().filter(|of| matches!(of.list, List::Numbers | List::Doubts)).map(|of| of.doubt).collect()
+    findings
+        .iter()
+        .filter(|of| matches!(of.section, ReportSection::Numbers | ReportSection::Doubts))
+        .map(|of| of.doubt)
+        .collect()
 }
 
 #[track_caller]
 fn aside(doubt: Doubt, texts: &[&str]) {
     for text in texts {
-        assert_eq!(doubts(text, Format::Markdown), [Some(doubt)], "{text}");
+        assert_eq!(doubts(text, TextFormat::Markdown), [Some(doubt)], "{text}");
     }
 }
 
 #[track_caller]
 fn counts(texts: &[&str]) {
     for text in texts {
-        assert_eq!(doubts(text, Format::Markdown), [None], "{text}");
+        assert_eq!(doubts(text, TextFormat::Markdown), [None], "{text}");
     }
 }
 
@@ -122,7 +126,7 @@ fn what_is_cut_off_is_a_doubt() {
 #[test]
 fn three_formulas_with_the_same_factor_are_a_habit() {
     let of = |chains: &[&str]| {
-        doubts(&chains.iter().map(|of| format!("It is ${of}$.\n\n")).collect::<String>(), Format::Markdown)
+        doubts(&chains.iter().map(|of| format!("It is ${of}$.\n\n")).collect::<String>(), TextFormat::Markdown)
     };
     let habit = Some(Doubt::Habit);
     assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 35"]), [habit; 3]);
@@ -134,44 +138,44 @@ fn three_formulas_with_the_same_factor_are_a_habit() {
 #[test]
 fn points_are_misplaced_more_than_once() {
     let text = "$2.5 + 1.5 = 40$\n\n$6.0 + 3.0 = 90$\n\n$3.5 + 1.5 = 50$\n";
-    assert_eq!(doubts(text, Format::Markdown), [None; 3]);
+    assert_eq!(doubts(text, TextFormat::Markdown), [None; 3]);
 }
 
 #[test]
 fn a_doubt_is_counted_and_has_no_hint() {
-    let report =
-        proofread("$1, 2, 3.5 = 6.5$ and $1/18 = 0.0555$", Format::Markdown, Options::default()).expect("a text");
+    let report = proofread("$1, 2, 3.5 = 6.5$ and $1/18 = 0.0555$", TextFormat::Markdown, CheckOptions::default())
+        .expect("a text");
     assert_eq!((report.tally.doubts, report.findings.len()), (2, 2));
-    assert!(report.findings.iter().all(|of| of.hint.is_none() && of.list == List::Doubts));
+    assert!(report.findings.iter().all(|of| of.hint.is_none() && of.section == ReportSection::Doubts));
 }
 
 #[test]
 fn what_is_said_at_a_brace_is_no_exponent() {
     counts(&[r"$\overbrace{1 + 2}^{3} + 4 = 8$"]);
-    assert_eq!(doubts(r"$\overbrace{1 + 2}^{3} + 4 = 7$", Format::Markdown), []);
+    assert_eq!(doubts(r"$\overbrace{1 + 2}^{3} + 4 = 7$", TextFormat::Markdown), []);
 }
 
 #[test]
 fn a_stroke_may_end_the_argument_of_a_logarithm() {
-    assert_eq!(doubts(r"$\ln 2/5 = 0.139$ and $\ln 2/5 = -0.916$", Format::Markdown), []);
+    assert_eq!(doubts(r"$\ln 2/5 = 0.139$ and $\ln 2/5 = -0.916$", TextFormat::Markdown), []);
     counts(&[r"$\ln 2/5 = 0.193$", r"$\sin 30^\circ/2 = 0.35$"]);
 }
 
 #[test]
 fn a_product_may_leave_out_watts_and_hours() {
-    assert_eq!(doubts(r"$60 \times 1460 = 87.6\,\text{kW}\,\text{h}$", Format::Markdown), []);
+    assert_eq!(doubts(r"$60 \times 1460 = 87.6\,\text{kW}\,\text{h}$", TextFormat::Markdown), []);
     counts(&[r"$60 \times 1460 = 86.7\,\text{kW}\,\text{h}$"]);
 }
 
 #[test]
 fn a_power_of_ten_alone_is_an_order_of_magnitude() {
-    assert_eq!(doubts(r"$e^{-23.0} \approx 10^{-10}$", Format::Markdown), []);
+    assert_eq!(doubts(r"$e^{-23.0} \approx 10^{-10}$", TextFormat::Markdown), []);
     counts(&[r"$e^{-23.0} \approx 10^{-12}$", r"$2.0 \times 17.0 = 10^2$"]);
 }
 
 #[test]
 fn a_ratio_may_be_given_in_decibels() {
-    assert_eq!(doubts(r"$1/\sqrt 2 = -3\,\text{dB}$", Format::Markdown), []);
+    assert_eq!(doubts(r"$1/\sqrt 2 = -3\,\text{dB}$", TextFormat::Markdown), []);
     counts(&[r"$1/\sqrt 2 = -6\,\text{dB}$"]);
 }
 

@@ -1,37 +1,40 @@
 //! Whatever is read, there is no panic, no hang, and every place is inside the text.
 
-use proofread::{Definitions, Follow, Format, Options, proofread};
+use proofread::{CheckOptions, Definitions, NamePolicy, TextFormat, proofread};
 
 fn given(variable: &str, usual: u64) -> u64 {
     std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
-const SEEDS: [(Format, &str); 7] = [
+const SEEDS: [(TextFormat, &str); 7] = [
     (
-        Format::Markdown,
+        TextFormat::Markdown,
         "# A\n\nIt is $v = \\frac{3.0\\,\\mathrm{m}}{2.0\\ \\text{s}} = 1.5\\,\\mathrm{m/s}$ and `code`.\n\n$$x_1^2 = [\\sin^{-1} \
          0.5]_0^{2} \\approx \\sqrt[3]{8.0} = 2$$\n\n```math\n1+1=3\n```\nR = 1 sin 30°/sin 60° = 0.557, 2^(3) = 8 <math><mn>1</mn></math>\n",
     ),
     (
-        Format::Latex,
+        TextFormat::Latex,
         "\\newcommand{\\v}[2][3]{#1 \\cdot #2}\\def\\be{\\begin{equation}}\\def\\ee{\\end{equation}}\\be \\v[2]{4.5} &= \
          9.0\\,\\mathrm{N\\,m^{-1}} \\\\ \\ee \\begin{align*} a &= \\qty{3e8}{\\metre\\per\\second\\squared} & b &= 5! = 120 \\end{align*} % x\n$|x|_0^1 = 3$",
     ),
     (
-        Format::Xml,
+        TextFormat::Xml,
         "<para><m:math><m:mtable><m:mtr><m:mtd><m:mi>x</m:mi><m:mo>=</m:mo><m:mfrac><m:mn>6.0</m:mn><m:mn>2</m:mn></m:mfrac>\
          <m:mo>=</m:mo><m:msup><m:mn>3.1</m:mn><m:mn>2</m:mn></m:msup></m:mtd></m:mtr></m:mtable></m:math>&nbsp;&#x3b1;</para>",
     ),
     (
-        Format::Html,
+        TextFormat::Html,
         "<p class=x>U<sub>1</sub> = 2&nbsp;&times; 10<sup>3</sup> V <!-- x --> = 5<br/>30<sup>o</sup> = <u>1</u><br>\\(2+2=5\\) <math><mover><mi>i</mi><mo>^</mo></mover><mo>=</mo><mn>4</mn><script>a<b</script></math></p>",
     ),
     (
-        Format::Notebook,
+        TextFormat::Notebook,
         "{\"cells\":[{\"cell_type\":\"markdown\",\"source\":[\"\\u00e9 $2+2=5$\\n\",\"x = 3*4 = 13\"]}]}",
     ),
-    (Format::Plain, "F = (2.0 kg)(3.0 m/s²) = 7.0 N\nv = 500 sin 17.6°\nv = 151.2\n1.5e-3 * 2 = 3.1e-3; 10 % or 0.1\n"),
-    (Format::Plain, "2 3/4 = 2.75 ± 3 °C = 276 K, 5 rev = 31.4 rad, 1,234.5 J/kg·K"),
+    (
+        TextFormat::Plain,
+        "F = (2.0 kg)(3.0 m/s²) = 7.0 N\nv = 500 sin 17.6°\nv = 151.2\n1.5e-3 * 2 = 3.1e-3; 10 % or 0.1\n",
+    ),
+    (TextFormat::Plain, "2 3/4 = 2.75 ± 3 °C = 276 K, 5 rev = 31.4 rad, 1,234.5 J/kg·K"),
 ];
 
 const PIECES: [&str; 55] = [
@@ -117,12 +120,16 @@ fn mutated(text: &str, dice: &mut fastrand::Rng) -> String {
     letters.into_iter().collect()
 }
 
-fn check(text: &str, format: Format, elsewhere: &str) {
-    let definitions = Definitions::of(elsewhere);
-    let options =
-        Options { follow: Follow::Always, agreeing: true, definitions: Some(&definitions), ..Options::default() };
+fn check(text: &str, format: TextFormat, elsewhere: &str) {
+    let definitions = Definitions::from_latex(elsewhere);
+    let options = CheckOptions {
+        name_policy: NamePolicy::Always,
+        agreeing: true,
+        definitions: Some(&definitions),
+        ..CheckOptions::default()
+    };
     let Ok(report) = proofread(text, format, options) else {
-        assert!(format == Format::Notebook || text.len() > proofread::reader::LONGEST);
+        assert!(format == TextFormat::Notebook || text.len() > proofread::reader::LONGEST);
         return;
     };
     for finding in report.findings {
@@ -133,7 +140,7 @@ fn check(text: &str, format: Format, elsewhere: &str) {
 }
 
 /// Tells the text that was tried, if it panics.
-struct Tried<'t>(&'t str, Format);
+struct Tried<'t>(&'t str, TextFormat);
 
 impl Drop for Tried<'_> {
     fn drop(&mut self) {
@@ -151,16 +158,16 @@ fn fuzz_mutated_documents_are_read() {
         let (format, seed) = SEEDS[dice.usize(0..SEEDS.len())];
         let text = mutated(seed, &mut dice);
         // Now and then as another format than it is.
-        let format = if dice.u8(0..5) == 0 { Format::ALL[dice.usize(0..Format::ALL.len())].1 } else { format };
+        let format = if dice.u8(0..5) == 0 { TextFormat::ALL[dice.usize(0..TextFormat::ALL.len())].1 } else { format };
         let tried = Tried(&text, format);
         check(tried.0, tried.1, &mutated(SEEDS[1].1, &mut dice));
     }
 }
 
 /// Commands, signs and elements that take what is behind them, or may.
-const TAKING: [(Format, &str, &str); 6] = [
+const TAKING: [(TextFormat, &str, &str); 6] = [
     (
-        Format::Markdown,
+        TextFormat::Markdown,
         "$",
         "\\frac \\dfrac \\sqrt \\sqrt[ \\sqrt[2] \\text \\mathrm \\operatorname \\mathrm\\text \\underbrace \\overbrace \\rm \\hspace \\genfrac \
          \\overline \\bar \\vec \\dot \\hat \\hat_ \\mathring \\cancelto \\cancel \\num \\SI \\SI{2} \\qty \\qty( \\si \\unit \\unit[ \\ang \\unitfrac \\unitfrac[ \
@@ -170,27 +177,27 @@ const TAKING: [(Format, &str, &str); 6] = [
          \\tothe{ \\of{ \\over 1\\over ^ _ ^_ ^{ _{ x^ x_ x^x_ 2^ |_ |^ |_0^1 ( [ | { \\{ - -( + \\pm ! ' \\prime 1/ / √ √( = 1= ≈ & \\\\ % ~ \\, . 1. , 1,",
     ),
     (
-        Format::Latex,
+        TextFormat::Latex,
         "$\\newcommand{\\x}[1]{#1}",
         "\\x \\x^ \\x{ \\frac\\x \\sqrt\\x \\begin{align} \\( \\[ \\textbf{ \\footnote{$",
     ),
     (
-        Format::Plain,
+        TextFormat::Plain,
         "2 = ",
         "√ √( ² ^ 2^ ^( ^{ ** 2** 2**( - + ( [ | sqrt sqrt( sin sin( sin² log2( 1/ e 1e 10- ! ± ½ → -> x of % _ · = 5= 1, 1. 0x > 1.)",
     ),
     (
-        Format::Html,
+        TextFormat::Html,
         "<p>2 = ",
         "<sup> 2<sup> <sub> <sup><sub> <sup>( </sup> <u> <br> <b> <a> <i> &sup2; <p> <div> <table><tr><td> <span> <script> <code>",
     ),
     (
-        Format::Xml,
+        TextFormat::Xml,
         "<math><mn>2</mn><mo>=</mo>",
         "<mrow> <msup> <msub> <msubsup> <mfrac> <msqrt> <mroot> <mover> <munder> <mtable> <mtr> <mtd> <mfenced> <mstyle> <mn> <mi> <mo> \
          <mtext> <math> <menclose> <mpadded> <mmultiscripts> <mfrac><mn>1</mn> <msup><mn>2</mn> <mover><mi>x</mi> <msqrt/> <mo>√</mo> <mo>(</mo>",
     ),
-    (Format::Notebook, "{\"cells\":[{\"cell_type\":\"markdown\",\"source\":\"$", "2^ \\\\sqrt √ ( [ {"),
+    (TextFormat::Notebook, "{\"cells\":[{\"cell_type\":\"markdown\",\"source\":\"$", "2^ \\\\sqrt √ ( [ {"),
 ];
 
 /// Commands of LaTeX outside formulas.
@@ -201,7 +208,7 @@ const COMMANDS: &str = "\\verb|x| \\verb*+y+ \\lstinline!z! \\iffalse w \\fi \\b
 
 #[test]
 fn every_beginning_of_a_text_is_read() {
-    for (format, text) in SEEDS.into_iter().chain([(Format::Latex, COMMANDS)]) {
+    for (format, text) in SEEDS.into_iter().chain([(TextFormat::Latex, COMMANDS)]) {
         for (end, _) in text.char_indices() {
             let tried = Tried(&text[..end], format);
             check(tried.0, tried.1, tried.0);
@@ -233,7 +240,7 @@ fn whatever_takes_what_is_behind_it_may_stand_behind_itself() {
 #[test]
 fn what_is_nested_too_deeply_is_counted_and_the_rest_is_read() {
     let unread = |text: &str| {
-        let report = proofread(text, Format::Markdown, Options::default()).expect("it can be read");
+        let report = proofread(text, TextFormat::Markdown, CheckOptions::default()).expect("it can be read");
         (report.tally.unread, report.findings.len())
     };
     for taking in ["\\sqrt", "2^", "x_", "\\frac1", "\\sin^", "\\hat", "\\sqrt[", "{", "\\mathbf"] {
@@ -246,7 +253,7 @@ fn what_is_nested_too_deeply_is_counted_and_the_rest_is_read() {
     assert_eq!(unread(&format!("{long}\n\nIt is $2 + 2 = 5$.")), (1, 1));
     assert_eq!(unread(&format!("{}1 + 1 = 3\n\n2 + 2 = 5\n", "word ".repeat(1000))), (1, 1));
     let endless = r"\def\a{\b\b}\def\b{\a\a}$\a = 1$ $2 + 2 = 5$ $\b = 1$ $\a = 3$";
-    let report = proofread(endless, Format::Latex, Options::default()).expect("it can be read");
+    let report = proofread(endless, TextFormat::Latex, CheckOptions::default()).expect("it can be read");
     assert_eq!((report.tally.unread, report.findings.len()), (3, 1));
 }
 
@@ -267,19 +274,19 @@ fn nesting_and_length_are_bounded() {
     ] {
         let n = 3000;
         let text = format!("${}1{} = 2$", open.repeat(n), close.repeat(n));
-        for format in [Format::Markdown, Format::Latex, Format::Plain] {
+        for format in [TextFormat::Markdown, TextFormat::Latex, TextFormat::Plain] {
             check(&text, format, "");
         }
     }
     for tag in ["mrow", "msup", "mfrac", "msqrt", "mtable", "p", "math"] {
         let n = 20_000;
         let text = format!("<math>{}<mn>1</mn>{}</math>", format!("<{tag}>").repeat(n), format!("</{tag}>").repeat(n));
-        check(&text, Format::Html, "");
+        check(&text, TextFormat::Html, "");
     }
-    check("\\def\\a{\\b\\b}\\def\\b{\\c\\c}\\def\\c{\\a\\a}$\\a = 1$", Format::Latex, "");
-    check(&format!("$1 = {}$", "1 + ".repeat(4000)), Format::Markdown, "");
+    check("\\def\\a{\\b\\b}\\def\\b{\\c\\c}\\def\\c{\\a\\a}$\\a = 1$", TextFormat::Latex, "");
+    check(&format!("$1 = {}$", "1 + ".repeat(4000)), TextFormat::Markdown, "");
     for piece in PIECES {
-        for format in Format::ALL.map(|(_, format)| format) {
+        for format in TextFormat::ALL.map(|(_, format)| format) {
             check(&piece.repeat(20_000), format, "");
         }
     }

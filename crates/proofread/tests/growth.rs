@@ -1,11 +1,11 @@
 //! Work and nesting are bounded by the length of a text, whatever its structure.
 
 use crate::structures::{self, Structure};
-use proofread::{Format, Options, proofread};
+use proofread::{CheckOptions, TextFormat, proofread};
 
 /// The steps that a text takes. The search for hints has a bound of its own.
 fn steps(text: &str, (name, format, _): &Structure) -> u64 {
-    let options = Options { hint_effort: 20_000, ..Options::default() };
+    let options = CheckOptions { hint_effort: 20_000, ..CheckOptions::default() };
     match proofread(text, *format, options) {
         Ok(report) => report.effort.steps,
         Err(why) => {
@@ -40,7 +40,7 @@ fn four_times_the_text_is_less_than_six_times_the_work() {
 #[test]
 fn a_search_for_hints_costs_little_and_nothing_for_long_sides() {
     let effort = |text: &str| {
-        let report = proofread(text, Format::Markdown, Options::default()).expect("it can be read");
+        let report = proofread(text, TextFormat::Markdown, CheckOptions::default()).expect("it can be read");
         assert_eq!(report.findings.len(), 1, "{}", &text[..20]);
         report.effort
     };

@@ -3,7 +3,7 @@
 //! The records hold each chain as a short snippet of ours and what the library says of it now. If a change of the library
 //! changes that, this test names the chains, and whoever made the change says in the record whether it is for the better.
 
-use proofread::{Finding, Follow, Format, List, Options, proofread};
+use proofread::{ChainFinding, CheckOptions, NamePolicy, ReportSection, TextFormat, proofread};
 
 const UNIVERSITY_PHYSICS: &str = include_str!("../judged/university-physics.csv");
 const CONTACT: &str = include_str!("../judged/contact.csv");
@@ -41,18 +41,21 @@ fn all() -> Vec<Chain> {
 }
 
 /// What is found in a chain, with at most so many hints.
-fn findings(chain: &Chain, hints: usize) -> Vec<Finding> {
+fn findings(chain: &Chain, hints: usize) -> Vec<ChainFinding> {
     let text = if chain.snippet.is_empty() { &chain.chain } else { &chain.snippet };
-    let format = Format::named(&chain.format).expect("a format");
-    let options = Options { follow: Follow::Never, agreeing: false, hints, ..Options::default() };
+    let format = TextFormat::from_name(&chain.format).expect("a format");
+    let options = CheckOptions { name_policy: NamePolicy::Never, agreeing: false, hints, ..CheckOptions::default() };
     proofread(text, format, options).expect("a text").findings
 }
 
 /// The list of the first finding that is on the most severe list.
 fn found(chain: &Chain) -> &'static str {
     let findings = findings(chain, 0);
-    let on = |list| findings.iter().any(|finding| finding.list == list);
-    [List::Numbers, List::Units, List::Doubts].into_iter().find(|list| on(*list)).map_or("quiet", List::name)
+    let on = |list| findings.iter().any(|finding| finding.section == list);
+    [ReportSection::Numbers, ReportSection::Units, ReportSection::Doubts]
+        .into_iter()
+        .find(|list| on(*list))
+        .map_or("quiet", ReportSection::name)
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod chains;
 #[cfg(feature = "cli")]
 mod command;
 mod commas;
-mod customs;
+mod conventions;
 mod definitions;
 mod doubts;
 mod formats;
@@ -27,25 +27,25 @@ mod units;
 mod unrounded;
 mod unusual;
 
-use proofread::{Follow, Format, List, Options, Report, proofread};
+use proofread::{CheckOptions, CheckReport, NamePolicy, ReportSection, TextFormat, proofread};
 
 /// What is found in a text, with the pairs that agree.
-fn report(text: &str, format: Format) -> Report {
-    proofread(text, format, Options { follow: Follow::Once, agreeing: true, ..Options::default() })
+fn report(text: &str, format: TextFormat) -> CheckReport {
+    proofread(text, format, CheckOptions { name_policy: NamePolicy::Once, agreeing: true, ..CheckOptions::default() })
         .expect("it can be read")
 }
 
 /// The verdicts of the pairs in a formula of TeX.
 fn verdicts(tex: &str) -> Vec<&'static str> {
-    report(&format!("$${tex}$$"), Format::Markdown).findings.iter().map(|of| of.verdict.name()).collect()
+    report(&format!("$${tex}$$"), TextFormat::Markdown).findings.iter().map(|of| of.verdict.name()).collect()
 }
 
 /// What is listed as wrong in a text.
-fn wrong(text: &str, format: Format) -> Vec<String> {
+fn wrong(text: &str, format: TextFormat) -> Vec<String> {
     let findings = report(text, format).findings;
     findings
         .into_iter()
-        .filter(|of| of.list != List::Agreeing)
+        .filter(|of| of.section != ReportSection::Agreeing)
         .map(|of| format!("{} | {}", of.left, of.right))
         .collect()
 }

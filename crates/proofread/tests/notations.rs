@@ -1,6 +1,6 @@
 //! The same chains in many ways of writing: none that is right may be listed as wrong, and one with a wrong digit is.
 
-use proofread::{Finding, Follow, Format, List, Options, proofread};
+use proofread::{ChainFinding, CheckOptions, NamePolicy, ReportSection, TextFormat, proofread};
 
 /// Chains of ours. `<digits exponent unit>` is a number or a quantity; what is between braces is one factor.
 const CHAINS: [&str; 10] = [
@@ -222,9 +222,9 @@ fn wrong(chain: &str) -> String {
     format!("{}{next}{}", &chain[..at], &chain[at + 1..])
 }
 
-fn found(text: &str) -> Vec<Finding> {
-    let options = Options { follow: Follow::Never, agreeing: true, hints: 0, ..Options::default() };
-    proofread(text, Format::Latex, options).expect("a text").findings
+fn found(text: &str) -> Vec<ChainFinding> {
+    let options = CheckOptions { name_policy: NamePolicy::Never, agreeing: true, hints: 0, ..CheckOptions::default() };
+    proofread(text, TextFormat::Latex, options).expect("a text").findings
 }
 
 #[test]
@@ -234,10 +234,12 @@ fn a_right_chain_is_never_listed_however_it_is_written() {
         let style = Style(seed);
         let text: String = CHAINS.iter().map(|chain| style.document(chain) + "\n").collect();
         let findings = found(&text);
-        let listed =
-            findings.iter().filter(|of| of.list == List::Numbers).map(|of| format!("{} | {}", of.left, of.right));
+        let listed = findings
+            .iter()
+            .filter(|of| of.section == ReportSection::Numbers)
+            .map(|of| format!("{} | {}", of.left, of.right));
         assert_eq!(listed.collect::<Vec<_>>(), [""; 0], "seed {seed}:\n{text}");
-        read += findings.iter().filter(|of| of.list == List::Agreeing).count().min(CHAINS.len());
+        read += findings.iter().filter(|of| of.section == ReportSection::Agreeing).count().min(CHAINS.len());
         all += CHAINS.len();
     }
     // A reader that reads nothing would list nothing.
@@ -250,7 +252,7 @@ fn a_wrong_digit_is_listed_however_the_chain_is_written() {
     for seed in 0..20 {
         for chain in CHAINS {
             let findings = found(&Style(seed).document(&wrong(chain)));
-            listed += usize::from(findings.iter().any(|of| of.list == List::Numbers));
+            listed += usize::from(findings.iter().any(|of| of.section == ReportSection::Numbers));
             all += 1;
         }
     }

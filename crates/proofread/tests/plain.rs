@@ -1,7 +1,7 @@
 //! Lines of plain text, in which a word may be a unit or prose.
 
 use crate::{report, wrong};
-use proofread::Format;
+use proofread::TextFormat;
 
 #[test]
 fn units_that_are_words_of_prose_are_read_behind_numbers() {
@@ -17,7 +17,7 @@ fn units_that_are_words_of_prose_are_read_behind_numbers() {
         "([(96 − 24)î + (7 − 3)ĵ] m)/(2.0 s) = 39î m/s + 2.0ĵ m/s",
         "2.5e^(−1.2) = 0.85",
     ] {
-        assert_eq!(wrong(line, Format::Plain).len(), 1, "{line}");
+        assert_eq!(wrong(line, TextFormat::Plain).len(), 1, "{line}");
     }
     for line in [
         "9.00 V − (1.250 A)(0.200 Ω) = 8.75 V",
@@ -25,8 +25,8 @@ fn units_that_are_words_of_prose_are_read_behind_numbers() {
         "([(96 − 24)î + (7 − 3)ĵ] m)/(2.0 s) = 36î m/s + 2.0ĵ m/s",
         "2.5e^(−1.2) = 0.75",
     ] {
-        assert_eq!(wrong(line, Format::Plain), [""; 0], "{line}");
-        assert_eq!(report(line, Format::Plain).tally.checked, 1, "{line}");
+        assert_eq!(wrong(line, TextFormat::Plain), [""; 0], "{line}");
+        assert_eq!(report(line, TextFormat::Plain).tally.checked, 1, "{line}");
     }
 }
 
@@ -39,6 +39,6 @@ fn prose_stays_prose() {
         "It fell 5 in May = 3 more than in 2",
         "In example 3 a mass of 2 kg = 2000 g is used",
     ] {
-        assert_eq!(wrong(line, Format::Plain), [""; 0], "{line}");
+        assert_eq!(wrong(line, TextFormat::Plain), [""; 0], "{line}");
     }
 }

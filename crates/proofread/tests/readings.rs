@@ -1,11 +1,11 @@
 //! What else a chain may mean: each case is one in which something is left to be understood.
 
 use crate::{report, verdicts};
-use proofread::{Format, List};
+use proofread::{ReportSection, TextFormat};
 
 /// The list and the verdict of each pair in a text.
 fn lists(text: &str) -> Vec<(&'static str, &'static str)> {
-    report(text, Format::Markdown).findings.iter().map(|of| (of.list.name(), of.verdict.name())).collect()
+    report(text, TextFormat::Markdown).findings.iter().map(|of| (of.section.name(), of.verdict.name())).collect()
 }
 
 #[track_caller]
@@ -30,7 +30,7 @@ fn factors_behind_a_stroke_may_all_be_below_it() {
 
 #[test]
 fn of_several_readings_the_nearest_is_shown() {
-    let findings = report(r"$720^\circ/4\pi = 57.6^\circ$", Format::Markdown).findings;
+    let findings = report(r"$720^\circ/4\pi = 57.6^\circ$", TextFormat::Markdown).findings;
     assert_eq!(findings[0].recomputed.as_deref(), Some("57.3°"));
 }
 
@@ -55,7 +55,7 @@ fn a_unit_directly_behind_the_formula_belongs_to_it() {
         assert!(!found.is_empty() && found.iter().all(|(list, _)| *list == "agreeing"), "{text}: {found:?}");
     }
     let html = "<p><math><mn>2</mn><mo>·</mo><mn>0.3</mn><mtext> m</mtext><mo>=</mo><mn>60</mn></math> cm</p>";
-    assert!(report(html, Format::Html).findings.iter().all(|of| of.list == List::Agreeing));
+    assert!(report(html, TextFormat::Html).findings.iter().all(|of| of.section == ReportSection::Agreeing));
     // Another number stays wrong, and a word that is no unit changes nothing.
     assert!(lists(r"$3\times10^{-9} / 0.06 = 9 \times 10^{-8} = 90$ nC/m").contains(&("numbers", "inconsistent")));
     assert_eq!(lists(r"$2 + 2 = 7$ here"), [("numbers", "inconsistent")]);

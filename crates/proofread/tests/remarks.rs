@@ -1,7 +1,7 @@
 //! What stands beside a chain and is no part of it: arguments of commands, reasons, lists, and digits or terms that are left out.
 
 use crate::{report, verdicts, wrong};
-use proofread::Format;
+use proofread::TextFormat;
 
 #[test]
 fn an_equals_sign_in_an_argument_is_part_of_the_argument() {
@@ -32,7 +32,7 @@ fn a_remark_at_the_end_of_a_row_is_not_the_side_of_the_next_row() {
     assert_eq!(verdicts(r"2 + 3\ \because q = 0 \\ &= 8"), ["inconsistent"]);
     assert_eq!(verdicts(r"x = 3, \; 2 + 2 \\ = 7"), ["inconsistent"]);
     // The sign of for all may be a volume.
-    assert_eq!(wrong("-   Q = ∀/t = 1.15/33.0 = 0.0355", Format::Markdown).len(), 1);
+    assert_eq!(wrong("-   Q = ∀/t = 1.15/33.0 = 0.0355", TextFormat::Markdown).len(), 1);
 }
 
 #[test]
@@ -44,21 +44,21 @@ fn dots_stand_for_terms_or_for_digits() {
 #[test]
 fn a_result_may_be_repeated_in_another_unit() {
     let sum = r"$0.50\,\text{m} + 0.05\,\text{m} = 0.55\,\text{m}\ (55\,\text{cm})$";
-    assert_eq!(wrong(sum, Format::Markdown), [""; 0]);
-    assert_eq!(wrong(&sum.replace("0.55", "0.65"), Format::Markdown).len(), 1);
+    assert_eq!(wrong(sum, TextFormat::Markdown), [""; 0]);
+    assert_eq!(wrong(&sum.replace("0.55", "0.65"), TextFormat::Markdown).len(), 1);
 }
 
 #[test]
 fn a_factor_may_stand_outside_of_the_formula() {
-    assert_eq!(wrong(r"2$(3.0) + 1.0 = 7.0$", Format::Markdown), [""; 0]);
-    assert_eq!(wrong(r"2 $(3.0) + 1.0 = 7.0$", Format::Markdown).len(), 1);
+    assert_eq!(wrong(r"2$(3.0) + 1.0 = 7.0$", TextFormat::Markdown), [""; 0]);
+    assert_eq!(wrong(r"2 $(3.0) + 1.0 = 7.0$", TextFormat::Markdown).len(), 1);
 }
 
 #[test]
 fn a_display_goes_on_from_a_display() {
     let text = "\\begin{align} = 1 + x \\end{align}\nFrom $ x = 0 $\n\\begin{align} = 1 + 0 \\end{align}";
-    assert_eq!(wrong(text, Format::Latex), [""; 0]);
-    assert_eq!(report("$$2 + 2$$\n$$= 5$$", Format::Latex).tally.checked, 1);
+    assert_eq!(wrong(text, TextFormat::Latex), [""; 0]);
+    assert_eq!(report("$$2 + 2$$\n$$= 5$$", TextFormat::Latex).tally.checked, 1);
 }
 
 #[test]

@@ -1,11 +1,11 @@
 //! The running text of pages in HTML: what is shown as one formula is read as one, and what is cut out of a line is no part of it.
 
 use crate::{report, wrong};
-use proofread::{Format, Lines, List, Options, proofread};
+use proofread::{CheckOptions, LineIndex, ReportSection, TextFormat, proofread};
 
 /// How many chains of a page are compared.
 fn checked(page: &str) -> usize {
-    report(page, Format::Html).tally.checked
+    report(page, TextFormat::Html).tally.checked
 }
 
 #[test]
@@ -24,11 +24,11 @@ fn what_is_shown_as_a_formula_is_read_as_one() {
     ] {
         let false_one = right.replace(is, instead);
         assert_ne!(right, false_one);
-        assert_eq!(wrong(right, Format::Html), [""; 0], "{right}");
+        assert_eq!(wrong(right, TextFormat::Html), [""; 0], "{right}");
         assert_eq!(checked(right), 1, "{right}");
-        assert_eq!(wrong(&false_one, Format::Html).len(), 1, "{false_one}");
+        assert_eq!(wrong(&false_one, TextFormat::Html).len(), 1, "{false_one}");
         assert_eq!(checked(&right.replace("<p>", "<para>")), 1, "blocks of any name");
-        assert_eq!(wrong(&false_one, Format::Xml), [""; 0], "only pages in HTML have lines");
+        assert_eq!(wrong(&false_one, TextFormat::Xml), [""; 0], "only pages in HTML have lines");
     }
 }
 
@@ -83,19 +83,19 @@ fn words_for_an_operation_belong_to_the_number_behind_them() {
 
 /// How many differences of a page are listed, and not set aside.
 fn listed(page: &str) -> usize {
-    let findings = report(page, Format::Html).findings;
-    findings.iter().filter(|of| !matches!(of.list, List::Agreeing | List::Doubts)).count()
+    let findings = report(page, TextFormat::Html).findings;
+    findings.iter().filter(|of| !matches!(of.section, ReportSection::Agreeing | ReportSection::Doubts)).count()
 }
 
 #[test]
 fn what_is_found_is_where_the_page_has_it() {
     let page = "<p>Ω &amp; so\non</p>\n<p>é <b>R</b><sub>1</sub> = 9.0&nbsp;V&thinsp;/\n  3.0 A = <i>4.0</i> &Omega;, and <math><mn>1</mn><mo>+</mo>\
                 <mn>1</mn><mo>=</mo><mn>3</mn></math>, 2 &times; 10<sup>3</sup> + 1 = 7</p>";
-    let findings = proofread(page, Format::Html, Options::default()).expect("it is read").findings;
+    let findings = proofread(page, TextFormat::Html, CheckOptions::default()).expect("it is read").findings;
     let found: Vec<_> = findings.iter().map(|of| &page[of.at.range()]).collect();
     assert_eq!(found, ["4.0</i> &Omega;", "3", "7"]);
     let Some(first) = findings.first() else { panic!("nothing is found") };
-    let [start, end] = Lines::new(page).places(first.at);
+    let [start, end] = LineIndex::new(page).line_columns(first.at);
     assert_eq!([start.line, start.column, end.line, end.column], [4, 14, 4, 29]);
     assert_eq!(&page[first.left_span.range()], "9.0&nbsp;V&thinsp;/\n  3.0 A");
     assert_eq!(first.hint.as_ref().map(|hint| &page[hint.at.range()]), Some("4.0"));

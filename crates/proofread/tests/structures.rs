@@ -1,12 +1,12 @@
 //! Texts of any length, each of one structure that a reader may take too long over.
 
-use proofread::Format;
+use proofread::TextFormat;
 
 /// A text of at least so many bytes.
 pub type Grown = Box<dyn Fn(usize) -> String>;
 
 /// A structure: its name, its format, and its texts.
-pub type Structure = (&'static str, Format, Grown);
+pub type Structure = (&'static str, TextFormat, Grown);
 
 /// `unit` again and again, between what stands before and behind it.
 fn repeated(before: &'static str, unit: &'static str, behind: &'static str) -> Grown {
@@ -122,7 +122,7 @@ fn markdown() -> Vec<Structure> {
         ("a long fence", repeated("```math\n", "1+1=3\n", "```\n")),
         ("struck out", repeated("", "~~ $1+1=3$ ", "")),
     ];
-    in_markdown.into_iter().map(|(name, grown)| (name, Format::Markdown, grown)).collect()
+    in_markdown.into_iter().map(|(name, grown)| (name, TextFormat::Markdown, grown)).collect()
 }
 
 /// One formula each.
@@ -175,8 +175,9 @@ fn formulas() -> Vec<Structure> {
         ("dots", repeated("$", "1.", "=2$")),
     ];
     let long = Box::new(move |n: usize| format!("$\\SI{{2}}{{{}}}=5$", units.repeat(n / units.len() + 1)));
-    let mut all: Vec<Structure> = formulas.into_iter().map(|(name, grown)| (name, Format::Markdown, grown)).collect();
-    all.push(("units of siunitx", Format::Markdown, long));
+    let mut all: Vec<Structure> =
+        formulas.into_iter().map(|(name, grown)| (name, TextFormat::Markdown, grown)).collect();
+    all.push(("units of siunitx", TextFormat::Markdown, long));
     all
 }
 
@@ -238,7 +239,7 @@ fn latex() -> Vec<Structure> {
         ("false conditions", repeated("", "\\iffalse ", "$1+1=3$")),
         ("short formulas with a macro", repeated("\\def\\a{1+1}", "$\\a=3$ ", "")),
     ];
-    in_latex.into_iter().map(|(name, grown)| (name, Format::Latex, grown)).collect()
+    in_latex.into_iter().map(|(name, grown)| (name, TextFormat::Latex, grown)).collect()
 }
 
 fn pages() -> Vec<Structure> {
@@ -264,7 +265,7 @@ fn pages() -> Vec<Structure> {
         ("one formula of MathML", repeated("<math>", "<mn>1</mn><mo>+</mo>", "<mo>=</mo><mn>3</mn></math>")),
         ("formulas of TeX in scripts", repeated("", "<script type=\"math/tex\">1+1=3</script>", "")),
     ];
-    in_html.into_iter().map(|(name, grown)| (name, Format::Html, grown)).collect()
+    in_html.into_iter().map(|(name, grown)| (name, TextFormat::Html, grown)).collect()
 }
 
 fn xml() -> Vec<Structure> {
@@ -297,16 +298,16 @@ fn xml() -> Vec<Structure> {
         ("examples in each other", repeated("", "<example>", "<m>1+1=3</m>")),
         ("PreTeXt", numbered("<pretext>", |i| format!("<p><m>{}</m></p>\n", wrong(i)), "</pretext>")),
     ];
-    let mut all: Vec<Structure> = in_xml.into_iter().map(|(name, grown)| (name, Format::Xml, grown)).collect();
+    let mut all: Vec<Structure> = in_xml.into_iter().map(|(name, grown)| (name, TextFormat::Xml, grown)).collect();
     let cell = |i: usize| format!("{{\"cell_type\":\"markdown\",\"source\":[\"${}$\"]}},\n", wrong(i));
     let line = |i: usize| format!("\"${}$\\n\",", wrong(i));
     let last = "{\"cell_type\":\"markdown\",\"source\":\"\"}";
-    all.push(("cells", Format::Notebook, notebook("", cell, last)));
-    all.push(("one cell", Format::Notebook, notebook("{\"cell_type\":\"markdown\",\"source\":[", line, "\"\"]}")));
-    all.push(("lists in each other", Format::Notebook, repeated("{\"cells\":", "[", "")));
+    all.push(("cells", TextFormat::Notebook, notebook("", cell, last)));
+    all.push(("one cell", TextFormat::Notebook, notebook("{\"cell_type\":\"markdown\",\"source\":[", line, "\"\"]}")));
+    all.push(("lists in each other", TextFormat::Notebook, repeated("{\"cells\":", "[", "")));
     all.push((
         "escapes",
-        Format::Notebook,
+        TextFormat::Notebook,
         notebook("{\"cell_type\":\"markdown\",\"source\":\"", |_| "\\u0024 1+1=3 \\u0024 ".to_owned(), "\"}"),
     ));
     all
@@ -339,5 +340,5 @@ fn plain() -> Vec<Structure> {
         ("exponents of ten", repeated("5 = ", "1e", "2\n")),
         ("arrows", repeated("5 = ", "-", "> 2\n")),
     ];
-    in_plain.into_iter().map(|(name, grown)| (name, Format::Plain, grown)).collect()
+    in_plain.into_iter().map(|(name, grown)| (name, TextFormat::Plain, grown)).collect()
 }

@@ -2,11 +2,11 @@
 //! only bounds the work (lengths, depths, counts) is tried in the fuzz test.
 
 use crate::{report, verdicts};
-use proofread::{Doubt, Format};
+use proofread::{Doubt, TextFormat};
 
 /// Why the first difference in a text is set aside.
 fn doubt(text: &str) -> Option<Doubt> {
-    report(text, Format::Markdown).findings.first().unwrap_or_else(|| panic!("nothing is read in {text}")).doubt
+    report(text, TextFormat::Markdown).findings.first().unwrap_or_else(|| panic!("nothing is read in {text}")).doubt
 }
 
 #[track_caller]
@@ -157,7 +157,8 @@ fn a_quantity_in_two_units_has_as_many_parts_as_its_unit() {
     ] {
         for (more, verdict) in [(-2, "inconsistent"), (0, "consistent"), (2, "inconsistent")] {
             let text = format!("2 {large} 3 {small} = {} {small}", 2 * parts + 3 + more);
-            let found: Vec<_> = report(&text, Format::Markdown).findings.iter().map(|of| of.verdict.name()).collect();
+            let found: Vec<_> =
+                report(&text, TextFormat::Markdown).findings.iter().map(|of| of.verdict.name()).collect();
             assert_eq!(found, [verdict], "{text}");
         }
     }
@@ -200,7 +201,7 @@ fn a_ratio_is_its_level_within_a_fiftieth() {
 
 /// The verdict on the only pair of a text.
 fn only(text: &str) -> Option<&'static str> {
-    let found = report(text, Format::Markdown).findings;
+    let found = report(text, TextFormat::Markdown).findings;
     assert!(found.len() <= 1, "{text}");
     found.first().map(|of| of.verdict.name())
 }

@@ -1,7 +1,7 @@
 //! Units as texts write them: each is known, so that a wrong number beside it is noticed.
 
 use crate::{report, verdicts, wrong};
-use proofread::{Format, List};
+use proofread::{ReportSection, TextFormat};
 
 /// Ways to write a quantity in TeX.
 const WRITTEN: &[&str] = &[
@@ -51,14 +51,17 @@ const WRITTEN: &[&str] = &[
 fn every_way_to_write_a_unit_is_known() {
     for written in WRITTEN {
         let text = format!("${written} = 7({written})$");
-        for format in [Format::Markdown, Format::Latex] {
+        for format in [TextFormat::Markdown, TextFormat::Latex] {
             let findings = report(&text, format).findings;
             let verdicts: Vec<&str> = findings.iter().map(|of| of.verdict.name()).collect();
             assert_eq!(verdicts, ["inconsistent"], "{text} as {}", format.name());
         }
         let text = format!("${written} + 2({written}) = 3({written})$");
-        assert_eq!(wrong(&text, Format::Markdown), [""; 0], "{text}");
-        assert!(report(&text, Format::Markdown).findings.iter().any(|of| of.list == List::Agreeing), "{text}");
+        assert_eq!(wrong(&text, TextFormat::Markdown), [""; 0], "{text}");
+        assert!(
+            report(&text, TextFormat::Markdown).findings.iter().any(|of| of.section == ReportSection::Agreeing),
+            "{text}"
+        );
     }
 }
 

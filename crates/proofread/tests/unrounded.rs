@@ -1,7 +1,7 @@
 //! Differences that digits printed elsewhere explain, and what can't be explained by rounding.
 
 use crate::{report, verdicts, wrong};
-use proofread::Format;
+use proofread::TextFormat;
 
 #[track_caller]
 fn all(cases: &[(&str, &[&str])]) {
@@ -14,28 +14,28 @@ fn all(cases: &[(&str, &[&str])]) {
 fn a_result_goes_on_with_the_digits_that_it_had() {
     let work = r"$(4900\,\text{N})0.33\,\text{m/s} = 1633.33\,\text{W}$";
     let speed = r"$v = \frac{10.00\,\text{m}}{30.00\,\text{s}} = 0.33\,\text{m/s}$";
-    assert_eq!(wrong(work, Format::Markdown).len(), 1);
-    assert_eq!(wrong(&format!("{speed}, and {work}"), Format::Markdown), [""; 0]);
+    assert_eq!(wrong(work, TextFormat::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{speed}, and {work}"), TextFormat::Markdown), [""; 0]);
     // It had these digits before, not behind, and no others.
-    assert_eq!(wrong(&format!("{work}, and {speed}"), Format::Markdown).len(), 1);
-    assert_eq!(wrong(&format!("{speed}, and {work}").replace("1633.33", "1633.43"), Format::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{work}, and {speed}"), TextFormat::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{speed}, and {work}").replace("1633.33", "1633.43"), TextFormat::Markdown).len(), 1);
     // A power of ten belongs to the number.
     let other = speed.replace("0.33", r"0.33\times10^0");
-    assert_eq!(wrong(&format!("{other}, and {work}"), Format::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{other}, and {work}"), TextFormat::Markdown).len(), 1);
 }
 
 #[test]
 fn a_number_may_have_been_printed_with_more_digits() {
     let ratio = r"$880/10.3 = 85.9$";
     let momentum = r"$(0.410\,\text{kg})(25\,\text{m/s}) = 10.25\,\text{kg m/s}$";
-    assert_eq!(wrong(ratio, Format::Markdown).len(), 1);
-    assert_eq!(wrong(&format!("{momentum}, and {ratio}"), Format::Markdown), [""; 0]);
+    assert_eq!(wrong(ratio, TextFormat::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{momentum}, and {ratio}"), TextFormat::Markdown), [""; 0]);
     // To these digits it has to round, and all digits of the result have to follow.
     for other in [
         momentum.replace("10.25", "10.15").replace("0.410", "0.406"),
         momentum.replace("10.25", "10.250000") + " or $5$",
     ] {
-        let found = wrong(&format!("{other}, and {}", ratio.replace("85.9", "86.0")), Format::Markdown);
+        let found = wrong(&format!("{other}, and {}", ratio.replace("85.9", "86.0")), TextFormat::Markdown);
         assert_eq!(found.len(), 1, "{other}");
     }
 }
@@ -44,31 +44,31 @@ fn a_number_may_have_been_printed_with_more_digits() {
 fn what_was_printed_may_go_in_as_it_was_printed() {
     let side = r"$\frac12\sqrt{20^2+12^2}=11.662$";
     let angle = r"$\cos^{-1}\left(\frac{20-17/2}{11.66}\right)=9.5612^\circ$";
-    assert_eq!(wrong(angle, Format::Markdown).len(), 1);
-    assert_eq!(wrong(&format!("{side} and {angle}"), Format::Markdown), [""; 0]);
-    assert_eq!(wrong(&format!("{side} and {}", angle.replace("5612", "5622")), Format::Markdown).len(), 1);
+    assert_eq!(wrong(angle, TextFormat::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{side} and {angle}"), TextFormat::Markdown), [""; 0]);
+    assert_eq!(wrong(&format!("{side} and {}", angle.replace("5612", "5622")), TextFormat::Markdown).len(), 1);
 }
 
 #[test]
 fn a_conversion_before_gives_the_digits_that_went_on() {
     let size = r"$\frac{850\,\mathrm{km}}{0.133\,\mathrm{rad}} = 6.41\times10^6\,\mathrm{m}$";
-    assert_eq!(wrong(size, Format::Markdown).len(), 1);
+    assert_eq!(wrong(size, TextFormat::Markdown).len(), 1);
     let angle = r"$\alpha = 7.6^\circ = 0.133\,\mathrm{rad}$";
-    assert_eq!(wrong(&format!("{angle}, so {size}"), Format::Markdown), [""; 0]);
-    assert_eq!(wrong(&format!("{angle}, so {}", size.replace("6.41", "6.45")), Format::Markdown).len(), 1);
+    assert_eq!(wrong(&format!("{angle}, so {size}"), TextFormat::Markdown), [""; 0]);
+    assert_eq!(wrong(&format!("{angle}, so {}", size.replace("6.41", "6.45")), TextFormat::Markdown).len(), 1);
 }
 
 #[test]
 fn a_result_may_come_from_the_first_numbers_of_an_example() {
     let steps = r"$2300/14.7 = 160$, so $(2.0\times10^{-5})(160) = 0.0032$, and $0.0032(250) = 0.78$";
-    assert_eq!(wrong(steps, Format::Markdown), [""; 0]);
-    assert_eq!(wrong(&steps.replace("14.7", "14.3"), Format::Markdown), ["0.0032(250) | 0.78"]);
+    assert_eq!(wrong(steps, TextFormat::Markdown), [""; 0]);
+    assert_eq!(wrong(&steps.replace("14.7", "14.3"), TextFormat::Markdown), ["0.0032(250) | 0.78"]);
 }
 
 #[test]
 fn a_wrong_result_does_not_go_on() {
     let both = r"$\frac{1}{2}(750 + 0)(2.8) = 1065$, and $\frac{1065}{2\pi} = 167$";
-    assert_eq!(wrong(both, Format::Markdown).len(), 2);
+    assert_eq!(wrong(both, TextFormat::Markdown).len(), 2);
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn what_has_no_real_value_equals_nothing() {
         r"\ln(-2.0) = 0.69",
         r"(2.0 - 3.5)^{1/2} = 1.2",
     ] {
-        let findings = report(&format!("$${tex}$$"), Format::Markdown).findings;
+        let findings = report(&format!("$${tex}$$"), TextFormat::Markdown).findings;
         assert_eq!(findings.len(), 1, "{tex}");
         assert_eq!(findings[0].verdict.name(), "inconsistent", "{tex}");
         assert!(findings[0].why.is_some(), "{tex}");

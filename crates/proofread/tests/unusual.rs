@@ -1,31 +1,31 @@
 //! Notations that only some texts have, each in a right chain of ours that must not be listed, beside a wrong one that must.
 
 use crate::report;
-use proofread::{Format, List};
+use proofread::{ReportSection, TextFormat};
 
-fn on(list: List, text: &str, format: Format) -> Vec<String> {
+fn on(list: ReportSection, text: &str, format: TextFormat) -> Vec<String> {
     let findings = report(text, format).findings;
-    findings.into_iter().filter(|of| of.list == list).map(|of| format!("{} | {}", of.left, of.right)).collect()
+    findings.into_iter().filter(|of| of.section == list).map(|of| format!("{} | {}", of.left, of.right)).collect()
 }
 
 #[track_caller]
-fn unlisted(format: Format, texts: &[&str]) {
+fn unlisted(format: TextFormat, texts: &[&str]) {
     for text in texts {
-        assert_eq!(on(List::Numbers, text, format), [""; 0], "{text}");
+        assert_eq!(on(ReportSection::Numbers, text, format), [""; 0], "{text}");
     }
 }
 
 #[track_caller]
-fn listed(format: Format, texts: &[&str]) {
+fn listed(format: TextFormat, texts: &[&str]) {
     for text in texts {
-        assert_ne!(on(List::Numbers, text, format), [""; 0], "{text}");
+        assert_ne!(on(ReportSection::Numbers, text, format), [""; 0], "{text}");
     }
 }
 
 #[test]
 fn a_label_before_a_chain_is_no_factor() {
     unlisted(
-        Format::Plain,
+        TextFormat::Plain,
         &[
             "5.1 (3 + 4) · 2 = 14",
             "[5] 3 + 4 = 7",
@@ -35,14 +35,14 @@ fn a_label_before_a_chain_is_no_factor() {
             "line 12 · 0.05 = 20.60",
         ],
     );
-    listed(Format::Plain, &["(3 + 4) · 2 = 15", "12 - 3 · 4 = 13", "5 + 1 = 7"]);
-    unlisted(Format::Markdown, &[r"$[2]\ 3\cdot4=12$", r"$2^\circ\ 3\cdot4=12$", r"$(1)\ -3+4=1$"]);
+    listed(TextFormat::Plain, &["(3 + 4) · 2 = 15", "12 - 3 · 4 = 13", "5 + 1 = 7"]);
+    unlisted(TextFormat::Markdown, &[r"$[2]\ 3\cdot4=12$", r"$2^\circ\ 3\cdot4=12$", r"$(1)\ -3+4=1$"]);
 }
 
 #[test]
 fn what_is_in_brackets_behind_a_result_is_no_factor() {
     unlisted(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$20/2.0=10.0\ (9.97)$",
             r"$\arcsin0.6=36.9^\circ\ (0.644\ \mathrm{rad})$",
@@ -56,13 +56,13 @@ fn what_is_in_brackets_behind_a_result_is_no_factor() {
             "3 × 4 = 12 – (1)",
         ],
     );
-    listed(Format::Markdown, &[r"$20/2.0=12.0\ (9.97)$", r"$1/6=0.3(6)$", r"$12.5(3)\times2=26.0(6)$"]);
+    listed(TextFormat::Markdown, &[r"$20/2.0=12.0\ (9.97)$", r"$1/6=0.3(6)$", r"$12.5(3)\times2=26.0(6)$"]);
 }
 
 #[test]
 fn decimals_and_thousands_are_parted_in_many_ways() {
     unlisted(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$3{\cdot}5\times2=7{\cdot}0$",
             r"$\log_{10}2=0\cdot3010$",
@@ -71,13 +71,16 @@ fn decimals_and_thousands_are_parted_in_many_ways() {
             r"$1{,}5\cdot2=3{,}0\quad(2.3)$ and $0{,}438\cdot1000=438$",
         ],
     );
-    listed(Format::Markdown, &[r"$3{\cdot}5\times2=8{\cdot}0$", r"$1'000+500=1'600$", "1,20,000 + 6,000 = 1,36,000"]);
+    listed(
+        TextFormat::Markdown,
+        &[r"$3{\cdot}5\times2=8{\cdot}0$", r"$1'000+500=1'600$", "1,20,000 + 6,000 = 1,36,000"],
+    );
 }
 
 #[test]
 fn angles_and_temperatures_lose_their_signs() {
     unlisted(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$10.0\cos60^0=5.00$",
             r"$\tan^{-1}(-4/3)=-53.1^\circ=306.9^\circ$",
@@ -87,7 +90,7 @@ fn angles_and_temperatures_lose_their_signs() {
         ],
     );
     listed(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[r"$10.0\cos60^0=6.00$", r"$-53.1^\circ=316.9^\circ$", r"$255\,\mathrm K=-28\,^\circ\mathrm C$"],
     );
 }
@@ -95,7 +98,7 @@ fn angles_and_temperatures_lose_their_signs() {
 #[test]
 fn a_letter_with_a_number_put_in_is_no_unit() {
     unlisted(
-        Format::Plain,
+        TextFormat::Plain,
         &[
             "f = 1/T = 1/0.02 = 50 Hz",
             "v² = 2*g*h = 2*9.81*5 = 98.1",
@@ -104,13 +107,13 @@ fn a_letter_with_a_number_put_in_is_no_unit() {
             "E = 3kT/2 = 3 · 1.38e-23 · 300/2",
         ],
     );
-    listed(Format::Plain, &["f = 1/T = 1/0.0200 = 60.0", "12.0 m/4.0 s = 4.0 m/s"]);
+    listed(TextFormat::Plain, &["f = 1/T = 1/0.0200 = 60.0", "12.0 m/4.0 s = 4.0 m/s"]);
 }
 
 #[test]
 fn words_join_numbers() {
     unlisted(
-        Format::Plain,
+        TextFormat::Plain,
         &[
             "5 times 3 = 15",
             "the sum of 3 and 4 = 7",
@@ -120,14 +123,14 @@ fn words_join_numbers() {
             "At 22°C = 19.8 torr",
         ],
     );
-    unlisted(Format::Plain, &["P = 12 V ×\n0.25 A = 3.0 W", "P = 12 V\n× 0.25 A = 3.0 W"]);
-    listed(Format::Plain, &["times\n5 + 3 = 9", "so 5 + 3 = 9", "The interest is 80.5 · 1.100 − 80.5 = 9.05"]);
+    unlisted(TextFormat::Plain, &["P = 12 V ×\n0.25 A = 3.0 W", "P = 12 V\n× 0.25 A = 3.0 W"]);
+    listed(TextFormat::Plain, &["times\n5 + 3 = 9", "so 5 + 3 = 9", "The interest is 80.5 · 1.100 − 80.5 = 9.05"]);
 }
 
 #[test]
 fn other_arithmetic_is_not_reckoned_with() {
     unlisted(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$5^{-1} = 3$ in $\mathbb{Z}_7$.",
             "In Boolean algebra 1 + 1 = 1.",
@@ -136,14 +139,14 @@ fn other_arithmetic_is_not_reckoned_with() {
             "89-12-30 + 01-00-00 = 90-12-30",
         ],
     );
-    unlisted(Format::Plain, &["Sta. 12+50 to Sta. 15+75 = 325 ft", "1914–1918 = 4", "1-1/2 + 2-3/4 = 4-1/4 in"]);
-    listed(Format::Markdown, &["$5^{-1} = 3$ in the end.", "1 + 1 = 1", "1-1/2 + 2-3/4 = 5"]);
+    unlisted(TextFormat::Plain, &["Sta. 12+50 to Sta. 15+75 = 325 ft", "1914–1918 = 4", "1-1/2 + 2-3/4 = 4-1/4 in"]);
+    listed(TextFormat::Markdown, &["$5^{-1} = 3$ in the end.", "1 + 1 = 1", "1-1/2 + 2-3/4 = 5"]);
 }
 
 #[test]
 fn a_row_that_begins_with_a_sign_or_a_bracket_may_be_an_equation() {
     unlisted(
-        Format::Latex,
+        TextFormat::Latex,
         &[
             "\\begin{align*} 0.25\\cdot4 &= 1.0 \\\\\n -2\\cdot3 &= -6 \\end{align*}",
             "\\begin{align*} [X] &= 0.35/0.7 = 0.5 \\\\\n [Y] &= 0.6/0.2 = 3 \\end{align*}",
@@ -151,7 +154,7 @@ fn a_row_that_begins_with_a_sign_or_a_bracket_may_be_an_equation() {
         ],
     );
     listed(
-        Format::Latex,
+        TextFormat::Latex,
         &[
             "\\begin{align*} [X] &= 0.35/0.7 = 0.6 \\\\\n [Y] &= 0.6/0.2 = 3 \\end{align*}",
             "\\begin{align*} x &= 3\\cdot4 &&\\text{with 2 of them}\\\\ &= 13 \\end{align*}",
@@ -162,63 +165,66 @@ fn a_row_that_begins_with_a_sign_or_a_bracket_may_be_an_equation() {
 #[test]
 fn what_is_struck_out_is_no_text() {
     unlisted(
-        Format::Markdown,
+        TextFormat::Markdown,
         &["~~3 × 4 = 13~~ 3 × 4 = 12", "<del>3 × 4 = 13</del>", "<!-- 3 × 4 = 13 -->", "see http://a.org/?q=3+4=8"],
     );
-    unlisted(Format::Latex, &[r"\iffalse $2+2=5$ \fi $2+2=4$"]);
-    listed(Format::Markdown, &["3 × 4 = 13", "~ 3 × 4 = 13 ~", "$x~~y$ and 3 × 4 = 13"]);
-    listed(Format::Latex, &[r"\iffalse $2+2=4$ \fi $2+2=5$"]);
+    unlisted(TextFormat::Latex, &[r"\iffalse $2+2=5$ \fi $2+2=4$"]);
+    listed(TextFormat::Markdown, &["3 × 4 = 13", "~ 3 × 4 = 13 ~", "$x~~y$ and 3 × 4 = 13"]);
+    listed(TextFormat::Latex, &[r"\iffalse $2+2=4$ \fi $2+2=5$"]);
 }
 
 #[test]
 fn a_step_between_may_be_rounded() {
-    unlisted(Format::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.455\,\text{kPa}$"]);
-    listed(Format::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.435\,\text{kPa}$"]);
+    unlisted(TextFormat::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.455\,\text{kPa}$"]);
+    listed(TextFormat::Markdown, &[r"$1.00 \times 1454.95\,\text{Pa} = 1450\,\text{Pa} = 1.435\,\text{kPa}$"]);
 }
 
 #[test]
 fn prefixes_are_understood_with_the_units() {
     let right = r"$I=\frac{5-1.0}{10+190}=20\,\mathrm{\mu A}$";
-    unlisted(Format::Latex, &[right]);
-    assert_eq!(on(List::Units, right, Format::Latex).len(), 1);
-    listed(Format::Latex, &[r"$I=\frac{5-1.0}{10+190}=30\,\mathrm{\mu A}$"]);
+    unlisted(TextFormat::Latex, &[right]);
+    assert_eq!(on(ReportSection::Units, right, TextFormat::Latex).len(), 1);
+    listed(TextFormat::Latex, &[r"$I=\frac{5-1.0}{10+190}=30\,\mathrm{\mu A}$"]);
 }
 
 #[test]
 fn a_quotient_may_end_before_a_power_of_ten() {
-    unlisted(Format::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=30\times10^3$"]);
-    unlisted(Format::Latex, &[r"$15000/(\pi/4\times10^2)=191$"]);
-    listed(Format::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=40\times10^3$", r"$15000/(\pi/4\times10^2)=291$"]);
+    unlisted(TextFormat::Latex, &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=30\times10^3$"]);
+    unlisted(TextFormat::Latex, &[r"$15000/(\pi/4\times10^2)=191$"]);
+    listed(
+        TextFormat::Latex,
+        &[r"$\frac{60/20 \times 10^6}{(10.0)^2}=40\times10^3$", r"$15000/(\pi/4\times10^2)=291$"],
+    );
 }
 
 #[test]
 fn what_a_document_sets_to_nothing_is_not_printed() {
     let text = |body: &str| format!("\\newcommand{{\\hint}}[1]{body}\n\\hint{{ $2+2=5$ }}");
-    unlisted(Format::Latex, &[&text("{}")]);
-    listed(Format::Latex, &[&text("{#1}"), &format!("{} $3+3=7$", text("{}"))]);
+    unlisted(TextFormat::Latex, &[&text("{}")]);
+    listed(TextFormat::Latex, &[&text("{#1}"), &format!("{} $3+3=7$", text("{}"))]);
 }
 
 #[test]
 fn two_columns_go_on_in_their_own_rows_if_the_first_row_does() {
     let rows =
         |last: &str| format!("\\begin{{align*}} a &= 2\\cdot3 & &= 6 \\\\ b &= 4\\cdot5 & &= {last} \\end{{align*}}");
-    unlisted(Format::Latex, &[&rows("20")]);
-    listed(Format::Latex, &[&rows("21")]);
+    unlisted(TextFormat::Latex, &[&rows("20")]);
+    listed(TextFormat::Latex, &[&rows("21")]);
 }
 
 #[test]
 fn a_decimal_in_brackets_says_a_fraction_once_more() {
-    unlisted(Format::Markdown, &["$x = 0.75/1 = 3/4 (0.75)$"]);
-    listed(Format::Markdown, &["$x = 0.75/1 = 3/4 (0.74)$", "$x = 0.75/1 = 3/5 (0.6)$"]);
+    unlisted(TextFormat::Markdown, &["$x = 0.75/1 = 3/4 (0.75)$"]);
+    listed(TextFormat::Markdown, &["$x = 0.75/1 = 3/4 (0.74)$", "$x = 0.75/1 = 3/5 (0.6)$"]);
 }
 
 #[test]
 fn a_byte_and_a_deviation_by_its_size_are_doubts() {
     for text in ["$10000011 = -2^7 + 2^1 + 2^0 = -125$", r"$$\frac{4.9-5.0}{5.0}\times100\%=2.0\%$$"] {
-        unlisted(Format::Markdown, &[text]);
-        assert_eq!(on(List::Doubts, text, Format::Markdown).len(), 1, "{text}");
+        unlisted(TextFormat::Markdown, &[text]);
+        assert_eq!(on(ReportSection::Doubts, text, TextFormat::Markdown).len(), 1, "{text}");
     }
-    listed(Format::Markdown, &["$131 = -2^7 + 2^1 + 2^0 = -125$", r"$$\frac{4.9-5.0}{5.0}\times100\%=3.0\%$$"]);
+    listed(TextFormat::Markdown, &["$131 = -2^7 + 2^1 + 2^0 = -125$", r"$$\frac{4.9-5.0}{5.0}\times100\%=3.0\%$$"]);
 }
 
 #[test]
@@ -228,9 +234,9 @@ fn an_exponent_belongs_to_the_last_letter() {
             "<p><math><msup><mrow><mn>4</mn><mi>π</mi></mrow><mn>2</mn></msup><mo>=</mo><mn>{result}</mn></math></p>"
         )
     };
-    unlisted(Format::Html, &[&chain("39.5")]);
-    listed(Format::Html, &[&chain("157.9")]);
-    unlisted(Format::Latex, &["${4\\pi}^2 = 39.5$"]);
+    unlisted(TextFormat::Html, &[&chain("39.5")]);
+    listed(TextFormat::Html, &[&chain("157.9")]);
+    unlisted(TextFormat::Latex, &["${4\\pi}^2 = 39.5$"]);
 }
 
 #[test]
@@ -240,8 +246,8 @@ fn a_column_that_is_added_is_no_fraction() {
             "<p><math><mfrac><mrow>{first}<mn>13.7</mn></mrow><mn>15.2</mn></mfrac><mo>=</mo><mn>15.2</mn></math></p>"
         )
     };
-    unlisted(Format::Html, &[&sum("<mo>+</mo>")]);
-    listed(Format::Html, &[&sum("")]);
+    unlisted(TextFormat::Html, &[&sum("<mo>+</mo>")]);
+    listed(TextFormat::Html, &[&sum("")]);
 }
 
 #[test]
@@ -254,15 +260,15 @@ fn a_column_with_strokes_is_a_fraction_of_fractions() {
             "<p><math><mi>p</mi><mo>=</mo><mtable>{rows}</mtable><mo>=</mo><mfrac><mn>7</mn><mn>40</mn></mfrac></math></p>"
         )
     };
-    unlisted(Format::Html, &[&column("bottom")]);
-    listed(Format::Html, &[&column("circle")]);
+    unlisted(TextFormat::Html, &[&column("bottom")]);
+    listed(TextFormat::Html, &[&column("circle")]);
 }
 
 #[test]
 fn a_letter_in_a_sum_is_no_unit() {
     let right = "<p><math><mn>25</mn><mo>+</mo><mn>4</mn><mo>=</mo><mtext>A</mtext><mo>+</mo><mn>1</mn></math></p>";
-    unlisted(Format::Html, &[right]);
-    listed(Format::Html, &[&right.replace("<mtext>A</mtext>", "<mn>27</mn>")]);
+    unlisted(TextFormat::Html, &[right]);
+    listed(TextFormat::Html, &[&right.replace("<mtext>A</mtext>", "<mn>27</mn>")]);
 }
 
 #[test]
@@ -272,120 +278,120 @@ fn a_bracket_before_a_formula_may_be_a_factor() {
             "<p>The area is {before}<math><mfrac><mn>2</mn><mn>5</mn></mfrac><mo>=</mo><mfrac><mn>4</mn><mn>5</mn></mfrac></math></p>"
         )
     };
-    unlisted(Format::Html, &[&text("(4 − 2)")]);
-    assert_eq!(on(List::Doubts, &text("(4 − 2)"), Format::Html).len(), 1);
-    listed(Format::Html, &[&text("")]);
+    unlisted(TextFormat::Html, &[&text("(4 − 2)")]);
+    assert_eq!(on(ReportSection::Doubts, &text("(4 − 2)"), TextFormat::Html).len(), 1);
+    listed(TextFormat::Html, &[&text("")]);
 }
 
 #[test]
 fn kilograms_in_a_pressure_are_their_weight() {
     let chain = |result: &str| format!(r"$1.0\,\text{{kg/cm}}^2 = {result}\,\text{{N/m}}^2$");
-    assert_eq!(on(List::Units, &chain(r"9.8\times10^4"), Format::Markdown).len(), 1);
-    listed(Format::Markdown, &[&chain(r"8.9\times10^4")]);
+    assert_eq!(on(ReportSection::Units, &chain(r"9.8\times10^4"), TextFormat::Markdown).len(), 1);
+    listed(TextFormat::Markdown, &[&chain(r"8.9\times10^4")]);
 }
 
 #[test]
 fn what_replaces_a_number_struck_out_is_no_exponent() {
-    unlisted(Format::Latex, &[r"$\frac{35-5}{1}=\cancel{30}^{\ 5}$"]);
-    listed(Format::Latex, &[r"$\frac{35-5}{1}=\cancel{31}$", r"$\frac{35-5}{1}=30^{\ 5}$"]);
+    unlisted(TextFormat::Latex, &[r"$\frac{35-5}{1}=\cancel{30}^{\ 5}$"]);
+    listed(TextFormat::Latex, &[r"$\frac{35-5}{1}=\cancel{31}$", r"$\frac{35-5}{1}=30^{\ 5}$"]);
 }
 
 #[test]
 fn decibels_are_as_coarse_as_they_are_printed() {
-    unlisted(Format::Latex, &[r"$K=\frac{5}{2\cdot4} = -4$ dB, so"]);
-    listed(Format::Latex, &[r"$K=\frac{5}{2\cdot4} = -5$ dB, so", r"$K=\frac{5}{2\cdot4} = -4$, so"]);
+    unlisted(TextFormat::Latex, &[r"$K=\frac{5}{2\cdot4} = -4$ dB, so"]);
+    listed(TextFormat::Latex, &[r"$K=\frac{5}{2\cdot4} = -5$ dB, so", r"$K=\frac{5}{2\cdot4} = -4$, so"]);
 }
 
 #[test]
 fn an_angle_behind_a_stroke_is_one_of_a_phasor() {
     let chain =
         |sign: &str| format!(r"$10\underline{{/30{sign}}}\cdot2\underline{{/-10{sign}}}=20\underline{{/20{sign}}}$");
-    unlisted(Format::Latex, &[&chain(r"^\circ")]);
-    listed(Format::Latex, &[&chain(""), r"$360^\circ/30^\circ = 13$"]);
+    unlisted(TextFormat::Latex, &[&chain(r"^\circ")]);
+    listed(TextFormat::Latex, &[&chain(""), r"$360^\circ/30^\circ = 13$"]);
 }
 
 #[test]
 fn an_angle_in_brackets_belongs_to_the_function() {
-    unlisted(Format::Latex, &[r"$30\cos 2(30^\circ) = 15.0$", r"$4\sin 30^\circ(2.0) = 4.0$"]);
-    listed(Format::Latex, &[r"$30\cos 2(30^\circ) = 15.1$", r"$4\sin 30^\circ(2.0) = 4.5$"]);
+    unlisted(TextFormat::Latex, &[r"$30\cos 2(30^\circ) = 15.0$", r"$4\sin 30^\circ(2.0) = 4.0$"]);
+    listed(TextFormat::Latex, &[r"$30\cos 2(30^\circ) = 15.1$", r"$4\sin 30^\circ(2.0) = 4.5$"]);
 }
 
 #[test]
 fn a_private_command_behind_a_formula_may_be_a_unit() {
-    unlisted(Format::Latex, &[r"$370.4\times30 = 11.11$\kW{} here"]);
-    listed(Format::Latex, &[r"$370.4\times30 = 12.11$\kW{} here", r"$370.4\times30 = 11.11$\foo{} here"]);
+    unlisted(TextFormat::Latex, &[r"$370.4\times30 = 11.11$\kW{} here"]);
+    listed(TextFormat::Latex, &[r"$370.4\times30 = 12.11$\kW{} here", r"$370.4\times30 = 11.11$\foo{} here"]);
 }
 
 #[test]
 fn two_lists_may_be_equal() {
-    unlisted(Format::Latex, &[r"$a, b=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8,\ 4$ kN"]);
-    listed(Format::Latex, &[r"$a=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8$ kN"]);
+    unlisted(TextFormat::Latex, &[r"$a, b=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8,\ 4$ kN"]);
+    listed(TextFormat::Latex, &[r"$a=\frac{12\cdot4}{6},\ \frac{12\cdot2}{6}=8$ kN"]);
 }
 
 #[test]
 fn numbers_of_equations_are_a_doubt() {
     let text = "$(1)+(2)=(4)$";
-    unlisted(Format::Latex, &[text]);
-    assert_eq!(on(List::Doubts, text, Format::Latex).len(), 1);
-    listed(Format::Latex, &["$(1)+(2)=4$"]);
+    unlisted(TextFormat::Latex, &[text]);
+    assert_eq!(on(ReportSection::Doubts, text, TextFormat::Latex).len(), 1);
+    listed(TextFormat::Latex, &["$(1)+(2)=4$"]);
 }
 
 #[test]
 fn au_may_be_a_unit_of_mass() {
-    unlisted(Format::Latex, &[r"$14.00\text{ au} = 2.32\times10^{-26}\text{ kg}$"]);
-    listed(Format::Latex, &[r"$14.00\text{ au} = 2.32\times10^{12}\text{ m}$"]);
+    unlisted(TextFormat::Latex, &[r"$14.00\text{ au} = 2.32\times10^{-26}\text{ kg}$"]);
+    listed(TextFormat::Latex, &[r"$14.00\text{ au} = 2.32\times10^{12}\text{ m}$"]);
 }
 
 #[test]
 fn what_a_drawing_defines_holds_in_it_alone() {
     let text = |name: &str| format!("\\begin{{{name}}} \\def\\d{{7}} \\end{{{name}}} $\\d + 1.5 = 8.6$");
-    unlisted(Format::Latex, &[&text("tikzpicture"), &text("axis")]);
-    listed(Format::Latex, &[&text("center")]);
+    unlisted(TextFormat::Latex, &[&text("tikzpicture"), &text("axis")]);
+    listed(TextFormat::Latex, &[&text("center")]);
 }
 
 #[test]
 fn a_comma_is_the_sign_of_decimals_in_quantities() {
-    unlisted(Format::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,005}{A}$"]);
-    listed(Format::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,006}{A}$"]);
+    unlisted(TextFormat::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,005}{A}$"]);
+    listed(TextFormat::Latex, &[r"$\SI{0,002}{A}+\SI{0,003}{A} = \SI{0,006}{A}$"]);
 }
 
 #[test]
 fn an_exponent_behind_brackets_may_belong_to_the_function() {
     unlisted(
-        Format::Latex,
+        TextFormat::Latex,
         &[r"$1 + \frac{\pi^2}{\ln(0.05)^2} = 2.0997$", r"$\ln(3.0^2) = 2.2$", r"$\sin(30^\circ)^2 = 0.25$"],
     );
-    listed(Format::Latex, &[r"$1 + \frac{\pi^2}{\ln(0.05)^2} = 2.1997$", r"$\sin(30^\circ)^2 = 0.35$"]);
+    listed(TextFormat::Latex, &[r"$1 + \frac{\pi^2}{\ln(0.05)^2} = 2.1997$", r"$\sin(30^\circ)^2 = 0.35$"]);
 }
 
 #[test]
 fn directions_differ_by_whole_turns() {
-    unlisted(Format::Latex, &[r"$-(180^\circ + 180^\circ)-180^\circ = 180^\circ$"]);
-    listed(Format::Latex, &[r"$-(180^\circ + 180^\circ)-180^\circ = 170^\circ$"]);
+    unlisted(TextFormat::Latex, &[r"$-(180^\circ + 180^\circ)-180^\circ = 180^\circ$"]);
+    listed(TextFormat::Latex, &[r"$-(180^\circ + 180^\circ)-180^\circ = 170^\circ$"]);
 }
 
 #[test]
 fn a_letter_e_that_is_set_is_no_number() {
-    unlisted(Format::Latex, &["$e^{-1}=1$"]);
-    listed(Format::Latex, &["$e^{-1}=0.47$", "$2e^{-1}=1$"]);
+    unlisted(TextFormat::Latex, &["$e^{-1}=1$"]);
+    listed(TextFormat::Latex, &["$e^{-1}=0.47$", "$2e^{-1}=1$"]);
 }
 
 #[test]
 fn a_unit_with_two_meanings_is_a_doubt_if_its_dimension_differs() {
     let text = |unit: &str| format!(r"$8.01\times10^{{-30}}\,\mathrm{{C\,m}} = 2.4\,\mathrm{{{unit}}}$");
-    unlisted(Format::Latex, &[&text("D")]);
-    listed(Format::Latex, &[&text("V")]);
+    unlisted(TextFormat::Latex, &[&text("D")]);
+    listed(TextFormat::Latex, &[&text("V")]);
 }
 
 #[test]
 fn a_name_without_its_unit_says_nothing_of_dimensions() {
     let text = |last: &str| format!(r"$t=0$ $x(t) = (3 \text{{ m/s}})t+2 \text{{ m}}$ {last}");
-    unlisted(Format::Latex, &[&text("")]);
-    listed(Format::Latex, &[&text(r"$(3 \text{ m/s})+2 \text{ m} = 6\text{ m}$")]);
+    unlisted(TextFormat::Latex, &[&text("")]);
+    listed(TextFormat::Latex, &[&text(r"$(3 \text{ m/s})+2 \text{ m} = 6\text{ m}$")]);
 }
 
 #[test]
 fn letters_at_a_number_in_running_text_are_a_factor() {
-    unlisted(Format::Markdown, &["51*420 - 30 = 348Tc\n"]);
-    listed(Format::Markdown, &["51*420 - 30 = 348 Tc\n", "51*420 - 30 = 348W\n"]);
+    unlisted(TextFormat::Markdown, &["51*420 - 30 = 348Tc\n"]);
+    listed(TextFormat::Markdown, &["51*420 - 30 = 348 Tc\n", "51*420 - 30 = 348W\n"]);
 }

@@ -2,8 +2,8 @@
 //!
 //! They are listed by hand: the macros of clap would take a quarter of the time in which the program is installed.
 
-use crate::binding::Follow;
-use crate::reader::Format;
+use crate::binding::NamePolicy;
+use crate::reader::TextFormat;
 use clap::builder::PossibleValuesParser;
 use clap::error::Error;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
@@ -24,7 +24,7 @@ Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
 
 /// How findings are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Written {
+pub(crate) enum OutputFormat {
     Text,
     Json,
     Jsonl,
@@ -34,14 +34,14 @@ pub(crate) enum Written {
 /// What all input is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Input {
-    One(Format),
+    One(TextFormat),
     /// One JSON object per line, each with its own format.
     Lines,
 }
 
 impl Input {
     /// The format of a file, or none for lines of JSON.
-    pub fn format(self) -> Option<Format> {
+    pub fn format(self) -> Option<TextFormat> {
         match self {
             Self::One(format) => Some(format),
             Self::Lines => None,
@@ -51,33 +51,38 @@ impl Input {
 
 /// The options of the command.
 #[derive(Clone, Debug)]
-pub struct Arguments {
+pub struct ProofreadArguments {
     pub(crate) files: Vec<PathBuf>,
     pub(crate) input: Option<Input>,
-    pub(crate) format: Written,
+    pub(crate) format: OutputFormat,
     pub(crate) units: bool,
     pub(crate) doubts: bool,
-    pub(crate) follow: Follow,
+    pub(crate) name_policy: NamePolicy,
     pub(crate) agreeing: bool,
     pub(crate) since: Option<String>,
     pub(crate) baseline: Option<PathBuf>,
     pub(crate) accept: Option<PathBuf>,
 }
 
-const WRITTEN: [(&str, Written); 4] =
-    [("text", Written::Text), ("json", Written::Json), ("jsonl", Written::Jsonl), ("sarif", Written::Sarif)];
-const FOLLOWED: [(&str, Follow); 3] = [("never", Follow::Never), ("once", Follow::Once), ("always", Follow::Always)];
+const WRITTEN: [(&str, OutputFormat); 4] = [
+    ("text", OutputFormat::Text),
+    ("json", OutputFormat::Json),
+    ("jsonl", OutputFormat::Jsonl),
+    ("sarif", OutputFormat::Sarif),
+];
+const FOLLOWED: [(&str, NamePolicy); 3] =
+    [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
 const LINES: &str = "jsonl";
 
-fn names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
+fn value_names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
     PossibleValuesParser::new(of.iter().map(|(name, _)| *name))
 }
 
-impl Args for Arguments {
+impl Args for ProofreadArguments {
     fn augment_args(command: Command) -> Command {
         let option = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
         let switch = |name: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue);
-        let formats = Format::ALL.iter().map(|(name, _)| *name).chain([LINES]);
+        let formats = TextFormat::ALL.iter().map(|(name, _)| *name).chain([LINES]);
         command.args([
             Arg::new("files")
                 .value_name("FILE")
@@ -94,7 +99,7 @@ impl Args for Arguments {
                  the name of each file; markdown on standard input]",
             ),
             option("format", "FORMAT")
-                .value_parser(names(&WRITTEN))
+                .value_parser(value_names(&WRITTEN))
                 .default_value("text")
                 .help("How findings are written; sarif is for code review"),
             switch("units").help("Also list numbers that agree although their units do not"),
@@ -102,7 +107,7 @@ impl Args for Arguments {
                 "Also list differences that are set aside, since the text may have been misread or the result is truncated",
             ),
             option("bindings", "WHEN")
-                .value_parser(names(&FOLLOWED))
+                .value_parser(value_names(&FOLLOWED))
                 .num_args(0..=1)
                 .require_equals(true)
                 .default_value("once")
@@ -126,18 +131,18 @@ impl Args for Arguments {
     }
 }
 
-impl FromArgMatches for Arguments {
+impl FromArgMatches for ProofreadArguments {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let text = |name: &str| matches.get_one::<String>(name).map(String::as_str);
         let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
-        let input = text("input").map(|name| Format::named(name).map_or(Input::Lines, Input::One));
+        let input = text("input").map(|name| TextFormat::from_name(name).map_or(Input::Lines, Input::One));
         Ok(Self {
             files: matches.get_many("files").into_iter().flatten().cloned().collect(),
             input,
-            format: chosen(text("format"), &WRITTEN).unwrap_or(Written::Text),
+            format: choice(text("format"), &WRITTEN).unwrap_or(OutputFormat::Text),
             units: matches.get_flag("units"),
             doubts: matches.get_flag("doubts"),
-            follow: chosen(text("bindings"), &FOLLOWED).unwrap_or_default(),
+            name_policy: choice(text("bindings"), &FOLLOWED).unwrap_or_default(),
             agreeing: matches.get_flag("agreeing"),
             since: text("since").map(str::to_owned),
             baseline: path("baseline"),
@@ -151,6 +156,6 @@ impl FromArgMatches for Arguments {
     }
 }
 
-fn chosen<T: Copy>(name: Option<&str>, of: &[(&'static str, T)]) -> Option<T> {
+fn choice<T: Copy>(name: Option<&str>, of: &[(&'static str, T)]) -> Option<T> {
     of.iter().find(|(known, _)| Some(*known) == name).map(|(_, value)| *value)
 }

@@ -1,6 +1,6 @@
 //! Accepted cases: a file with a line of JSON for each, which people may edit and add reasons to.
 
-use crate::finding::Finding;
+use crate::finding::ChainFinding;
 use crate::reader::LONGEST;
 use geneva_host::files::{self, NewFile};
 use geneva_host::printable::shown_path;
@@ -18,7 +18,7 @@ pub(crate) struct Baseline {
 }
 
 /// What stays the same of a finding when lines move.
-pub(crate) fn fingerprint(finding: &Finding) -> String {
+pub(crate) fn fingerprint(finding: &ChainFinding) -> String {
     let squeezed = |text: &str| text.split_whitespace().collect::<String>();
     format!("{}: {} | {}", finding.verdict.name(), squeezed(&finding.left), squeezed(&finding.right))
 }
@@ -57,14 +57,14 @@ impl Baseline {
     }
 
     /// Whether a finding is accepted.
-    pub fn has(&self, file: &str, finding: &Finding) -> bool {
+    pub fn is_accepted(&self, file: &str, finding: &ChainFinding) -> bool {
         let found = self.cases.contains_key(&(plain(file), fingerprint(finding)));
         self.met.set(self.met.get() + usize::from(found));
         found
     }
 
     /// Accepts a finding; the reason of one that was accepted before is kept.
-    pub fn accept(&mut self, file: &str, finding: &Finding) {
+    pub fn accept(&mut self, file: &str, finding: &ChainFinding) {
         self.met.set(self.met.get() + 1);
         let case = fingerprint(finding);
         let file = plain(file);
@@ -73,7 +73,7 @@ impl Baseline {
     }
 
     /// How many findings were accepted.
-    pub fn accepted(&self) -> usize {
+    pub fn accepted_count(&self) -> usize {
         self.met.get()
     }
 

@@ -2,7 +2,7 @@
 
 use super::arguments::Input;
 use super::baseline::Baseline;
-use crate::reader::{Format, LONGEST};
+use crate::reader::{LONGEST, TextFormat};
 use geneva_host::files;
 use geneva_host::printable::{in_words, shown, shown_path};
 use serde_json::Value;
@@ -19,7 +19,7 @@ const WANTED: &str = "a text file or a folder of them, or - for standard input";
 pub(crate) struct Document {
     pub name: String,
     pub text: String,
-    pub format: Format,
+    pub format: TextFormat,
     /// The file, if it is one.
     pub path: Option<PathBuf>,
     /// The argument that named the file, or the folder in which it was found.
@@ -30,20 +30,20 @@ pub(crate) struct Document {
 pub(crate) struct Source {
     path: Option<PathBuf>,
     /// None for lines of JSON.
-    format: Option<Format>,
+    format: Option<TextFormat>,
     /// The folder that was asked for, if the file was found in one.
     folder: Option<PathBuf>,
 }
 
 impl Source {
     /// The file with the folder in which it was found, if it is LaTeX.
-    pub fn latex(&self) -> Option<(&Path, Option<&Path>)> {
-        let path = self.path.as_deref().filter(|_| self.format == Some(Format::Latex))?;
+    pub fn latex_file(&self) -> Option<(&Path, Option<&Path>)> {
+        let path = self.path.as_deref().filter(|_| self.format == Some(TextFormat::Latex))?;
         Some((path, self.folder.as_deref()))
     }
 
     /// Whether it is this file.
-    pub fn is(&self, file: &Path) -> bool {
+    pub fn is_file(&self, file: &Path) -> bool {
         let real = |path: &Path| path.canonicalize().ok();
         self.path.as_deref().and_then(real).is_some_and(|mine| real(file) == Some(mine))
     }
@@ -59,7 +59,7 @@ pub(crate) fn sources(paths: &[PathBuf], input: Option<Input>) -> Result<Vec<Res
     let mut out = Vec::new();
     for path in paths {
         if path.as_os_str() == STANDARD_INPUT {
-            let format = input.map_or(Some(Format::Markdown), Input::format);
+            let format = input.map_or(Some(TextFormat::Markdown), Input::format);
             out.push(Ok(Source { path: None, format, folder: None }));
         } else if path.is_dir() {
             let before = out.len();
@@ -123,7 +123,7 @@ fn file(path: &Path, input: Option<Input>) -> Option<Source> {
     let format = match input {
         Some(input) => input.format(),
         None if of_lines => None,
-        None => Some(Format::of_extension(extension)?),
+        None => Some(TextFormat::from_extension(extension)?),
     };
     Some(Source { path: Some(path.to_owned()), format, folder: None })
 }
@@ -159,7 +159,7 @@ fn folder(path: &Path, input: Option<Input>, depth: usize, out: &mut Vec<Result<
 }
 
 /// Hands over the documents of a source.
-pub(crate) fn each(
+pub(crate) fn read_documents(
     source: &Source,
     take: &mut dyn FnMut(Result<Document, String>) -> Result<(), String>,
 ) -> Result<(), String> {
@@ -178,7 +178,7 @@ pub(crate) fn each(
     let text = bytes.and_then(|bytes| match bytes.is_empty() && is_stream {
         // Whatever was to write a text into it has failed, or was never started.
         true => Err(EMPTY.to_owned()),
-        false => decoded(bytes).map_err(|why| format!("{}: {why}", shown(&name))),
+        false => decode_text(bytes).map_err(|why| format!("{}: {why}", shown(&name))),
     });
     let argument = source.folder.clone().or_else(|| source.path.clone());
     take(text.map(|text| Document { name, text, format, path: source.path.clone(), argument }))
@@ -189,7 +189,7 @@ const EMPTY: &str =
     "standard input is closed or empty, so there is no text to check; pipe a text into it, or give files";
 
 /// Bytes as text.
-pub(crate) fn decoded(bytes: Vec<u8>) -> Result<String, String> {
+pub(crate) fn decode_text(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.iter().take(4096).any(|byte| *byte == 0) {
         return Err("this is not text: it has zero bytes; give a text file".to_owned());
     }
@@ -218,7 +218,7 @@ fn lines(
             continue;
         }
         let wrong = |why: String| format!("{}:{number}: {why}", shown_path(Path::new(name)));
-        take(decoded(bytes).and_then(|line| record(&line, number)).map_err(wrong))?;
+        take(decode_text(bytes).and_then(|line| record(&line, number)).map_err(wrong))?;
     }
 }
 
@@ -232,11 +232,13 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
         _ => format!("line {number}"),
     };
     let format = match &value["format"] {
-        Value::Null => Format::Markdown,
-        Value::String(format) => Format::named(format).or_else(|| Format::of_extension(format)).ok_or_else(|| {
-            let known: Vec<&str> = Format::ALL.iter().map(|(name, _)| *name).collect();
-            format!("the format `{}` is not known; it is one of {}", shown(format), known.join(", "))
-        })?,
+        Value::Null => TextFormat::Markdown,
+        Value::String(format) => {
+            TextFormat::from_name(format).or_else(|| TextFormat::from_extension(format)).ok_or_else(|| {
+                let known: Vec<&str> = TextFormat::ALL.iter().map(|(name, _)| *name).collect();
+                format!("the format `{}` is not known; it is one of {}", shown(format), known.join(", "))
+            })?
+        }
         _ => return Err("`format` must be a string".to_owned()),
     };
     Ok(Document { name, text, format, path: None, argument: None })

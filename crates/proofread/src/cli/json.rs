@@ -1,38 +1,39 @@
 //! Findings for programs: JSON, and lines of JSON.
 
-use super::{Checked, Sum, Writer};
-use crate::check::Tally;
+use super::{CheckedDocument, ReportWriter, RunTotals};
+use crate::check::CheckTally;
 use crate::doubt::Doubt;
-use crate::finding::Finding;
-use crate::place::{Lines as TextLines, Place};
+use crate::finding::ChainFinding;
+use crate::line_index::{LineColumn, LineIndex};
 use crate::token::Span;
-use crate::verdict::Verdict;
+use crate::verdict::ChainVerdict;
 use serde_json::{Map, Value, json};
 
 /// The version of the form, raised when a field changes its meaning.
 pub(crate) const VERSION: u32 = 1;
 
-fn place(place: Place) -> Value {
+fn place(place: LineColumn) -> Value {
     json!({ "line": place.line, "column": place.column })
 }
 
-fn span(span: Span, lines: &TextLines<'_>) -> Value {
-    let [start, end] = lines.places(span);
+fn span(span: Span, lines: &LineIndex<'_>) -> Value {
+    let [start, end] = lines.line_columns(span);
     json!({ "start": place(start), "end": place(end), "bytes": [span.start, span.end] })
 }
 
-fn finding(finding: &Finding, lines: &TextLines<'_>) -> Value {
+fn finding(finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
     json!({
-        "list": finding.list.name(),
+        "list": finding.section.name(),
         "verdict": finding.verdict.name(),
-        "message": finding.verdict.words(),
+        "message": finding.verdict.description(),
         "chain": finding.chain,
         "left": finding.left,
         "right": finding.right,
         "printed": finding.printed,
         "recomputed": finding.recomputed,
+        "explanation": finding.explanation,
         "why": finding.why,
-        "doubt": finding.doubt.map(Doubt::words),
+        "doubt": finding.doubt.map(Doubt::reason),
         "hint": finding.hint.as_ref().map(|hint| hint.words.as_str()),
         "reading": finding.reading,
         "names": finding.names,
@@ -41,9 +42,11 @@ fn finding(finding: &Finding, lines: &TextLines<'_>) -> Value {
     })
 }
 
-fn tally(tally: &Tally) -> Value {
-    let verdicts: Map<String, Value> =
-        Verdict::ALL.iter().map(|verdict| (verdict.name().to_owned(), tally.with(*verdict).into())).collect();
+fn tally(tally: &CheckTally) -> Value {
+    let verdicts: Map<String, Value> = ChainVerdict::ALL
+        .iter()
+        .map(|verdict| (verdict.name().to_owned(), tally.pairs_with(*verdict).into()))
+        .collect();
     json!({
         "bytes": tally.bytes,
         "formulas": tally.formulas,
@@ -57,8 +60,8 @@ fn tally(tally: &Tally) -> Value {
     })
 }
 
-fn document(checked: &Checked<'_>) -> Value {
-    let lines = if checked.findings.is_empty() { TextLines::new("") } else { TextLines::new(&checked.document.text) };
+fn document(checked: &CheckedDocument<'_>) -> Value {
+    let lines = if checked.findings.is_empty() { LineIndex::new("") } else { LineIndex::new(&checked.document.text) };
     let findings: Vec<Value> = checked.findings.iter().map(|of| finding(of, &lines)).collect();
     json!({
         "id": checked.document.name,
@@ -68,7 +71,7 @@ fn document(checked: &Checked<'_>) -> Value {
     })
 }
 
-fn sum(of: &Sum) -> Value {
+fn sum(of: &RunTotals) -> Value {
     let [numbers, units, bindings, _, doubts] = of.found;
     json!({
         "documents": of.documents,
@@ -80,31 +83,31 @@ fn sum(of: &Sum) -> Value {
 
 /// One object.
 #[derive(Default)]
-pub(crate) struct Json {
+pub(crate) struct JsonWriter {
     documents: Vec<Value>,
 }
 
-impl Writer for Json {
-    fn document(&mut self, checked: &Checked<'_>) -> String {
+impl ReportWriter for JsonWriter {
+    fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
         self.documents.push(document(checked));
         String::new()
     }
 
-    fn end(&mut self, of: &Sum) -> String {
+    fn end(&mut self, of: &RunTotals) -> String {
         let documents = std::mem::take(&mut self.documents);
         format!("{:#}\n", json!({ "version": VERSION, "documents": documents, "sum": sum(of) }))
     }
 }
 
 /// An object per document, and one with the sums.
-pub(crate) struct Lines;
+pub(crate) struct JsonLinesWriter;
 
-impl Writer for Lines {
-    fn document(&mut self, checked: &Checked<'_>) -> String {
+impl ReportWriter for JsonLinesWriter {
+    fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
         format!("{}\n", json!({ "version": VERSION, "document": document(checked) }))
     }
 
-    fn end(&mut self, of: &Sum) -> String {
+    fn end(&mut self, of: &RunTotals) -> String {
         format!("{}\n", json!({ "version": VERSION, "sum": sum(of) }))
     }
 }

@@ -10,37 +10,66 @@ mod sarif;
 mod since;
 mod text;
 
-pub use arguments::{Arguments, EXAMPLES};
-pub use output::{Streams, TextLayout};
+pub use arguments::{EXAMPLES, ProofreadArguments};
+pub use output::{CommandStreams, TextLayout};
 
-use crate::check::{Options, Report, Tally, proofread};
-use crate::finding::{Finding, List};
-use crate::reader::{Definitions, Format};
-use arguments::Written;
+use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
+use crate::finding::{ChainFinding, ReportSection};
+use crate::reader::{Definitions, TextFormat};
+use arguments::OutputFormat;
 use baseline::Baseline;
 use documents::{Document, Source};
 use geneva_host::files::{NewFile, OutputOption};
 use geneva_host::printable::shown_path;
-use output::Outcome;
+use output::RunStatus;
 use project::Project;
-use since::{Earlier, Since};
+use since::{EarlierText, Since};
 use std::path::Path;
 
 /// What a document gave, ready to be written.
-struct Checked<'d> {
+struct CheckedDocument<'d> {
     document: &'d Document,
-    findings: Vec<Finding>,
-    tally: Tally,
+    findings: Vec<ChainFinding>,
+    tally: CheckTally,
 }
 
 /// Runs the command; the exit code is 0 if nothing was found, 1 if something was, and 2 if an argument or input is wrong.
-pub fn run(arguments: &Arguments, streams: &mut dyn Streams) -> u8 {
-    let outcome = Run::new(arguments, streams).and_then(|run| run.all());
+///
+/// ```
+/// use clap::{Args, FromArgMatches};
+/// use proofread::cli::{CommandStreams, ProofreadArguments, run};
+///
+/// struct Output(String);
+///
+/// impl CommandStreams for Output {
+///     fn print(&mut self, text: &str) -> Result<(), String> {
+///         self.0 += text;
+///         Ok(())
+///     }
+///
+///     fn print_error(&mut self, text: &str) {
+///         self.0 += text;
+///     }
+/// }
+///
+/// let file = std::env::temp_dir().join(format!("proofread-example-{}.md", std::process::id()));
+/// std::fs::write(&file, "$2 + 2 = 5$")?;
+/// let command = ProofreadArguments::augment_args(clap::Command::new("proofread"));
+/// let matches = command.get_matches_from(["proofread".as_ref(), file.as_os_str()]);
+/// let arguments = ProofreadArguments::from_arg_matches(&matches).expect("the options of the command");
+/// let mut output = Output(String::new());
+/// assert_eq!(run(&arguments, &mut output), 1);
+/// assert!(output.0.contains("printed 5, recomputed 4"));
+/// std::fs::remove_file(&file)?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn run(arguments: &ProofreadArguments, streams: &mut dyn CommandStreams) -> u8 {
+    let outcome = CommandRun::new(arguments, streams).and_then(|run| run.run_all());
     match outcome {
         Ok(outcome) => outcome.code(),
         Err(message) => {
-            streams.tell(&output::error(&message));
-            Outcome::Failed.code()
+            streams.print_error(&output::format_error(&message));
+            RunStatus::Failed.code()
         }
     }
 }
@@ -48,33 +77,33 @@ pub fn run(arguments: &Arguments, streams: &mut dyn Streams) -> u8 {
 /// Most tokens that are evaluated in the search for hints in all lines of JSON of a run, as many as in ten documents.
 const HINT_EFFORT: usize = 6_000_000;
 
-struct Run<'a> {
-    arguments: &'a Arguments,
-    streams: &'a mut dyn Streams,
+struct CommandRun<'a> {
+    arguments: &'a ProofreadArguments,
+    streams: &'a mut dyn CommandStreams,
     baseline: Baseline,
     /// The file that the accepted cases are written to.
     accepted: Option<NewFile>,
-    writer: Box<dyn Writer>,
+    writer: Box<dyn ReportWriter>,
     project: Project,
     /// What the search for hints in lines of JSON may still cost: there may be any number of them.
     hint_effort: usize,
-    sum: Tally,
+    sum: CheckTally,
     documents: usize,
     found: [usize; 5],
     failed: bool,
 }
 
 /// A form of output.
-trait Writer {
+trait ReportWriter {
     /// What is written for a document.
-    fn document(&mut self, checked: &Checked<'_>) -> String;
+    fn document(&mut self, checked: &CheckedDocument<'_>) -> String;
     /// What is written at the end.
-    fn end(&mut self, sum: &Sum) -> String;
+    fn end(&mut self, sum: &RunTotals) -> String;
 }
 
 /// What all documents gave together.
-struct Sum {
-    tally: Tally,
+struct RunTotals {
+    tally: CheckTally,
     documents: usize,
     /// Findings on numbers, units and bindings, pairs that agree, and doubts.
     found: [usize; 5],
@@ -83,8 +112,8 @@ struct Sum {
     doubts_listed: bool,
 }
 
-impl<'a> Run<'a> {
-    fn new(arguments: &'a Arguments, streams: &'a mut dyn Streams) -> Result<Self, String> {
+impl<'a> CommandRun<'a> {
+    fn new(arguments: &'a ProofreadArguments, streams: &'a mut dyn CommandStreams) -> Result<Self, String> {
         let baseline = match (&arguments.baseline, &arguments.accept) {
             (Some(path), _) => Baseline::read(path)?,
             (None, Some(path)) if path.exists() => Baseline::read(path)?,
@@ -92,11 +121,11 @@ impl<'a> Run<'a> {
         };
         let option = OutputOption { name: "--accept", instead: "" };
         let accepted = arguments.accept.as_deref().map(|path| NewFile::new(path, option)).transpose()?;
-        let writer: Box<dyn Writer> = match arguments.format {
-            Written::Text => Box::new(text::Text(streams.layout())),
-            Written::Json => Box::new(json::Json::default()),
-            Written::Jsonl => Box::new(json::Lines),
-            Written::Sarif => Box::new(sarif::Sarif::default()),
+        let writer: Box<dyn ReportWriter> = match arguments.format {
+            OutputFormat::Text => Box::new(text::TextWriter(streams.layout())),
+            OutputFormat::Json => Box::new(json::JsonWriter::default()),
+            OutputFormat::Jsonl => Box::new(json::JsonLinesWriter),
+            OutputFormat::Sarif => Box::new(sarif::SarifWriter::default()),
         };
         Ok(Self {
             arguments,
@@ -106,19 +135,19 @@ impl<'a> Run<'a> {
             writer,
             project: Project::default(),
             hint_effort: HINT_EFFORT,
-            sum: Tally::default(),
+            sum: CheckTally::default(),
             documents: 0,
             found: [0; 5],
             failed: false,
         })
     }
 
-    fn all(mut self) -> Result<Outcome, String> {
+    fn run_all(mut self) -> Result<RunStatus, String> {
         let arguments = self.arguments;
         let since = arguments.since.as_deref().map(|revision| Since::new(revision, &arguments.files)).transpose()?;
         let accepting = arguments.accept.is_some();
         let sources = documents::sources(&arguments.files, arguments.input)?;
-        for (file, folder) in sources.iter().flatten().filter_map(Source::latex) {
+        for (file, folder) in sources.iter().flatten().filter_map(Source::latex_file) {
             self.project.add(file, folder);
         }
         for source in sources {
@@ -130,11 +159,11 @@ impl<'a> Run<'a> {
                 }
             };
             // The accepted cases are lines of JSON, too, but no documents.
-            if [&arguments.baseline, &arguments.accept].into_iter().flatten().any(|cases| source.is(cases)) {
+            if [&arguments.baseline, &arguments.accept].into_iter().flatten().any(|cases| source.is_file(cases)) {
                 continue;
             }
-            documents::each(&source, &mut |document| match document
-                .and_then(|document| self.one(&document, since.as_ref()))
+            documents::read_documents(&source, &mut |document| match document
+                .and_then(|document| self.proofread_document(&document, since.as_ref()))
             {
                 Ok(()) => Ok(()),
                 Err(message) => {
@@ -143,47 +172,47 @@ impl<'a> Run<'a> {
                 }
             })?;
         }
-        let sum = Sum {
+        let sum = RunTotals {
             tally: self.sum,
             documents: self.documents,
             found: self.found,
-            accepted: self.baseline.accepted(),
+            accepted: self.baseline.accepted_count(),
             units_listed: arguments.units,
             doubts_listed: arguments.doubts,
         };
         if let (Some(path), Some(file)) = (&arguments.accept, self.accepted.take()) {
             self.baseline.write(file)?;
-            self.streams.tell(&format!(
+            self.streams.print_error(&format!(
                 "{} accepted in {}\n",
-                crate::summary::count(sum.accepted, "case"),
+                crate::summary::describe_count(sum.accepted, "case"),
                 shown_path(path)
             ));
-        } else if self.documents > 0 || !self.failed || !matches!(arguments.format, Written::Text) {
+        } else if self.documents > 0 || !self.failed || !matches!(arguments.format, OutputFormat::Text) {
             let end = self.writer.end(&sum);
             self.streams.print(&end)?;
         }
-        let agreeing = self.found[List::Agreeing as usize];
+        let agreeing = self.found[ReportSection::Agreeing as usize];
         let found = !accepting && self.found.iter().sum::<usize>() > agreeing;
         Ok(match (self.failed, found) {
-            (true, _) => Outcome::Failed,
-            (false, true) => Outcome::Found,
-            (false, false) => Outcome::Clean,
+            (true, _) => RunStatus::Failed,
+            (false, true) => RunStatus::Found,
+            (false, false) => RunStatus::Clean,
         })
     }
 
     fn complain(&mut self, message: &str) {
         self.failed = true;
-        self.streams.tell(&output::error(message));
+        self.streams.print_error(&output::format_error(message));
     }
 
     /// Proofreads a document and writes what it gave.
-    fn one(&mut self, document: &Document, since: Option<&Since>) -> Result<(), String> {
-        let before = match since.map(|since| since.earlier(document)).transpose()? {
-            Some(Earlier::Same) => return Ok(()),
-            Some(Earlier::Other(text)) => Some(text),
-            Some(Earlier::Missing) | None => None,
+    fn proofread_document(&mut self, document: &Document, since: Option<&Since>) -> Result<(), String> {
+        let before = match since.map(|since| since.earlier_text(document)).transpose()? {
+            Some(EarlierText::Same) => return Ok(()),
+            Some(EarlierText::Other(text)) => Some(text),
+            Some(EarlierText::Missing) | None => None,
         };
-        let definitions = document.path.as_deref().filter(|_| document.format == Format::Latex);
+        let definitions = document.path.as_deref().filter(|_| document.format == TextFormat::Latex);
         let definitions = definitions.and_then(|path| self.project.definitions(path));
         let report = self
             .report(document, &document.text, definitions.as_deref())
@@ -199,24 +228,29 @@ impl<'a> Run<'a> {
         if self.arguments.accept.is_some() {
             findings.iter().for_each(|finding| self.baseline.accept(&document.name, finding));
         } else {
-            findings.retain(|finding| !self.baseline.has(&document.name, finding));
+            findings.retain(|finding| !self.baseline.is_accepted(&document.name, finding));
         }
         self.sum.add(&report.tally);
         self.documents += 1;
         for finding in &findings {
-            self.found[finding.list as usize] += 1;
+            self.found[finding.section as usize] += 1;
         }
         if self.arguments.accept.is_none() {
-            let text = self.writer.document(&Checked { document, findings, tally: report.tally });
+            let text = self.writer.document(&CheckedDocument { document, findings, tally: report.tally });
             self.streams.print(&text)?;
         }
         Ok(())
     }
 
     /// The findings that were asked for.
-    fn report(&mut self, document: &Document, text: &str, definitions: Option<&Definitions>) -> Result<Report, String> {
-        let Arguments { follow, agreeing, .. } = *self.arguments;
-        let mut options = Options { follow, agreeing, definitions, ..Options::default() };
+    fn report(
+        &mut self,
+        document: &Document,
+        text: &str,
+        definitions: Option<&Definitions>,
+    ) -> Result<CheckReport, String> {
+        let ProofreadArguments { name_policy, agreeing, .. } = *self.arguments;
+        let mut options = CheckOptions { name_policy, agreeing, definitions, ..CheckOptions::default() };
         let is_line = document.path.is_none();
         if is_line {
             options.hint_effort = options.hint_effort.min(self.hint_effort);
@@ -225,10 +259,10 @@ impl<'a> Run<'a> {
         if is_line {
             self.hint_effort -= report.effort.hints;
         }
-        report.findings.retain(|finding| match finding.list {
-            List::Units => self.arguments.units,
-            List::Doubts => self.arguments.doubts,
-            List::Numbers | List::Bindings | List::Agreeing => true,
+        report.findings.retain(|finding| match finding.section {
+            ReportSection::Units => self.arguments.units,
+            ReportSection::Doubts => self.arguments.doubts,
+            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing => true,
         });
         Ok(report)
     }
@@ -240,15 +274,15 @@ mod tests {
     use clap::{Args, FromArgMatches};
 
     #[derive(Default)]
-    struct Kept(String);
+    struct CapturedStreams(String);
 
-    impl Streams for Kept {
+    impl CommandStreams for CapturedStreams {
         fn print(&mut self, text: &str) -> Result<(), String> {
             self.0 += text;
             Ok(())
         }
 
-        fn tell(&mut self, text: &str) {
+        fn print_error(&mut self, text: &str) {
             self.0 += text;
         }
     }
@@ -259,14 +293,14 @@ mod tests {
         let file = folder.path().join("all.jsonl");
         let line = "{\"text\": \"$\\\\tan 31.0^\\\\circ = 0.609$\"}\n";
         std::fs::write(&file, line.repeat(6)).expect("written");
-        let command = Arguments::augment_args(clap::Command::new("proofread"));
+        let command = ProofreadArguments::augment_args(clap::Command::new("proofread"));
         let matches = command.try_get_matches_from(["proofread".as_ref(), file.as_os_str()]).expect("a command line");
-        let arguments = Arguments::from_arg_matches(&matches).expect("a command line");
+        let arguments = ProofreadArguments::from_arg_matches(&matches).expect("a command line");
         let hints = |effort: Option<usize>| {
-            let mut kept = Kept::default();
-            let mut run = Run::new(&arguments, &mut kept).expect("a run");
+            let mut kept = CapturedStreams::default();
+            let mut run = CommandRun::new(&arguments, &mut kept).expect("a run");
             run.hint_effort = effort.unwrap_or(run.hint_effort);
-            run.all().expect("an outcome");
+            run.run_all().expect("an outcome");
             kept.0.matches("would agree").count()
         };
         assert_eq!(hints(None), 6);

@@ -6,7 +6,7 @@ use geneva_host::printable::{escaped, is_obeyed};
 pub use geneva_host::layout::TextLayout;
 
 /// Where the words of the command go. Both take colours, which the caller strips where no terminal shows them.
-pub trait Streams {
+pub trait CommandStreams {
     /// Takes text for standard output.
     ///
     /// # Errors
@@ -15,7 +15,7 @@ pub trait Streams {
     fn print(&mut self, text: &str) -> Result<(), String>;
 
     /// Takes text for standard error.
-    fn tell(&mut self, text: &str);
+    fn print_error(&mut self, text: &str);
 
     /// How the text for standard output is laid out: as in a pipe, unless the stream says otherwise.
     fn layout(&self) -> TextLayout {
@@ -25,7 +25,7 @@ pub trait Streams {
 
 /// How the command ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Outcome {
+pub(crate) enum RunStatus {
     /// Nothing was found.
     Clean,
     /// Something was found.
@@ -34,7 +34,7 @@ pub(crate) enum Outcome {
     Failed,
 }
 
-impl Outcome {
+impl RunStatus {
     pub fn code(self) -> u8 {
         match self {
             Self::Clean => 0,
@@ -45,13 +45,13 @@ impl Outcome {
 }
 
 /// An error message with its mark.
-pub(crate) fn error(message: &str) -> String {
+pub(crate) fn format_error(message: &str) -> String {
     let red = AnsiColor::Red.on_default().bold();
     format!("{red}error:{red:#} {}\n", escaped(message))
 }
 
 /// A style for headings.
-pub(crate) fn bold() -> Style {
+pub(crate) fn bold_style() -> Style {
     Style::new().bold()
 }
 

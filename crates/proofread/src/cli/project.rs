@@ -2,7 +2,7 @@
 //!
 //! Definitions are all that is taken from them. Each file is read once, however many documents include it.
 
-use super::documents::decoded;
+use super::documents::decode_text;
 use crate::reader::Definitions;
 use geneva_host::files;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -52,7 +52,7 @@ struct Contents {
 }
 
 /// A file that is read before the document begins, or in it.
-type Root = (PathBuf, bool);
+type InclusionRoot = (PathBuf, bool);
 
 /// The files that were read, and which of them belong together.
 #[derive(Default)]
@@ -64,7 +64,7 @@ pub(crate) struct Project {
     mains: HashMap<PathBuf, BTreeSet<PathBuf>>,
     searched: HashSet<PathBuf>,
     /// What was gathered from some files below a folder.
-    merged: HashMap<(PathBuf, Vec<Root>), Arc<Definitions>>,
+    merged: HashMap<(PathBuf, Vec<InclusionRoot>), Arc<Definitions>>,
     /// How many inclusions were followed.
     followed: usize,
 }
@@ -114,7 +114,7 @@ impl Project {
                 continue;
             }
             let entries = std::fs::read_dir(&place).into_iter().flatten().flatten();
-            let named = entries.map(|of| of.path()).filter(|of| is(of, "tex"));
+            let named = entries.map(|of| of.path()).filter(|of| has_extension(of, "tex"));
             let real = named.filter_map(|of| of.canonicalize().ok()).filter(|of| of.starts_with(&top));
             let files: BTreeSet<PathBuf> = real.collect();
             files.iter().take(MOST_ABOVE).for_each(|file| self.main(file, &top));
@@ -131,7 +131,7 @@ impl Project {
         let mains = self.mains.get(&file).into_iter().flatten().filter(|main| **main != file).take(MOST_MAINS).cloned();
         let folder = file.parent();
         let included = said.is_none();
-        let mut roots: Vec<Root> = match said {
+        let mut roots: Vec<InclusionRoot> = match said {
             Some(main) => vec![(main, true)],
             None => mains.map(|main| (main, true)).collect(),
         };
@@ -216,14 +216,14 @@ impl Project {
         if let Some(known) = self.files.get(file) {
             return known.clone();
         }
-        let text = files::read(file, LONGEST, "a LaTeX file").and_then(decoded);
+        let text = files::read(file, LONGEST, "a LaTeX file").and_then(decode_text);
         let contents = text.ok().map(|text| Arc::new(contents(&text)));
         self.files.insert(file.to_owned(), contents.clone());
         contents
     }
 }
 
-fn is(file: &Path, extension: &str) -> bool {
+fn has_extension(file: &Path, extension: &str) -> bool {
     file.extension().is_some_and(|of| of.eq_ignore_ascii_case(extension))
 }
 
@@ -247,7 +247,7 @@ fn find(name: &str, folders: [Option<&Path>; 2], top: &Path) -> Option<PathBuf> 
     if name.is_empty() || written.is_absolute() {
         return None;
     }
-    let whole = ["tex", "ltx", "latex", "sty", "cls"].iter().any(|extension| is(written, extension));
+    let whole = ["tex", "ltx", "latex", "sty", "cls"].iter().any(|extension| has_extension(written, extension));
     let name = if whole { name.to_owned() } else { format!("{name}.tex") };
     let files = folders.iter().flatten().map(|folder| folder.join(&name));
     let found = files.filter(|file| file.is_file()).find_map(|file| file.canonicalize().ok());
@@ -286,8 +286,8 @@ fn contents(text: &str) -> Contents {
             command => include(command, behind, early, &mut out),
         }
     }
-    out.preamble = Definitions::of(&text[..begins.min(ends)]);
-    out.body = Definitions::of(&text[begins.min(ends)..ends]);
+    out.preamble = Definitions::from_latex(&text[..begins.min(ends)]);
+    out.body = Definitions::from_latex(&text[begins.min(ends)..ends]);
     out
 }
 

@@ -2,16 +2,16 @@
 
 use super::baseline::fingerprint;
 use super::documents::Document;
-use super::{Checked, Sum, Writer};
-use crate::finding::{Finding, List};
-use crate::place::Lines;
-use crate::verdict::Verdict;
+use super::{CheckedDocument, ReportWriter, RunTotals};
+use crate::finding::{ChainFinding, ReportSection};
+use crate::line_index::LineIndex;
+use crate::verdict::ChainVerdict;
 use geneva_host::git::Repository;
 use serde_json::{Value, json};
 use std::path::{Component, Path};
 
 #[derive(Default)]
-pub(crate) struct Sarif {
+pub(crate) struct SarifWriter {
     results: Vec<Value>,
 }
 
@@ -27,13 +27,13 @@ fn uri(document: &Document) -> String {
     let top = Repository::around(&whole).map(|repository| repository.top().to_owned());
     let top = top.or_else(|| std::env::current_dir().and_then(|folder| folder.canonicalize()).ok());
     match top.and_then(|top| whole.strip_prefix(top).ok()) {
-        Some(inside) => encoded(names(inside)),
-        None => format!("file:///{}", encoded(names(&whole))),
+        Some(inside) => encoded(path_names(inside)),
+        None => format!("file:///{}", encoded(path_names(&whole))),
     }
 }
 
 /// The names of which a path is made.
-fn names(path: &Path) -> impl Iterator<Item = &[u8]> {
+fn path_names(path: &Path) -> impl Iterator<Item = &[u8]> {
     path.components().filter_map(|part| match part {
         Component::Normal(name) => Some(name.as_encoded_bytes()),
         _ => None,
@@ -55,9 +55,9 @@ fn encoded<'n>(names: impl Iterator<Item = &'n [u8]>) -> String {
     out
 }
 
-fn result(uri: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
-    let [start, end] = lines.places(finding.at);
-    let mut message = format!("{}: {}.", finding.chain, finding.verdict.words());
+fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
+    let [start, end] = lines.line_columns(finding.at);
+    let mut message = format!("{}: {}.", finding.chain, finding.verdict.description());
     if let Some(recomputed) = &finding.recomputed {
         message += &format!(" Printed {}, recomputed {recomputed}.", finding.printed);
     }
@@ -66,10 +66,10 @@ fn result(uri: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
     }
     json!({
         "ruleId": finding.verdict.name(),
-        "level": match finding.list {
-            List::Numbers => "error",
-            List::Doubts => "note",
-            List::Units | List::Bindings | List::Agreeing => "warning",
+        "level": match finding.section {
+            ReportSection::Numbers => "error",
+            ReportSection::Doubts => "note",
+            ReportSection::Units | ReportSection::Bindings | ReportSection::Agreeing => "warning",
         },
         "message": { "text": message },
         "locations": [{
@@ -87,21 +87,26 @@ fn result(uri: &str, finding: &Finding, lines: &Lines<'_>) -> Value {
     })
 }
 
-impl Writer for Sarif {
-    fn document(&mut self, checked: &Checked<'_>) -> String {
-        let lines = Lines::new(&checked.document.text);
+impl ReportWriter for SarifWriter {
+    fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
+        let lines = LineIndex::new(&checked.document.text);
         let uri = if checked.findings.is_empty() { String::new() } else { uri(checked.document) };
         let results = checked.findings.iter().map(|finding| result(&uri, finding, &lines));
         self.results.extend(results);
         String::new()
     }
 
-    fn end(&mut self, _sum: &Sum) -> String {
-        let found =
-            [Verdict::Truncated, Verdict::Units, Verdict::LastDigit, Verdict::Inconsistent, Verdict::Dimensions];
+    fn end(&mut self, _sum: &RunTotals) -> String {
+        let found = [
+            ChainVerdict::Truncated,
+            ChainVerdict::Units,
+            ChainVerdict::LastDigit,
+            ChainVerdict::Inconsistent,
+            ChainVerdict::Dimensions,
+        ];
         let rules: Vec<Value> = found
             .iter()
-            .map(|verdict| json!({ "id": verdict.name(), "shortDescription": { "text": verdict.words() } }))
+            .map(|verdict| json!({ "id": verdict.name(), "shortDescription": { "text": verdict.description() } }))
             .collect();
         let run = json!({
             "tool": { "driver": { "name": "proofread", "version": env!("CARGO_PKG_VERSION"), "rules": rules } },

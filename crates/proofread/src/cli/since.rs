@@ -4,8 +4,8 @@
 //! and of that only the objects are read. A file that is not in the revision is new, and so is one in a repository within.
 
 use super::baseline::fingerprint;
-use super::documents::{Document, STANDARD_INPUT, decoded};
-use crate::finding::Finding;
+use super::documents::{Document, STANDARD_INPUT, decode_text};
+use crate::finding::ChainFinding;
 use geneva_host::git::{Blob, Repository};
 use geneva_host::printable::{shown, shown_path};
 use std::collections::HashMap;
@@ -24,7 +24,7 @@ pub(crate) struct Since {
 }
 
 /// A document at the earlier revision.
-pub(crate) enum Earlier {
+pub(crate) enum EarlierText {
     /// It was as it is.
     Same,
     /// It was another text.
@@ -63,7 +63,7 @@ impl Since {
     }
 
     /// What a document was at the revision.
-    pub fn earlier(&self, document: &Document) -> Result<Earlier, String> {
+    pub fn earlier_text(&self, document: &Document) -> Result<EarlierText, String> {
         let (Some(path), Some(argument)) = (&document.path, &document.argument) else {
             return Err(format!(
                 "{}: a line of JSON has no earlier revision; give --since files, or leave it out",
@@ -71,16 +71,16 @@ impl Since {
             ));
         };
         let Some(Commit { repository, files }) = self.commits.get(argument).map(Rc::as_ref) else {
-            return Ok(Earlier::Missing);
+            return Ok(EarlierText::Missing);
         };
         let whole = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());
         let blob = whole.strip_prefix(repository.top()).ok().and_then(|name: &Path| files.get(name));
-        let Some(blob) = blob else { return Ok(Earlier::Missing) };
+        let Some(blob) = blob else { return Ok(EarlierText::Missing) };
         let content = repository.content(blob).map_err(|why| format!("{}: {why}", shown_path(path)))?;
-        Ok(match decoded(content) {
-            Ok(text) if text == document.text => Earlier::Same,
-            Ok(text) => Earlier::Other(text),
-            Err(_) => Earlier::Missing,
+        Ok(match decode_text(content) {
+            Ok(text) if text == document.text => EarlierText::Same,
+            Ok(text) => EarlierText::Other(text),
+            Err(_) => EarlierText::Missing,
         })
     }
 }
@@ -99,7 +99,7 @@ fn commit(repository: Repository, revision: &str) -> Result<Commit, String> {
 }
 
 /// Leaves what was not there before; a case that occurs twice must have been there twice.
-pub(crate) fn remove_known(findings: &mut Vec<Finding>, before: &[Finding]) {
+pub(crate) fn remove_known(findings: &mut Vec<ChainFinding>, before: &[ChainFinding]) {
     let mut known: HashMap<String, usize> = HashMap::new();
     for finding in before {
         *known.entry(fingerprint(finding)).or_default() += 1;

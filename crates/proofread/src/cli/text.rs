@@ -1,11 +1,11 @@
 //! Findings for people.
 
-use super::output::{TextLayout, bold, printable};
-use super::{Checked, Sum, Writer};
-use crate::finding::{Finding, List};
-use crate::place::Lines;
-use crate::reader::Format;
-use crate::summary::{self, count};
+use super::output::{TextLayout, bold_style, printable};
+use super::{CheckedDocument, ReportWriter, RunTotals};
+use crate::finding::{ChainFinding, ReportSection};
+use crate::line_index::LineIndex;
+use crate::reader::TextFormat;
+use crate::summary::{self, describe_count};
 use clap::builder::styling::AnsiColor;
 use geneva_host::layout::{columns, first_columns};
 use geneva_host::printable::escaped;
@@ -15,58 +15,65 @@ use std::ops::Range;
 const LEAST_SHOWN: usize = 20;
 
 /// Findings laid out for a terminal, or for a pipe.
-pub(crate) struct Text(pub TextLayout);
+pub(crate) struct TextWriter(pub TextLayout);
 
-impl Writer for Text {
-    fn document(&mut self, checked: &Checked<'_>) -> String {
+impl ReportWriter for TextWriter {
+    fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
         if checked.findings.is_empty() {
             return String::new();
         }
-        let lines = Lines::new(&checked.document.text);
-        checked.findings.iter().map(|finding| one(finding, &lines, checked, self.0)).collect()
+        let lines = LineIndex::new(&checked.document.text);
+        checked.findings.iter().map(|finding| finding_text(finding, &lines, checked, self.0)).collect()
     }
 
-    fn end(&mut self, sum: &Sum) -> String {
+    fn end(&mut self, sum: &RunTotals) -> String {
         let tally = &sum.tally;
         let mut text = format!(
             "Checked {} of {} that arithmetic can check, in {} and {}.\n",
-            count(tally.checked, "chain"),
-            count(tally.checkable.max(tally.checked), "chain"),
-            count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
-            count(sum.documents, "document"),
+            describe_count(tally.checked, "chain"),
+            describe_count(tally.checkable.max(tally.checked), "chain"),
+            describe_count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
+            describe_count(sum.documents, "document"),
         );
-        text.extend(summary::others(tally).map(|said| said + "\n"));
-        text.extend(summary::unread(tally).map(|said| said + "\n"));
+        text.extend(summary::describe_unchecked_chains(tally).map(|said| said + "\n"));
+        text.extend(summary::describe_unread_formulas(tally).map(|said| said + "\n"));
         let green = AnsiColor::Green.on_default().bold();
         let red = AnsiColor::Red.on_default().bold();
-        match summary::findings(|list| sum.found[list as usize]).as_deref().map(|said| said.split_once(':')) {
+        match summary::describe_findings(|list| sum.found[list as usize]).as_deref().map(|said| said.split_once(':')) {
             Some(Some((number, lists))) => text += &format!("{red}{number}{red:#}:{lists}.\n"),
             _ => text += &format!("{green}Nothing found.{green:#}\n"),
         }
-        let hidden = summary::units_alone(tally).filter(|_| !sum.units_listed);
+        let hidden = summary::describe_unit_differences(tally).filter(|_| !sum.units_listed);
         text.extend(hidden.map(|said| format!("{said}; --units lists them.\n")));
-        let hidden = summary::doubts(tally).filter(|_| !sum.doubts_listed);
+        let hidden = summary::describe_doubts(tally).filter(|_| !sum.doubts_listed);
         text.extend(hidden.map(|said| format!("{said}; --doubts lists them.\n")));
         if sum.accepted > 0 {
-            text += &format!("{} left out as accepted.\n", count(sum.accepted, "case"));
+            text += &format!("{} left out as accepted.\n", describe_count(sum.accepted, "case"));
         }
         self.0.folded(&text)
     }
 }
 
-fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>, layout: TextLayout) -> String {
-    let (bold, blue) = (bold(), AnsiColor::Blue.on_default().bold());
-    let colour = if finding.list == List::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
-    let [from, _] = lines.places(finding.at);
+fn finding_text(
+    finding: &ChainFinding,
+    lines: &LineIndex<'_>,
+    checked: &CheckedDocument<'_>,
+    layout: TextLayout,
+) -> String {
+    let (bold, blue) = (bold_style(), AnsiColor::Blue.on_default().bold());
+    let colour =
+        if finding.section == ReportSection::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
+    let [from, _] = lines.line_columns(finding.at);
     let name = escaped(&checked.document.name);
     let gutter = " ".repeat(from.line.to_string().len());
-    let mut text = format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.words());
+    let mut text =
+        format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.description());
     text += &layout.folded(&format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column));
     // Beside the number of the line, and with a sign at either end that says that the line goes on.
     let width = layout.width().saturating_sub(gutter.len() + 5).max(LEAST_SHOWN);
     let said = printed_and_recomputed(finding);
-    let is_markup = matches!(checked.document.format, Format::Xml | Format::Html | Format::Notebook);
-    let start = lines.start(from.line);
+    let is_markup = matches!(checked.document.format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook);
+    let start = lines.line_start(from.line);
     let in_line = finding.at.start as usize - start..finding.at.end as usize - start;
     let shown = if is_markup {
         window(&finding.chain, finding.marked.clone(), width)
@@ -103,7 +110,7 @@ fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>, layout: Text
         note("read as", &finding.chain);
     }
     if let Some(doubt) = finding.doubt {
-        note("set aside", doubt.words());
+        note("set aside", doubt.reason());
     }
     if let Some(why) = &finding.why {
         note("why", why);
@@ -122,7 +129,7 @@ fn one(finding: &Finding, lines: &Lines<'_>, checked: &Checked<'_>, layout: Text
 }
 
 /// What was printed and what is computed.
-fn printed_and_recomputed(finding: &Finding) -> String {
+fn printed_and_recomputed(finding: &ChainFinding) -> String {
     let printed = printable(&finding.printed);
     match &finding.recomputed {
         Some(recomputed) if recomputed.contains(" against ") => format!("recomputed {recomputed}"),

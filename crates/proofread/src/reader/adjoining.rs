@@ -1,7 +1,7 @@
 //! Formulas with nothing between them are often one, which an author cut to fit the page.
 
-use super::{Formula, Found};
-use crate::token::{Kind, Span, Token};
+use super::{Formula, FormulaSink};
+use crate::token::{Span, Token, TokenKind};
 
 /// Commands between two formulas that only move the second one.
 const MOVES: [&str; 8] = ["vspace", "hspace", "smallskip", "medskip", "bigskip", "noindent", "quad", "qquad"];
@@ -18,7 +18,7 @@ impl<'t> Joiner<'t> {
     }
 
     /// Takes the next formula; the one before it is handed on unless both are one.
-    pub fn take(&mut self, mut next: Formula, each: &mut Found<'_>) {
+    pub fn take(&mut self, mut next: Formula, each: &mut FormulaSink<'_>) {
         match self.last.take() {
             None => {}
             Some(last) if !self.adjoin(last.span, next.span) => each(last),
@@ -27,7 +27,7 @@ impl<'t> Joiner<'t> {
                     && self.displayed(last.span) == self.displayed(next.span) =>
             {
                 let mut tokens = last.tokens;
-                tokens.push(Token::new(Kind::Line, next.span));
+                tokens.push(Token::new(TokenKind::Line, next.span));
                 tokens.append(&mut next.tokens);
                 next = Formula { tokens, span: last.span.join(next.span), ..next };
             }
@@ -42,7 +42,7 @@ impl<'t> Joiner<'t> {
     }
 
     /// Hands on the last formula.
-    pub fn finish(&mut self, each: &mut Found<'_>) {
+    pub fn finish(&mut self, each: &mut FormulaSink<'_>) {
         self.last.take().into_iter().for_each(each);
     }
 
@@ -79,7 +79,7 @@ fn first(tokens: &[Token]) -> Option<&Token> {
 /// Whether the second of two formulas goes on where the first one stops: it begins with an equals sign or the sign of a
 /// product or a sum, or the first one ends with one.
 fn is_cut(one: &Formula, other: &Formula, starts_line: bool) -> bool {
-    let has_cells = |of: &Formula| of.tokens.iter().any(|token| token.kind == Kind::Cell);
+    let has_cells = |of: &Formula| of.tokens.iter().any(|token| token.kind == TokenKind::Cell);
     let last = one.tokens.iter().rev().find(|token| !token.is_space());
     let relates = |of: &Formula| of.tokens.iter().any(|token| token.is_one_of("=≈"));
     // A sign before an equation behind another one may be the mark of an item.

@@ -3,12 +3,12 @@
 //! In one that is, `3,5` is three and a half and `1.000` a thousand, unless it has decimal points, too; in any other, `3,5`
 //! are two numbers and `1,000` is a thousand.
 
-use super::{Definitions, Format, Running, formulas};
-use crate::token::{Kind, Token};
+use super::{Definitions, RunningText, TextFormat, formulas};
+use crate::token::{Token, TokenKind};
 
 /// How the numbers of a text are written.
 #[derive(Debug, Default)]
-struct Seen {
+struct SeparatorCounts {
     /// With a comma that cannot part thousands.
     commas: usize,
     /// With one comma before three digits.
@@ -23,7 +23,7 @@ struct Seen {
 
 /// What a point is in a text in which commas part the decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Points {
+pub(crate) enum DecimalPoints {
     /// It parts thousands: `1.000` is a thousand.
     Thousands,
     /// It parts decimals, too: the text has both.
@@ -31,21 +31,21 @@ pub(crate) enum Points {
 }
 
 /// Whether commas part the decimals in a text, and what its points do then.
-pub(crate) fn are_decimal(
+pub(crate) fn decimal_points(
     text: &str,
-    format: Format,
+    format: TextFormat,
     elsewhere: Option<&Definitions>,
-    lines: &Running,
-) -> Option<Points> {
+    lines: &RunningText,
+) -> Option<DecimalPoints> {
     if !may_be(text) {
         return None;
     }
-    let mut seen = Seen::default();
+    let mut seen = SeparatorCounts::default();
     // A text that cannot be read says so when it is read.
-    let _ = formulas(text, format, elsewhere, &mut |formula| count(&formula.tokens, text, &mut seen));
-    lines.read(&mut |formula| count(&formula.tokens, &lines.text, &mut seen));
+    let _ = formulas(text, format, elsewhere, &mut |formula| count_separators(&formula.tokens, text, &mut seen));
+    lines.read(&mut |formula| count_separators(&formula.tokens, &lines.text, &mut seen));
     let both = seen.decimal_points > 0 && seen.thousands == 0;
-    let points = if both { Points::Decimals } else { Points::Thousands };
+    let points = if both { DecimalPoints::Decimals } else { DecimalPoints::Thousands };
     (seen.commas > 3 * seen.points && 2 * seen.commas >= seen.either).then_some(points)
 }
 
@@ -66,7 +66,7 @@ fn may_be(text: &str) -> bool {
 /// The digits of a number, which may have an exponent or a degree sign behind it.
 fn digits(token: &Token) -> Option<&str> {
     match &token.kind {
-        Kind::Scripts(base, sub, _) if sub.is_empty() => match base.as_slice() {
+        TokenKind::Scripts(base, sub, _) if sub.is_empty() => match base.as_slice() {
             [number] => number.number(),
             _ => None,
         },
@@ -80,12 +80,12 @@ fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
     let (whole, decimals) = (before.number()?, digits(behind)?);
     // Between them is no more than a comma, or one in braces.
     let near = behind.span.start.saturating_sub(before.span.end) <= 3;
-    let follows = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is(','));
+    let follows = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is_sign(','));
     let number = |at: usize| tokens.get(at).is_some_and(|token| digits(token).is_some());
     // A list, unless the next comma is followed by space.
     let listed = follows(at.checked_sub(2)) && at > 2 && number(at - 3) || follows(Some(at + 2)) && number(at + 3);
     let plain = |text: &str| text.chars().all(|c| c.is_ascii_digit());
-    (tokens[at].is(',') && near && !listed && plain(decimals) && thousands(whole).is_some())
+    (tokens[at].is_sign(',') && near && !listed && plain(decimals) && thousands(whole).is_some())
         .then_some((whole, decimals))
 }
 
@@ -101,15 +101,15 @@ fn thousands(text: &str) -> Option<String> {
 
 /// Whether a number stands alone in brackets at the end of a row, behind space.
 fn is_last_in_brackets(tokens: &[Token], at: usize) -> bool {
-    let opens = at > 1 && tokens[at - 1].is('(') && tokens[at - 2].is_space();
-    let closes = tokens.get(at + 1).is_some_and(|token| token.is(')'));
-    opens && closes && tokens[at + 2..].iter().all(|token| token.is_space() || token.kind == Kind::Line)
+    let opens = at > 1 && tokens[at - 1].is_sign('(') && tokens[at - 2].is_space();
+    let closes = tokens.get(at + 1).is_some_and(|token| token.is_sign(')'));
+    opens && closes && tokens[at + 2..].iter().all(|token| token.is_space() || token.kind == TokenKind::Line)
 }
 
-fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
+fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
-            Kind::Operator(',') if parted(tokens, at).is_some() => {
+            TokenKind::Operator(',') if parted(tokens, at).is_some() => {
                 let opens = at > 1 && tokens[at - 2].is_one_of("([{");
                 let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}"));
                 // A pair in brackets may be a point of the plane.
@@ -117,10 +117,10 @@ fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
                 seen.thousands += usize::from(tokens[at - 1].number().is_some_and(|whole| whole.contains('.')));
             }
             // The number of an equation.
-            Kind::Number(_) if is_last_in_brackets(tokens, at) => {}
-            Kind::Number(number) if number.contains('.') => {
+            TokenKind::Number(_) if is_last_in_brackets(tokens, at) => {}
+            TokenKind::Number(number) if number.contains('.') => {
                 let braced = text.get(token.span.range()).is_some_and(|source| source.contains(','));
-                let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is(','));
+                let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is_sign(','));
                 let mut behind = tokens[at + 1..].iter().filter(|token| !token.is_space());
                 let is_mantissa = behind.next().is_some_and(|token| token.is_one_of("×·"))
                     && behind.next().is_some_and(|token| digits(token) == Some("10"));
@@ -133,43 +133,47 @@ fn count(tokens: &[Token], text: &str, seen: &mut Seen) {
                 }
                 seen.decimal_points += usize::from(!braced && !next_is_comma && is_decimal);
             }
-            Kind::Number(number) if number.matches(',').count() == 1 => seen.either += 1,
-            Kind::Scripts(base, _, power) => [base, power].into_iter().for_each(|part| count(part, text, seen)),
-            _ => token.inner().into_iter().for_each(|inner| count(inner, text, seen)),
+            TokenKind::Number(number) if number.matches(',').count() == 1 => seen.either += 1,
+            TokenKind::Scripts(base, _, power) => {
+                [base, power].into_iter().for_each(|part| count_separators(part, text, seen))
+            }
+            _ => token.inner().into_iter().for_each(|inner| count_separators(inner, text, seen)),
         }
     }
 }
 
 /// Makes decimals of what is behind commas.
-pub(crate) fn understood(tokens: &mut Vec<Token>, points: Points) {
+pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, points: DecimalPoints) {
     let mut at = 0;
     while at < tokens.len() {
         if let Some((whole, decimals)) = parted(tokens, at)
             && let Some(whole) = thousands(whole)
         {
-            let number = Kind::Number(format!("{whole}.{decimals}"));
+            let number = TokenKind::Number(format!("{whole}.{decimals}"));
             let span = tokens[at - 1].span.join(tokens[at + 1].span);
             let joint = match tokens[at + 1].kind.clone() {
-                Kind::Scripts(base, sub, sup) => {
+                TokenKind::Scripts(base, sub, sup) => {
                     let inner = base.first().map_or(span, |digits| tokens[at - 1].span.join(digits.span));
-                    Kind::Scripts(vec![Token::new(number, inner)], sub, sup)
+                    TokenKind::Scripts(vec![Token::new(number, inner)], sub, sup)
                 }
                 _ => number,
             };
             tokens.splice(at - 1..at + 2, [Token::new(joint, span)]);
             continue;
         }
-        let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is(','));
+        let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is_sign(','));
         match &mut tokens[at].kind {
-            Kind::Number(number) if number.matches(',').count() == 1 && !number.contains('.') => {
+            TokenKind::Number(number) if number.matches(',').count() == 1 && !number.contains('.') => {
                 *number = number.replace(',', ".");
             }
-            Kind::Number(number) if points == Points::Thousands && number.contains('.') && !next_is_comma => {
+            TokenKind::Number(number)
+                if points == DecimalPoints::Thousands && number.contains('.') && !next_is_comma =>
+            {
                 if let Some(whole) = thousands(number) {
                     *number = whole;
                 }
             }
-            kind => kind.lists().into_iter().for_each(|inner| understood(inner, points)),
+            kind => kind.lists().into_iter().for_each(|inner| apply_decimal_sign(inner, points)),
         }
         at += 1;
     }

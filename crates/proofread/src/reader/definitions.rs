@@ -24,30 +24,30 @@ const MOST_IN_FORMULA: usize = 20_000;
 const MOST_IN_ALL: [usize; 2] = [500_000, 10];
 
 /// Macros by name without the backslash.
-pub(crate) type Named = HashMap<Arc<str>, Arc<Macro>>;
+pub(crate) type NamedMacros = HashMap<Arc<str>, Arc<Macro>>;
 
 /// The macros of a document: its own, and those that are defined elsewhere.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Macros<'d> {
-    own: Named,
-    elsewhere: Option<&'d Named>,
+    own: NamedMacros,
+    elsewhere: Option<&'d NamedMacros>,
     /// How many characters they may still add.
     left: Cell<usize>,
     /// Those that added too many to a formula, and are not used any more.
-    endless: RefCell<Named>,
+    endless: RefCell<NamedMacros>,
 }
 
 impl<'d> Macros<'d> {
     /// Those that a part of a document of so many bytes defines, and those that are defined for it elsewhere.
-    pub fn of(part: &str, bytes: usize, elsewhere: Option<&'d Named>) -> Self {
+    pub fn from_text(part: &str, bytes: usize, elsewhere: Option<&'d NamedMacros>) -> Self {
         let [some, each] = MOST_IN_ALL;
         let left = Cell::new(bytes.saturating_mul(each).saturating_add(some));
-        Self { own: named(part), elsewhere, left, ..Self::default() }
+        Self { own: named_macros(part), elsewhere, left, ..Self::default() }
     }
 
     /// Whether they may add so many characters, `expanded` of them in the formula at hand; these are counted.
     pub fn may_add(&self, characters: usize, expanded: usize) -> bool {
-        effort::count(characters);
+        effort::count_steps(characters);
         let left = self.left.get().checked_sub(characters);
         self.left.set(left.unwrap_or_default());
         left.is_some() && expanded <= MOST_IN_FORMULA
@@ -85,30 +85,38 @@ impl<'d> Macros<'d> {
 /// What LaTeX texts define: commands, operators, and units of siunitx.
 ///
 /// A document is read with the definitions of other texts, such as its preamble, a file of macros, a package or a class, if they are
-/// given in [`Options::definitions`](crate::Options::definitions).
+/// given in [`CheckOptions::definitions`](crate::CheckOptions::definitions).
 ///
 /// ```
-/// use proofread::{Definitions, Format, Options, proofread};
+/// use proofread::{Definitions, TextFormat, CheckOptions, proofread};
 ///
-/// let definitions = Definitions::of(r"\newcommand{\half}{\frac{1}{2}} \newcommand{\hint}[1]{}");
-/// let options = Options { definitions: Some(&definitions), ..Options::default() };
-/// let report = proofread(r"\hint{$1 + 1 = 3$} $3\half = 1.5$ and $3\half = 1.6$", Format::Latex, options)?;
+/// let definitions = Definitions::from_latex(r"\newcommand{\half}{\frac{1}{2}} \newcommand{\hint}[1]{}");
+/// let options = CheckOptions { definitions: Some(&definitions), ..CheckOptions::default() };
+/// let report = proofread(r"\hint{$1 + 1 = 3$} $3\half = 1.5$ and $3\half = 1.6$", TextFormat::Latex, options)?;
 /// assert_eq!((report.tally.checked, report.findings.len()), (2, 1));
-/// # Ok::<(), proofread::Unreadable>(())
+/// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Definitions(pub(crate) Named);
+pub struct Definitions(pub(crate) NamedMacros);
 
 impl Definitions {
     /// The definitions in a text, be it a document, a part of one, a package or a class.
     ///
     /// If a name is defined twice, the last definition counts, unless it drops arguments that the one before keeps. What the program can't use is left out: names with other signs than
     /// letters, and arguments that are more than mandatory or optional ones in brackets.
-    pub fn of(text: &str) -> Self {
-        Self(named(text))
+    pub fn from_latex(text: &str) -> Self {
+        Self(named_macros(text))
     }
 
     /// Adds the definitions of a text that is read later; where both define a name, the later definition counts.
+    ///
+    /// ```
+    /// use proofread::Definitions;
+    ///
+    /// let mut both = Definitions::from_latex(r"\newcommand{\half}{0.5}");
+    /// both.add(&Definitions::from_latex(r"\newcommand{\half}{\frac{1}{2}}"));
+    /// assert_eq!(both, Definitions::from_latex(r"\newcommand{\half}{\frac{1}{2}}"));
+    /// ```
     pub fn add(&mut self, later: &Self) {
         self.0.extend(later.0.iter().map(|(name, of)| (name.clone(), of.clone())));
     }
@@ -141,8 +149,8 @@ fn end_of_drawing(rest: &str) -> Option<usize> {
 }
 
 /// The macros that a text defines.
-pub(crate) fn named(text: &str) -> Named {
-    let mut out = Named::new();
+pub(crate) fn named_macros(text: &str) -> NamedMacros {
+    let mut out = NamedMacros::new();
     let mut at = 0;
     while let Some(found) = text.as_bytes()[at..].iter().position(|c| b"\\%".contains(c)).map(|found| at + found) {
         at = found + 1;
@@ -185,10 +193,10 @@ pub(crate) fn named(text: &str) -> Named {
 /// The definition that begins with the backslash at `at`: name, meaning, and the byte behind it.
 pub(crate) fn definition(text: &str, at: usize) -> Option<(String, Macro, usize)> {
     let command: String = text[at + 1..].chars().take_while(char::is_ascii_alphabetic).collect();
-    let mut rest = Rest { text, at: at + 1 + command.len() };
+    let mut rest = DefinitionText { text, at: at + 1 + command.len() };
     rest.skip("*");
     if command == "DeclareSIUnit" {
-        rest.bracketed();
+        rest.bracketed_text();
     }
     let name = match rest.braced() {
         Some(name) => name.trim().trim_start_matches('\\').to_owned(),
@@ -202,9 +210,9 @@ pub(crate) fn definition(text: &str, at: usize) -> Option<(String, Macro, usize)
         }
     } else if command.ends_with("DocumentCommand") {
         (meaning.arguments, meaning.default) = signature(&rest.braced()?)?;
-    } else if let Some(count) = rest.bracketed() {
+    } else if let Some(count) = rest.bracketed_text() {
         meaning.arguments = count.trim().parse().ok().filter(|count| *count <= 9)?;
-        meaning.default = rest.bracketed();
+        meaning.default = rest.bracketed_text();
     }
     meaning.body = rest.braced()?;
     meaning.unit = command == "DeclareSIUnit";
@@ -218,7 +226,7 @@ pub(crate) fn definition(text: &str, at: usize) -> Option<(String, Macro, usize)
 
 /// The arguments of a document command such as `O{2} m m`: how many, and the first one's default if it is optional.
 fn signature(text: &str) -> Option<(usize, Option<String>)> {
-    let mut rest = Rest { text: text.trim(), at: 0 };
+    let mut rest = DefinitionText { text: text.trim(), at: 0 };
     let default = if rest.skip("O") { Some(rest.braced()?) } else { None };
     let kinds = rest.text[rest.at..].chars().filter(|c| !c.is_whitespace() && *c != '+');
     let count = kinds.clone().count() + usize::from(default.is_some());
@@ -245,12 +253,12 @@ pub(crate) fn closing(signs: impl Iterator<Item = (usize, char)>, open: char, cl
     None
 }
 
-struct Rest<'t> {
+struct DefinitionText<'t> {
     text: &'t str,
     at: usize,
 }
 
-impl Rest<'_> {
+impl DefinitionText<'_> {
     fn skip(&mut self, what: &str) -> bool {
         let found = self.text.get(self.at..).is_some_and(|rest| rest.starts_with(what));
         self.at += if found { what.len() } else { 0 };
@@ -258,14 +266,14 @@ impl Rest<'_> {
     }
 
     fn braced(&mut self) -> Option<String> {
-        self.between('{', '}')
+        self.text_between('{', '}')
     }
 
-    fn bracketed(&mut self) -> Option<String> {
-        self.between('[', ']')
+    fn bracketed_text(&mut self) -> Option<String> {
+        self.text_between('[', ']')
     }
 
-    fn between(&mut self, open: char, close: char) -> Option<String> {
+    fn text_between(&mut self, open: char, close: char) -> Option<String> {
         let rest = self.text.get(self.at..)?;
         let space = rest.len() - rest.trim_start().len();
         let inner = rest[space..].strip_prefix(open)?;

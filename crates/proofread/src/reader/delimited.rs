@@ -37,7 +37,7 @@ pub(crate) enum Dollars {
 
 /// A formula and its marks, in bytes of the text.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Marked {
+pub(crate) struct DelimitedFormula {
     pub whole: Range<usize>,
     pub inside: Range<usize>,
 }
@@ -74,7 +74,7 @@ impl Searches {
 }
 
 /// The formulas of a text in their order, outside the stretches to skip, which are in their order, too.
-pub(crate) fn formulas(text: &str, skip: &[Range<usize>], dollars: Dollars) -> Vec<Marked> {
+pub(crate) fn formulas(text: &str, skip: &[Range<usize>], dollars: Dollars) -> Vec<DelimitedFormula> {
     let bytes = text.as_bytes();
     let mut out = Vec::new();
     let mut searches = Searches::default();
@@ -101,7 +101,7 @@ pub(crate) fn formulas(text: &str, skip: &[Range<usize>], dollars: Dollars) -> V
             [b'\\', b'b', ..] if text[at..].starts_with("\\begin{") => environment(text, at, &mut searches),
             [b'\\', ..] => None,
             [b'$', b'$', ..] => searches.end(text, at + 2, "$$").map(|end| (2, end, 2)),
-            [b'$', ..] if dollars != Dollars::Double => single(text, at, dollars == Dollars::Spaced),
+            [b'$', ..] if dollars != Dollars::Double => single_dollar_formula(text, at, dollars == Dollars::Spaced),
             _ => {
                 at += 1;
                 continue;
@@ -109,7 +109,7 @@ pub(crate) fn formulas(text: &str, skip: &[Range<usize>], dollars: Dollars) -> V
         };
         match found {
             Some((open, end, close)) => {
-                out.push(Marked { whole: at..end + close, inside: at + open..end });
+                out.push(DelimitedFormula { whole: at..end + close, inside: at + open..end });
                 at = end + close;
             }
             // What a backslash escapes is no mark.
@@ -136,7 +136,7 @@ fn environment(text: &str, at: usize, searches: &mut Searches) -> Option<(usize,
 }
 
 /// A formula between single dollar signs, as pandoc tells it from sums of money; `spaced` says that space may be inside them.
-fn single(text: &str, at: usize, spaced: bool) -> Option<(usize, usize, usize)> {
+fn single_dollar_formula(text: &str, at: usize, spaced: bool) -> Option<(usize, usize, usize)> {
     let bytes = text.as_bytes();
     let first = *bytes.get(at + 1)?;
     if first.is_ascii_whitespace() && !spaced {
@@ -176,19 +176,19 @@ fn single(text: &str, at: usize, spaced: bool) -> Option<(usize, usize, usize)> 
 mod tests {
     use super::*;
 
-    fn found(text: &str) -> Vec<&str> {
+    fn formulas_in(text: &str) -> Vec<&str> {
         formulas(text, &[], Dollars::Single).into_iter().map(|of| &text[of.inside]).collect()
     }
 
     #[test]
     fn marks_of_every_kind_are_found() {
         let text = r"a $x=1$ b $$y=2$$ c \(z=3\) d \\(w=4\\) \[v=5\] \begin{align}u=6\end{align} \$5 and \$6";
-        assert_eq!(found(text), ["x=1", "y=2", "z=3", "w=4", "v=5", "u=6"]);
+        assert_eq!(formulas_in(text), ["x=1", "y=2", "z=3", "w=4", "v=5", "u=6"]);
     }
 
     #[test]
     fn money_is_no_formula() {
-        assert_eq!(found("It costs $5 and $6 more, $ 7 or 8 $."), [""; 0]);
+        assert_eq!(formulas_in("It costs $5 and $6 more, $ 7 or 8 $."), [""; 0]);
     }
 
     #[test]

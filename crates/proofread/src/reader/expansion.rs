@@ -2,15 +2,15 @@
 
 use super::definitions::Macro;
 use super::tex::Tex;
-use crate::token::{Sign, Span};
+use crate::token::{SourceChar, Span};
 
 impl Tex<'_> {
     /// Puts what a macro stands for in its place.
     pub(super) fn expand(&mut self, name: &str, used: &Macro, span: Span) -> bool {
-        let mut arguments: Vec<Vec<Sign>> = Vec::new();
+        let mut arguments: Vec<Vec<SourceChar>> = Vec::new();
         for at in 0..used.arguments {
             let given = match (&used.default, at) {
-                (Some(default), 0) => self.optional().unwrap_or_else(|| placed(default, span)),
+                (Some(default), 0) => self.optional().unwrap_or_else(|| chars_at(default, span)),
                 _ => self.raw_group(),
             };
             arguments.push(given);
@@ -28,7 +28,7 @@ impl Tex<'_> {
                 body.extend(arguments.get((which as usize).wrapping_sub(1)).into_iter().flatten());
                 continue;
             }
-            body.push(Sign { c, span });
+            body.push(SourceChar { c, span });
         }
         self.expanded += body.len() + 1;
         if !self.macros.may_add(body.len() + 1, self.expanded) {
@@ -41,6 +41,6 @@ impl Tex<'_> {
     }
 }
 
-fn placed(text: &str, span: Span) -> Vec<Sign> {
-    text.chars().map(|c| Sign { c, span }).collect()
+fn chars_at(text: &str, span: Span) -> Vec<SourceChar> {
+    text.chars().map(|c| SourceChar { c, span }).collect()
 }

@@ -1,9 +1,9 @@
 //! Documents in LaTeX: their macros, and the formulas of their body.
 
 use super::adjoining::Joiner;
-use super::definitions::{Macros, Named, closing, defines, definition};
+use super::definitions::{Macros, NamedMacros, closing, defines, definition};
 use super::delimited::{DISPLAYS, FARTHEST};
-use super::{Formula, Found, tex};
+use super::{Formula, FormulaSink, tex};
 use crate::token::{Span, signs};
 
 /// Longest formula that is read, in bytes.
@@ -15,14 +15,14 @@ const MORE: [&str; 6] = ["flalign*", "alignat", "alignat*", "math", "dmath", "IE
 const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
 
 /// Finds the formulas of a document, with the macros that are defined elsewhere.
-pub(crate) fn read(text: &str, elsewhere: Option<&Named>, each: &mut Found<'_>) {
+pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut FormulaSink<'_>) {
     let mut joiner = Joiner::new(text);
-    let macros = Macros::of(text, text.len(), elsewhere);
+    let macros = Macros::from_text(text, text.len(), elsewhere);
     body(text, &macros, &mut |formula| joiner.take(formula, each));
     joiner.finish(each);
 }
 
-fn body(text: &str, macros: &Macros<'_>, each: &mut Found<'_>) {
+fn body(text: &str, macros: &Macros<'_>, each: &mut FormulaSink<'_>) {
     let bytes = text.as_bytes();
     let mut ends = Ends::default();
     let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());
@@ -33,19 +33,19 @@ fn body(text: &str, macros: &Macros<'_>, each: &mut Found<'_>) {
             b'%' => at += text[at..].find('\n').unwrap_or(bytes.len() - at),
             b'$' => {
                 let end = if bytes[at..].starts_with(b"$$") { "$$" } else { "$" };
-                at = until(text, at, end.len(), end, scope, macros, each);
+                at = read_until(text, at, end.len(), end, scope, macros, each);
             }
             b'\\' => {
                 let rest = &text[at + 1..];
                 let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
                 let name = &rest[..length];
                 match (name, rest.bytes().next()) {
-                    ("", Some(b'[')) => at = until(text, at, 2, "\\]", scope, macros, each),
-                    ("", Some(b'(')) => at = until(text, at, 2, "\\)", scope, macros, each),
+                    ("", Some(b'[')) => at = read_until(text, at, 2, "\\]", scope, macros, each),
+                    ("", Some(b'(')) => at = read_until(text, at, 2, "\\)", scope, macros, each),
                     ("", next) => at += 1 + usize::from(next.is_some_and(|c| c.is_ascii())),
                     ("begin", _) => at = begin(text, at, &mut scope, &mut inside, macros, each),
                     ("end", _) => {
-                        let closing = group(text, at + 4).unwrap_or_default();
+                        let closing = group_text(text, at + 4).unwrap_or_default();
                         if closing == "document" {
                             return;
                         }
@@ -99,7 +99,7 @@ fn closing_brace(text: &[u8]) -> Option<usize> {
 }
 
 /// The text of the group that begins at `at`.
-fn group(text: &str, at: usize) -> Option<&str> {
+fn group_text(text: &str, at: usize) -> Option<&str> {
     let rest = text.get(at..)?.trim_start_matches(' ').strip_prefix('{')?;
     let end = rest.bytes().take(60).position(|c| c == b'}')?;
     rest.get(..end)
@@ -111,13 +111,13 @@ fn begin(
     scope: &mut u32,
     inside: &mut Vec<u32>,
     macros: &Macros<'_>,
-    each: &mut Found<'_>,
+    each: &mut FormulaSink<'_>,
 ) -> usize {
-    let Some(name) = group(text, at + 6) else { return at + 6 };
+    let Some(name) = group_text(text, at + 6) else { return at + 6 };
     let open = at + 6 + name.len() + 2;
     if DISPLAYS.contains(&name) || MORE.contains(&name) {
         let end = format!("\\end{{{name}}}");
-        return until(text, at, open - at, &end, *scope, macros, each);
+        return read_until(text, at, open - at, &end, *scope, macros, each);
     }
     if VERBATIM.contains(&name) {
         let end = format!("\\end{{{name}}}");
@@ -131,14 +131,14 @@ fn begin(
 }
 
 /// Reads the formula that begins at `at` with a mark of `open` bytes and ends with `end`; the byte behind it.
-fn until(
+fn read_until(
     text: &str,
     at: usize,
     open: usize,
     end: &str,
     scope: u32,
     macros: &Macros<'_>,
-    each: &mut Found<'_>,
+    each: &mut FormulaSink<'_>,
 ) -> usize {
     let start = at + open;
     let bytes = text.as_bytes();
@@ -221,7 +221,7 @@ fn abbreviation(
     scope: u32,
     macros: &Macros<'_>,
     ends: &mut Ends,
-    each: &mut Found<'_>,
+    each: &mut FormulaSink<'_>,
 ) -> usize {
     let behind = at + 1 + name.len();
     let opened = |body: &str| {

@@ -2,7 +2,7 @@
 
 use super::adjoining::Joiner;
 use super::delimited::{self, Dollars};
-use super::{Formula, Found, markup, plain, tex};
+use super::{Formula, FormulaSink, markup, plain, tex};
 use crate::token::{Span, signs};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
@@ -11,7 +11,7 @@ use std::ops::Range;
 const PIECE: usize = 1 << 18;
 
 /// Finds the formulas between marks, in fences of maths, in MathML, and in the lines between.
-pub(crate) fn read(text: &str, dollars: Dollars, each: &mut Found<'_>) {
+pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) {
     let mut joiner = Joiner::new(text);
     for piece in pieces(text) {
         let mut found: Vec<Formula> = Vec::new();
@@ -20,7 +20,7 @@ pub(crate) fn read(text: &str, dollars: Dollars, each: &mut Found<'_>) {
         for mut formula in found {
             let by = piece.start as u32;
             if by > 0 {
-                formula.place(&|span| Span { start: span.start + by, end: span.end + by });
+                formula.map_spans(&|span| Span { start: span.start + by, end: span.end + by });
             }
             joiner.take(formula, each);
         }
@@ -57,7 +57,7 @@ fn pieces(text: &str) -> Vec<Range<usize>> {
     out
 }
 
-fn piece_of(text: &str, dollars: Dollars, each: &mut Found<'_>) {
+fn piece_of(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) {
     let (skip, fences) = code(text);
     for fence in fences {
         let source = &text[fence.clone()];
@@ -76,7 +76,7 @@ fn piece_of(text: &str, dollars: Dollars, each: &mut Found<'_>) {
     for range in mathml(text, &taken) {
         markup::read(&text[range.clone()], &mut |mut formula| {
             let by = range.start as u32;
-            formula.place(&|span| Span { start: span.start + by, end: span.end + by });
+            formula.map_spans(&|span| Span { start: span.start + by, end: span.end + by });
             each(formula);
         });
         taken.push(range);
@@ -108,7 +108,7 @@ fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
 fn code(text: &str) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     let (mut skip, mut fences) = (Vec::new(), Vec::new());
     let mut maths = false;
-    skip.extend(super::withdrawn(text));
+    skip.extend(super::withdrawn_ranges(text));
     for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {

@@ -1,272 +1,11 @@
-//! Tags of XML and HTML, read as they come: an end without a start, a bare `&` or an attribute without quotes stops nothing.
+//! Documents in XML or HTML: where their formulas are, and what stands before and behind each of them.
 
 use super::definitions::Macros;
 use super::mathml;
 use super::pretext;
-use super::{Formula, Found, delimited, symbols, tex};
-use crate::token::{Kind, Sign, Span, TOO_LONG, Token};
-
-/// Deepest nesting of elements that is kept; what is nested deeper becomes part of the deepest.
-const DEEPEST: usize = 40;
-/// Longest formula that is read, in bytes.
-const LONGEST: usize = 200_000;
-
-/// A tag.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Tag<'t> {
-    /// The name in small letters, without a prefix.
-    pub name: String,
-    pub closes: bool,
-    /// Whether it is its own end.
-    pub empty: bool,
-    attributes: &'t str,
-    pub start: usize,
-    pub end: usize,
-}
-
-impl Tag<'_> {
-    /// The value of an attribute.
-    pub fn attribute(&self, name: &str) -> Option<&str> {
-        let mut rest = self.attributes;
-        while let Some(at) = rest.find(name) {
-            let starts = rest[..at].chars().next_back().is_none_or(|c| c.is_whitespace() || c == ':');
-            rest = &rest[at + name.len()..];
-            let value = rest.trim_start().strip_prefix('=').map(str::trim_start);
-            if let (true, Some(value)) = (starts, value) {
-                let quote = value.chars().next().filter(|c| matches!(c, '"' | '\''));
-                return match quote {
-                    Some(quote) => value[1..].split(quote).next(),
-                    None => value.split_whitespace().next(),
-                };
-            }
-        }
-        None
-    }
-}
-
-/// An element inside a formula.
-#[derive(Debug)]
-pub(crate) struct Element {
-    pub name: String,
-    /// `mathvariant`, `open`, `close`, `width` and `linebreak`, where given.
-    pub attributes: Vec<(&'static str, String)>,
-    pub children: Vec<Self>,
-    pub text: Vec<Sign>,
-    pub span: Span,
-}
-
-impl Element {
-    pub fn attribute(&self, name: &str) -> Option<&str> {
-        self.attributes.iter().find(|(known, _)| *known == name).map(|(_, value)| value.as_str())
-    }
-}
-
-/// The next tag at or behind `from`; comments, declarations and instructions are no tags.
-pub(crate) fn next_tag(text: &str, from: usize) -> Option<Tag<'_>> {
-    let mut at = from;
-    loop {
-        let start = at + text.get(at..)?.find('<')?;
-        let rest = &text[start + 1..];
-        let past = |end: Option<usize>, length: usize| end.map_or(text.len(), |end| start + 1 + end + length);
-        if rest.starts_with("!--") {
-            at = past(rest.find("-->"), 3);
-            continue;
-        }
-        if rest.starts_with("![CDATA[") {
-            at = past(rest.find("]]>"), 3);
-            continue;
-        }
-        if rest.starts_with(['!', '?']) {
-            at = past(rest.find('>'), 1);
-            continue;
-        }
-        let closes = rest.starts_with('/');
-        let rest = &rest[usize::from(closes)..];
-        if !rest.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            at = start + 1;
-            continue;
-        }
-        let body_start = start + 1 + usize::from(closes);
-        let mut quote = None;
-        let end = rest.bytes().position(|c| match (quote, c) {
-            (None, b'>' | b'<') => true,
-            (None, b'"' | b'\'') => {
-                quote = Some(c);
-                false
-            }
-            (Some(open), c) if open == c => {
-                quote = None;
-                false
-            }
-            _ => false,
-        });
-        // A quote that is never closed must not swallow the text.
-        let end = end.or_else(|| rest.find('>')).unwrap_or(rest.len());
-        let body = &rest[..end];
-        let name_end = body.find(|c: char| c.is_whitespace() || c == '/').unwrap_or(body.len());
-        let name = body[..name_end].rsplit(':').next().unwrap_or_default().to_ascii_lowercase();
-        let closed = rest[end..].starts_with('>');
-        return Some(Tag {
-            name,
-            closes,
-            empty: body.ends_with('/'),
-            attributes: &body[name_end..],
-            start,
-            end: body_start + end + usize::from(closed),
-        });
-    }
-}
-
-/// Entities that have other names than commands of TeX.
-const ENTITIES: &[(&str, char)] = &[
-    ("lt", '<'),
-    ("gt", '>'),
-    ("amp", '&'),
-    ("quot", '"'),
-    ("apos", '\''),
-    ("nbsp", ' '),
-    ("thinsp", ' '),
-    ("ensp", ' '),
-    ("emsp", ' '),
-    ("minus", '−'),
-    ("ndash", '–'),
-    ("mdash", '—'),
-    ("middot", '·'),
-    ("sdot", '·'),
-    ("divide", '÷'),
-    ("frasl", '/'),
-    ("plusmn", '±'),
-    ("deg", '°'),
-    ("radic", '√'),
-    ("asymp", '≈'),
-    ("ne", '≠'),
-    ("le", '≤'),
-    ("ge", '≥'),
-    ("sup1", '¹'),
-    ("sup2", '²'),
-    ("sup3", '³'),
-    ("frac12", '½'),
-    ("frac14", '¼'),
-    ("frac34", '¾'),
-    ("micro", 'μ'),
-    ("infin", '∞'),
-    ("there4", '∴'),
-    ("rarr", '→'),
-    ("rArr", '⇒'),
-    ("rsquo", '’'),
-    ("hellip", '…'),
-    ("InvisibleTimes", '\u{2062}'),
-    ("ApplyFunction", '\u{2061}'),
-];
-
-/// The character of an entity.
-fn named(name: &str) -> Option<char> {
-    let known = ENTITIES.iter().find(|(known, _)| *known == name).map(|(_, c)| *c);
-    known.or_else(|| match symbols::symbol(name) {
-        Kind::Operator(c) => Some(c),
-        Kind::Name(letter) => letter.chars().next(),
-        _ => None,
-    })
-}
-
-/// The byte at which an element that has none of its name in it ends.
-pub(crate) fn end_of(text: &str, from: usize, name: &str) -> usize {
-    let mut ends = text[from..].match_indices("</").map(|(at, _)| from + at);
-    let is_its = |at: &usize| {
-        let (found, rest) = text[at + 2..].split_at_checked(name.len()).unwrap_or_default();
-        found.eq_ignore_ascii_case(name) && !rest.starts_with(|c: char| c.is_ascii_alphanumeric())
-    };
-    ends.find(is_its).unwrap_or(text.len())
-}
-
-/// The characters of text between tags, with entities as the characters that they name.
-pub(crate) fn decoded(text: &str, base: usize) -> Vec<Sign> {
-    let mut out = Vec::with_capacity(text.len());
-    let mut rest = text.char_indices();
-    while let Some((at, c)) = rest.next() {
-        let mut sign = Sign { c, span: Span::new(base + at, base + at + c.len_utf8()) };
-        let end = (c == '&').then(|| text[at + 1..].bytes().take(15).position(|c| c == b';')).flatten();
-        if let Some(name) = end.and_then(|end| text.get(at + 1..at + 1 + end)) {
-            let number = name.strip_prefix('#').and_then(|digits| match digits.strip_prefix(['x', 'X']) {
-                Some(hex) => u32::from_str_radix(hex, 16).ok(),
-                None => digits.parse().ok(),
-            });
-            if let Some(c) = number.and_then(char::from_u32).or_else(|| named(name)) {
-                let length = name.len() + 1;
-                sign = Sign { c, span: Span::new(base + at, base + at + 1 + length) };
-                for _ in 0..name.chars().count() + 1 {
-                    rest.next();
-                }
-            }
-        }
-        out.push(sign);
-    }
-    out
-}
-
-/// The element that a start tag opens, and the byte behind it.
-pub(crate) fn element(text: &str, open: &Tag<'_>) -> (Element, usize) {
-    let limit = text.len().min(open.start + LONGEST);
-    let mut stack = vec![begun(open)];
-    let mut at = open.end;
-    if open.empty {
-        return (begun(open), open.end);
-    }
-    loop {
-        let tag = next_tag(text, at).filter(|tag| tag.start < limit);
-        let text_end = tag.as_ref().map_or(limit, |tag| tag.start).max(at);
-        if let (Some(current), Some(between)) = (stack.last_mut(), text.get(at..text_end)) {
-            current.text.extend(decoded(between, at));
-        }
-        let Some(tag) = tag else {
-            at = limit;
-            break;
-        };
-        at = tag.end;
-        if tag.closes {
-            let Some(matching) = stack.iter().rposition(|open| open.name == tag.name) else { continue };
-            while stack.len() > matching.max(1) {
-                close(&mut stack, tag.end);
-            }
-            if matching == 0 {
-                break;
-            }
-        } else if tag.empty || stack.len() >= DEEPEST {
-            if let Some(current) = stack.last_mut() {
-                current.children.push(begun(&tag));
-            }
-        } else {
-            stack.push(begun(&tag));
-        }
-    }
-    while !text.is_char_boundary(at) {
-        at += 1;
-    }
-    while stack.len() > 1 {
-        close(&mut stack, at);
-    }
-    let mut whole = stack.pop().unwrap_or_else(|| begun(open));
-    whole.span = Span::new(open.start, at);
-    (whole, at)
-}
-
-fn begun(tag: &Tag<'_>) -> Element {
-    let known = ["mathvariant", "open", "close", "width", "linebreak", "notation"];
-    let attributes = known.into_iter().filter_map(|name| Some((name, tag.attribute(name)?.to_owned()))).collect();
-    let span = Span::new(tag.start, tag.end);
-    Element { name: tag.name.clone(), attributes, children: Vec::new(), text: Vec::new(), span }
-}
-
-fn close(stack: &mut Vec<Element>, end: usize) {
-    if let Some(mut done) = stack.pop() {
-        done.span = done.span.join(Span::new(end, end + 1));
-        done.span.end = Span::new(end, end).end;
-        match stack.last_mut() {
-            Some(parent) => parent.children.push(done),
-            None => stack.push(done),
-        }
-    }
-}
+use super::tags::{DEEPEST, LONGEST, decode_entities, end_of_element, next_tag, parse_element};
+use super::{Formula, FormulaSink, delimited, tex};
+use crate::token::{Span, TOO_LONG, Token, TokenKind};
 
 /// Elements whose own content is a scope for the names of quantities.
 const SCOPES: [&str; 10] =
@@ -280,11 +19,11 @@ pub(crate) const INLINE: [&str; 17] = [
 ];
 
 /// Finds the formulas of a document in XML or HTML: MathML, and TeX between the marks that MathJax and KaTeX look for.
-pub(crate) fn read(text: &str, each: &mut Found<'_>) {
+pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) {
     let (mut at, mut next_scope) = (0, 1u32);
     let mut scopes: Vec<(String, u32)> = Vec::new();
     // What has been said since the last formula of the paragraph, or nothing if there was none.
-    let mut before = Before::default();
+    let mut before = PrecedingText::default();
     let mut macros = None;
     while let Some(tag) = next_tag(text, at) {
         if let Some(between) = text.get(at..tag.start) {
@@ -297,17 +36,17 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
                 scopes.truncate(open);
             }
         } else if tag.name == "math" {
-            let (whole, end) = element(text, &tag);
+            let (whole, end) = parse_element(text, &tag);
             let mut tokens = mathml::tokens(&whole);
             if end >= tag.start + LONGEST {
-                tokens.push(Token::new(Kind::Unknown(TOO_LONG.to_owned()), whole.span));
+                tokens.push(Token::new(TokenKind::Unknown(TOO_LONG.to_owned()), whole.span));
             }
             let mut formula = Formula::new(tokens, whole.span);
             formula.scope = scopes.last().map_or(0, |(_, id)| *id);
             formula.continues = before.is_open() || before.is_enumerated(&formula);
             formula.goes_on = goes_on(&text[end..]);
             each(formula);
-            before = Before { formula: true, ..Before::default() };
+            before = PrecedingText { formula: true, ..PrecedingText::default() };
             at = end;
             continue;
         } else if pretext::ELEMENTS.contains(&tag.name.as_str()) && !tag.empty {
@@ -318,7 +57,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             continue;
         } else if SILENT.contains(&tag.name.as_str()) && !tag.empty {
             let is_tex = tag.attribute("type").is_some_and(|kind| kind.starts_with("math/tex"));
-            let end = end_of(text, at, &tag.name);
+            let end = end_of_element(text, at, &tag.name);
             if is_tex {
                 let span = Span::new(at, end);
                 each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &Macros::default()), span));
@@ -329,7 +68,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
             next_scope += 1;
         }
         if !INLINE.contains(&tag.name.as_str()) {
-            before = Before::default();
+            before = PrecedingText::default();
         }
     }
     if let Some(between) = text.get(at..) {
@@ -337,13 +76,13 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
     }
 }
 
-fn tex_between(between: &str, at: usize, scope: u32, each: &mut Found<'_>) {
+fn tex_between(between: &str, at: usize, scope: u32, each: &mut FormulaSink<'_>) {
     if !between.contains(['\\', '$']) {
         return;
     }
     for found in delimited::formulas(between, &[], delimited::Dollars::Double) {
         let source = &between[found.inside.clone()];
-        let tokens = tex::formula(&decoded(source, at + found.inside.start), &Macros::default());
+        let tokens = tex::formula(&decode_entities(source, at + found.inside.start), &Macros::default());
         let mut formula = Formula::new(tokens, Span::new(at + found.whole.start, at + found.whole.end));
         formula.scope = scope;
         each(formula);
@@ -352,12 +91,12 @@ fn tex_between(between: &str, at: usize, scope: u32, each: &mut Found<'_>) {
 
 /// What stands before a formula in its paragraph.
 #[derive(Default)]
-struct Before {
+struct PrecedingText {
     formula: bool,
     tail: String,
 }
 
-impl Before {
+impl PrecedingText {
     fn prose(&mut self, text: &str) {
         let from = text.char_indices().rev().nth(60).map_or(0, |(at, _)| at);
         self.tail.push_str(&text[from..]);

@@ -4,8 +4,9 @@ mod adjoining;
 mod commas;
 mod definitions;
 mod delimited;
-mod dress;
 mod expansion;
+mod formatting;
+mod formatting_arguments;
 mod latex;
 mod markdown;
 mod markup;
@@ -17,6 +18,7 @@ mod recognised;
 mod running;
 mod siunitx;
 mod symbols;
+mod tags;
 mod tex;
 mod words;
 
@@ -24,7 +26,7 @@ use crate::token::{Span, Token};
 
 /// What a text is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
+pub enum TextFormat {
     /// Markdown with TeX between dollar signs, `\(` or `\[`, and lines with an equals sign.
     Markdown,
     /// A document in LaTeX, or a part of one.
@@ -39,7 +41,7 @@ pub enum Format {
     Plain,
 }
 
-impl Format {
+impl TextFormat {
     /// Every format with its name.
     pub const ALL: [(&'static str, Self); 6] = [
         ("markdown", Self::Markdown),
@@ -51,7 +53,14 @@ impl Format {
     ];
 
     /// The format of this name.
-    pub fn named(name: &str) -> Option<Self> {
+    ///
+    /// ```
+    /// use proofread::TextFormat;
+    ///
+    /// assert_eq!(TextFormat::from_name("notebook"), Some(TextFormat::Notebook));
+    /// assert!(TextFormat::ALL.iter().all(|(name, format)| format.name() == *name));
+    /// ```
+    pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, format)| *format)
     }
 
@@ -61,7 +70,14 @@ impl Format {
     }
 
     /// The format of files whose names end so, without the dot, in any case.
-    pub fn of_extension(extension: &str) -> Option<Self> {
+    ///
+    /// ```
+    /// use proofread::TextFormat;
+    ///
+    /// assert_eq!(TextFormat::from_extension("TeX"), Some(TextFormat::Latex));
+    /// assert_eq!(TextFormat::from_extension("pdf"), None);
+    /// ```
+    pub fn from_extension(extension: &str) -> Option<Self> {
         Some(match extension.to_ascii_lowercase().as_str() {
             "md" | "markdown" | "mdown" | "mkd" | "qmd" | "rmd" => Self::Markdown,
             "tex" | "latex" | "ltx" => Self::Latex,
@@ -75,15 +91,23 @@ impl Format {
 }
 
 /// Why a text could not be read.
+///
+/// ```
+/// use proofread::{CheckOptions, TextFormat, UnreadableText, proofread};
+///
+/// let why = proofread("no notebook", TextFormat::Notebook, CheckOptions::default()).expect_err("no notebook");
+/// assert!(matches!(why, UnreadableText::Notebook(_)));
+/// assert!(why.to_string().starts_with("this is not a Jupyter notebook: "));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unreadable {
+pub enum UnreadableText {
     /// It is no notebook, with the reason.
     Notebook(String),
     /// It is longer than a document may be.
     TooLong,
 }
 
-impl std::fmt::Display for Unreadable {
+impl std::fmt::Display for UnreadableText {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Notebook(why) => write!(f, "this is not a Jupyter notebook: {why}"),
@@ -92,14 +116,14 @@ impl std::fmt::Display for Unreadable {
     }
 }
 
-impl std::error::Error for Unreadable {}
+impl std::error::Error for UnreadableText {}
 
 /// Longest document, in bytes.
 pub const LONGEST: usize = 64 << 20;
 
 /// How a formula is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Written {
+pub enum FormulaStyle {
     /// As a formula.
     #[default]
     Formula,
@@ -121,33 +145,43 @@ pub struct Formula {
     /// Whether the text behind it continues it.
     pub goes_on: bool,
     /// How it is written.
-    pub written: Written,
+    pub style: FormulaStyle,
 }
 
 impl Formula {
     fn new(tokens: Vec<Token>, span: Span) -> Self {
-        Self { tokens, span, scope: 0, continues: false, goes_on: false, written: Written::Formula }
+        Self { tokens, span, scope: 0, continues: false, goes_on: false, style: FormulaStyle::Formula }
     }
 
-    fn place(&mut self, to: &dyn Fn(Span) -> Span) {
+    fn map_spans(&mut self, to: &dyn Fn(Span) -> Span) {
         self.span = to(self.span);
-        self.tokens.iter_mut().for_each(|token| token.place(to));
+        self.tokens.iter_mut().for_each(|token| token.map_spans(to));
     }
 }
 
 /// Takes the formulas as they are found.
-pub(crate) type Found<'f> = dyn FnMut(Formula) + 'f;
+pub(crate) type FormulaSink<'f> = dyn FnMut(Formula) + 'f;
 
 /// Reads a text and hands over its formulas, in their order; those in the running text of a page follow the others.
 ///
 /// # Errors
 ///
 /// If the text is too long, or is no notebook where it should be one.
-pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result<(), Unreadable> {
-    let lines = Running::of(text, format);
+///
+/// ```
+/// use proofread::{TextFormat, reader};
+///
+/// let text = "It is $2 + 2 = 5$ and $x$.";
+/// let mut formulas = Vec::new();
+/// reader::read(text, TextFormat::Markdown, &mut |formula| formulas.push(&text[formula.span.range()]))?;
+/// assert_eq!(formulas, ["$2 + 2 = 5$", "$x$"]);
+/// # Ok::<(), proofread::UnreadableText>(())
+/// ```
+pub fn read(text: &str, format: TextFormat, each: &mut dyn FnMut(Formula)) -> Result<(), UnreadableText> {
+    let lines = RunningText::from_page(text, format);
     read_with(text, format, None, &lines, &mut |mut formula, from| {
-        if from == From::Lines {
-            formula.place(&|span| lines.place(span));
+        if from == SpanSource::Lines {
+            formula.map_spans(&|span| lines.span_in_page(span));
         }
         each(formula);
     })
@@ -155,7 +189,7 @@ pub fn read(text: &str, format: Format, each: &mut dyn FnMut(Formula)) -> Result
 
 /// What a place of a formula is counted in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum From {
+pub(crate) enum SpanSource {
     /// The text that was given.
     Text,
     /// The lines of running text in it.
@@ -165,23 +199,23 @@ pub(crate) enum From {
 /// Reads a text with definitions from elsewhere, and the lines of running text in it, whose formulas follow the others.
 pub(crate) fn read_with(
     text: &str,
-    format: Format,
+    format: TextFormat,
     elsewhere: Option<&Definitions>,
-    lines: &Running,
-    each: &mut dyn FnMut(Formula, From),
-) -> Result<(), Unreadable> {
+    lines: &RunningText,
+    each: &mut dyn FnMut(Formula, SpanSource),
+) -> Result<(), UnreadableText> {
     if text.len() > LONGEST {
-        return Err(Unreadable::TooLong);
+        return Err(UnreadableText::TooLong);
     }
-    let points = commas::are_decimal(text, format, elsewhere, lines);
+    let points = commas::decimal_points(text, format, elsewhere, lines);
     let mut understood = |mut formula: Formula, from| {
         if let Some(points) = points {
-            commas::understood(&mut formula.tokens, points);
+            commas::apply_decimal_sign(&mut formula.tokens, points);
         }
         each(formula, from);
     };
-    formulas(text, format, elsewhere, &mut |formula| understood(formula, From::Text))?;
-    lines.read(&mut |formula| understood(formula, From::Lines));
+    formulas(text, format, elsewhere, &mut |formula| understood(formula, SpanSource::Text))?;
+    lines.read(&mut |formula| understood(formula, SpanSource::Lines));
     Ok(())
 }
 
@@ -189,7 +223,7 @@ pub(crate) fn read_with(
 const FARTHEST_STRUCK: usize = 1000;
 
 /// What an author has struck out or commented out of a text in Markdown, and the addresses in it.
-fn withdrawn(text: &str) -> Vec<std::ops::Range<usize>> {
+fn withdrawn_ranges(text: &str) -> Vec<std::ops::Range<usize>> {
     const MARKS: [(&str, &str); 5] =
         [("~~", "~~"), ("<del>", "</del>"), ("<s>", "</s>"), ("<strike>", "</strike>"), ("<!--", "-->")];
     let mut out = Vec::new();
@@ -227,29 +261,29 @@ fn withdrawn(text: &str) -> Vec<std::ops::Range<usize>> {
 
 pub use definitions::Definitions;
 pub(crate) use plain::is_noun;
-pub(crate) use running::Running;
+pub(crate) use running::RunningText;
 pub(crate) use symbols::unit_sign;
 
 /// The tokens of running text that starts `base` bytes into the document.
-pub(crate) fn running(text: &str, base: usize) -> Vec<Token> {
+pub(crate) fn tokenise_text(text: &str, base: usize) -> Vec<Token> {
     let mut out = Vec::new();
-    words::words(&crate::token::signs(text, base), &mut out);
+    words::tokenise_words(&crate::token::signs(text, base), &mut out);
     out
 }
 
 /// The formulas with their numbers as in English, but none in running text of a page.
 fn formulas(
     text: &str,
-    format: Format,
+    format: TextFormat,
     elsewhere: Option<&Definitions>,
     each: &mut dyn FnMut(Formula),
-) -> Result<(), Unreadable> {
+) -> Result<(), UnreadableText> {
     match format {
-        Format::Markdown => markdown::read(text, delimited::Dollars::Single, each),
-        Format::Latex => latex::read(text, elsewhere.map(|of| &of.0), each),
-        Format::Xml | Format::Html => markup::read(text, each),
-        Format::Notebook => notebook::read(text, each)?,
-        Format::Plain => {
+        TextFormat::Markdown => markdown::read(text, delimited::Dollars::Single, each),
+        TextFormat::Latex => latex::read(text, elsewhere.map(|of| &of.0), each),
+        TextFormat::Xml | TextFormat::Html => markup::read(text, each),
+        TextFormat::Notebook => notebook::read(text, each)?,
+        TextFormat::Plain => {
             let marked = delimited::formulas(text, &[], delimited::Dollars::Single);
             let mut found = Vec::new();
             let mut taken = Vec::new();

@@ -1,7 +1,7 @@
 //! Jupyter notebooks: the Markdown of their cells.
 
 use super::delimited::Dollars;
-use super::{Found, Unreadable, markdown};
+use super::{FormulaSink, UnreadableText, markdown};
 use crate::token::Span;
 use serde_json::value::RawValue;
 use std::collections::HashMap;
@@ -13,8 +13,8 @@ type Object<'t> = HashMap<String, &'t RawValue>;
 /// # Errors
 ///
 /// If the text is no notebook.
-pub(crate) fn read(text: &str, each: &mut Found<'_>) -> Result<(), Unreadable> {
-    let wrong = |error: serde_json::Error| Unreadable::Notebook(error.to_string());
+pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) -> Result<(), UnreadableText> {
+    let wrong = |error: serde_json::Error| UnreadableText::Notebook(error.to_string());
     let notebook: Object<'_> = serde_json::from_str(text).map_err(wrong)?;
     for cell in cells(&notebook)? {
         let cell: Object<'_> = serde_json::from_str(cell.get()).map_err(wrong)?;
@@ -32,7 +32,7 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) -> Result<(), Unreadable> {
         let end = places.last().map_or(0, |last| last + 1);
         let place = |at: u32| places.get(at as usize).copied().unwrap_or(end);
         markdown::read(&decoded, Dollars::Spaced, &mut |mut formula| {
-            formula.place(&|span| {
+            formula.map_spans(&|span| {
                 let last = span.end.checked_sub(1).map_or(0, place);
                 Span { start: place(span.start), end: (last + 1).max(place(span.start)) }
             });
@@ -43,12 +43,12 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) -> Result<(), Unreadable> {
 }
 
 /// The cells; those of format 3 lie in worksheets.
-fn cells<'t>(notebook: &Object<'t>) -> Result<Vec<&'t RawValue>, Unreadable> {
-    let wrong = |error: serde_json::Error| Unreadable::Notebook(error.to_string());
+fn cells<'t>(notebook: &Object<'t>) -> Result<Vec<&'t RawValue>, UnreadableText> {
+    let wrong = |error: serde_json::Error| UnreadableText::Notebook(error.to_string());
     if let Some(cells) = notebook.get("cells") {
         return serde_json::from_str(cells.get()).map_err(wrong);
     }
-    let missing = Unreadable::Notebook("it has neither `cells` nor `worksheets`".to_owned());
+    let missing = UnreadableText::Notebook("it has neither `cells` nor `worksheets`".to_owned());
     let worksheets = notebook.get("worksheets").ok_or(missing)?;
     let worksheets: Vec<Object<'t>> = serde_json::from_str(worksheets.get()).map_err(wrong)?;
     let mut out = Vec::new();

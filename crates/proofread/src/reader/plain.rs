@@ -1,8 +1,8 @@
 //! Lines of plain text with an equals sign, as they come out of a PDF or are typed in a mail.
 
-use super::words::words;
-use super::{Formula, Found, Written};
-use crate::token::{Function, Kind, Span, TOO_LONG, Token, signs};
+use super::words::tokenise_words;
+use super::{Formula, FormulaSink, FormulaStyle};
+use crate::token::{MathFunction, Span, TOO_LONG, Token, TokenKind, signs};
 use crate::unit::{is_percent, unit};
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use std::ops::Range;
 const LONGEST: usize = 4000;
 
 /// Finds the formulas in lines outside the stretches to skip, which are in their order.
-pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut Found<'_>) {
+pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>) {
     let mut skipped = skip.iter().peekable();
     let mut start = 0;
     for line in text.split_inclusive('\n') {
@@ -43,8 +43,8 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut Found<'_>) {
             }
             if part.len() > LONGEST {
                 let span = Span::new(piece.start, piece.end);
-                let unread = Token::new(Kind::Unknown(TOO_LONG.to_owned()), span);
-                each(Formula { written: Written::Plain, ..Formula::new(vec![unread], span) });
+                let unread = Token::new(TokenKind::Unknown(TOO_LONG.to_owned()), span);
+                each(Formula { style: FormulaStyle::Plain, ..Formula::new(vec![unread], span) });
             } else {
                 line_of(part, piece.start, piece.start == whole.start, &mut |mut formula| {
                     formula.continues = piece.start > whole.start && touches(formula.tokens.iter());
@@ -59,7 +59,7 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut Found<'_>) {
 /// Whether a side runs up to the edge of a piece, behind which another formula is, so that it may not be all of a side.
 fn touches<'t>(from_edge: impl Iterator<Item = &'t Token>) -> bool {
     let side: Vec<&Token> = from_edge.take_while(|token| !token.is_one_of("=≈")).collect();
-    let words = |token: &&&Token| token.is_one_of(";|.,:") || matches!(token.kind, Kind::Name(_));
+    let words = |token: &&&Token| token.is_one_of(";|.,:") || matches!(token.kind, TokenKind::Name(_));
     side.iter().any(|token| !token.is_space()) && !side.iter().any(|token| words(&token))
 }
 
@@ -68,7 +68,7 @@ fn is_code(line: &str) -> bool {
 }
 
 /// Reads a line, or the piece of one that `starts` it or does not.
-fn line_of(line: &str, base: usize, starts: bool, each: &mut Found<'_>) {
+fn line_of(line: &str, base: usize, starts: bool, each: &mut FormulaSink<'_>) {
     if is_code(line) {
         return;
     }
@@ -77,11 +77,11 @@ fn line_of(line: &str, base: usize, starts: bool, each: &mut Found<'_>) {
     let numbered = numbered(line);
     let (line, base) = (&line[numbered..], base + numbered);
     let mut tokens = Vec::new();
-    words(&signs(line, base), &mut tokens);
-    let tokens = understood(tokens);
+    tokenise_words(&signs(line, base), &mut tokens);
+    let tokens = interpret_line(tokens);
     let span = Span::new(base, base + line.trim_end().len());
     let mut formula = Formula::new(tokens, span);
-    formula.written = Written::Plain;
+    formula.style = FormulaStyle::Plain;
     each(formula);
 }
 
@@ -121,15 +121,15 @@ pub(crate) fn is_noun(word: &str) -> bool {
 /// Whether what stands last takes an exponent: a ten, or a unit behind a number or another unit.
 fn lost_its_exponent(out: &[Token]) -> bool {
     match out.last() {
-        Some(Token { kind: Kind::Number(text), .. }) => text == "10",
-        Some(Token { kind: Kind::Word(word), .. }) => unit(word).is_some(),
+        Some(Token { kind: TokenKind::Number(text), .. }) => text == "10",
+        Some(Token { kind: TokenKind::Word(word), .. }) => unit(word).is_some(),
         _ => false,
     }
 }
 
 /// Whether what follows a minus sign makes an arrow of it.
 fn is_arrow(mut rest: impl Iterator<Item = Token>) -> bool {
-    rest.find(|token| !token.is('-')).is_some_and(|token| token.is('>'))
+    rest.find(|token| !token.is_sign('-')).is_some_and(|token| token.is_sign('>'))
 }
 
 /// Whether the number ahead may be the exponent of a unit before it: one digit, behind which no unit is, as in s-1 but not in 35cm-10cm.
@@ -142,12 +142,14 @@ fn is_exponent(out: &[Token], mut ahead: impl Iterator<Item = Token>) -> bool {
 }
 
 /// Makes letters, exponents, products and separators of what running text writes with words and signs.
-fn understood(tokens: Vec<Token>) -> Vec<Token> {
+fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::new();
     // Whether any unit is on the line that is nothing else.
     let has_units = tokens.iter().filter_map(Token::word).any(|word| unit(word).is_some() && !PROSE.contains(&word));
     let behind_number = |of: &[Token]| match of {
-        [Token { kind: Kind::Number(_), .. }, space, Token { kind: Kind::Word(word), .. }] if space.is_space() => {
+        [Token { kind: TokenKind::Number(_), .. }, space, Token { kind: TokenKind::Word(word), .. }]
+            if space.is_space() =>
+        {
             Some(word.clone())
         }
         _ => None,
@@ -160,7 +162,7 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
         };
         let span = token.span;
         match token.kind.clone() {
-            Kind::Operator('^') => {
+            TokenKind::Operator('^') => {
                 let mut exponent = Vec::new();
                 let signed = next_is(&|next| next.is_one_of("+-"), &mut rest);
                 exponent.extend(rest.next_if(|_| signed));
@@ -178,40 +180,40 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 } else {
                     exponent.extend(rest.next_if(|next| !next.is_space()));
                 }
-                out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), span));
+                out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), exponent), span));
             }
-            Kind::Operator('*') => {
-                if let Some(second) = rest.next_if(|next| next.is('*')) {
+            TokenKind::Operator('*') => {
+                if let Some(second) = rest.next_if(|next| next.is_sign('*')) {
                     // A power as in a program, 2.0**3, or a mark of bold text.
                     let of = out.last().is_some_and(|last| {
                         last.span.end == span.start
-                            && (last.number().is_some() || last.is(')') || matches!(last.kind, Kind::Name(_)))
+                            && (last.number().is_some() || last.is_sign(')') || matches!(last.kind, TokenKind::Name(_)))
                     });
-                    let sign = rest.next_if(|next| of && next.is('-') && next.span.start == second.span.end);
+                    let sign = rest.next_if(|next| of && next.is_sign('-') && next.span.start == second.span.end);
                     let from = sign.as_ref().map_or(second.span.end, |sign| sign.span.end);
                     let raised = rest.next_if(|next| of && next.number().is_some() && next.span.start == from);
                     let mut exponent: Vec<Token> = sign.into_iter().chain(raised).collect();
                     if exponent.is_empty()
-                        && rest.next_if(|next| of && next.is('(') && next.span.start == from).is_some()
+                        && rest.next_if(|next| of && next.is_sign('(') && next.span.start == from).is_some()
                     {
-                        exponent.extend(rest.by_ref().take_while(|next| !next.is(')')));
+                        exponent.extend(rest.by_ref().take_while(|next| !next.is_sign(')')));
                     }
                     if !exponent.is_empty() {
-                        out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), span));
+                        out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), exponent), span));
                     }
                     continue;
                 }
-                out.push(Token::new(Kind::Operator('·'), span));
+                out.push(Token::new(TokenKind::Operator('·'), span));
             }
-            Kind::Word(word) => {
+            TokenKind::Word(word) => {
                 let before = out.iter().rev().find(|token| !token.is_space());
                 let touching = out.last().is_some_and(|last| !last.is_space());
-                let follows_number = before.is_some_and(|token| matches!(token.kind, Kind::Number(_)));
+                let follows_number = before.is_some_and(|token| matches!(token.kind, TokenKind::Number(_)));
                 let follows_unit = before.is_some_and(|token| match &token.kind {
-                    Kind::Number(_) => true,
-                    Kind::Word(word) => unit(word).is_some(),
-                    Kind::Scripts(..) | Kind::Basis(_) => true,
-                    Kind::Operator(c) => ")]/·".contains(*c),
+                    TokenKind::Number(_) => true,
+                    TokenKind::Word(word) => unit(word).is_some(),
+                    TokenKind::Scripts(..) | TokenKind::Basis(_) => true,
+                    TokenKind::Operator(c) => ")]/·".contains(*c),
                     _ => false,
                 });
                 // 1.5e-3
@@ -222,25 +224,25 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     ahead.get(sign).filter(|token| token.number().is_some_and(|text| !text.contains(['.', ','])));
                 if let Some(power) = power.filter(|power| exponent && power.span.start <= span.end + 1) {
                     let raised: Vec<Token> = ahead[..sign].iter().chain([power]).cloned().collect();
-                    out.push(Token::new(Kind::Operator('×'), span));
-                    out.push(Token::new(Kind::Number("10".to_owned()), span));
-                    out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), span));
+                    out.push(Token::new(TokenKind::Operator('×'), span));
+                    out.push(Token::new(TokenKind::Number("10".to_owned()), span));
+                    out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), raised), span));
                     rest.nth(sign);
                     continue;
                 }
                 let mut after = rest.clone().skip_while(Token::is_space);
                 let next = after.next();
                 let before_number =
-                    next.as_ref().is_some_and(|next| matches!(next.kind, Kind::Number(_)) || next.is('('));
+                    next.as_ref().is_some_and(|next| matches!(next.kind, TokenKind::Number(_)) || next.is_sign('('));
                 if word == "x" && follows_unit && before_number {
-                    out.push(Token::new(Kind::Operator('×'), span));
+                    out.push(Token::new(TokenKind::Operator('×'), span));
                     continue;
                 }
-                let calls = rest.peek().is_some_and(|next| next.is('('));
+                let calls = rest.peek().is_some_and(|next| next.is_sign('('));
                 let single = word.chars().count() == 1;
                 let before_word = next.as_ref().is_some_and(|next| next.word().is_some());
                 let letter = single && !(before_word && PROSE.contains(&word.as_str()));
-                let before_equals = next.as_ref().is_some_and(|next| next.is('='));
+                let before_equals = next.as_ref().is_some_and(|next| next.is_sign('='));
                 // 5 A, but not: 5 A block slides.
                 let closes = match word.as_str() {
                     "min" => true,
@@ -252,86 +254,86 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     _ => false,
                 };
                 // 2 % of 50
-                let counted = before.is_some_and(|before| before.number().is_some() || before.is(')'));
+                let counted = before.is_some_and(|before| before.number().is_some() || before.is_sign(')'));
                 let percent = before.and_then(Token::word).is_some_and(is_percent);
                 let of_numbers = (counted || percent) && before_number;
-                let power_of_e = word == "e" && rest.peek().is_some_and(|next| next.is('^'));
+                let power_of_e = word == "e" && rest.peek().is_some_and(|next| next.is_sign('^'));
                 // 348Tc is a product with a letter.
                 let glued = touching && follows_number && unit(&word).is_none() && word.chars().count() < 4;
                 let named = letter || glued || ((before_equals || calls) && !follows_unit);
                 let kind = if power_of_e {
-                    Kind::Name(word)
+                    TokenKind::Name(word)
                 } else if word == "pi" {
-                    Kind::Name("π".to_owned())
+                    TokenKind::Name("π".to_owned())
                 } else if word == "sqrt" {
-                    Kind::Operator('√')
-                } else if let Some(function) = Function::named(&word).filter(|_| word != "sec") {
-                    Kind::Function(function)
+                    TokenKind::Operator('√')
+                } else if let Some(function) = MathFunction::from_name(&word).filter(|_| word != "sec") {
+                    TokenKind::Function(function)
                 } else if follows_unit
                     && unit(&word).is_some()
                     && (touching || closes || !PROSE.contains(&word.as_str()))
                 {
-                    Kind::Word(word)
+                    TokenKind::Word(word)
                 } else if named {
-                    Kind::Name(word)
+                    TokenKind::Name(word)
                 } else if word == "of" && of_numbers {
-                    Kind::Word(word)
+                    TokenKind::Word(word)
                 } else if word == "mod" {
-                    Kind::Unknown(word)
+                    TokenKind::Unknown(word)
                 } else if before.is_some_and(|before| before.number().is_some()) && is_noun(&word) {
                     // What is counted has no unit that is known.
-                    Kind::Word(word)
+                    TokenKind::Word(word)
                 } else {
                     // Prose, or a unit that is not known.
-                    Kind::Operator(';')
+                    TokenKind::Operator(';')
                 };
                 out.push(Token::new(kind, span));
             }
             // An exponent that is not raised any more: m/s2.
-            Kind::Number(ref digits)
+            TokenKind::Number(ref digits)
                 if matches!(digits.as_str(), "2" | "3")
                     && out.last().is_some_and(|last| {
                         last.span.end == span.start
                             && last.word().is_some_and(|word| unit(word).is_some() && word != "e")
                     }) =>
             {
-                out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), vec![token.clone()]), span));
+                out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), vec![token.clone()]), span));
             }
             // Another column of a text that is set in columns.
-            Kind::Space(_)
+            TokenKind::Space(_)
                 if span.end - span.start >= 4
                     && next_is(&|next| next.is_one_of("=("), &mut rest)
-                    && out.iter().any(|token| token.is('=')) =>
+                    && out.iter().any(|token| token.is_sign('=')) =>
             {
-                out.push(Token::new(Kind::Operator(';'), span));
+                out.push(Token::new(TokenKind::Operator(';'), span));
             }
             // An arrow between two states: 4.6 -> 1.8.
-            Kind::Operator('-') if is_arrow(rest.clone()) => {
-                while rest.next_if(|next| next.is('-')).is_some() {}
+            TokenKind::Operator('-') if is_arrow(rest.clone()) => {
+                while rest.next_if(|next| next.is_sign('-')).is_some() {}
                 rest.next();
-                out.push(Token::new(Kind::Operator('→'), span));
+                out.push(Token::new(TokenKind::Operator('→'), span));
             }
             // Exponents that are not raised any more: 10-3 and s-1.
-            Kind::Operator('-')
+            TokenKind::Operator('-')
                 if next_is(&|next| next.number().is_some() && next.span.start == span.end, &mut rest)
                     && is_exponent(&out, rest.clone())
                     && out.last().is_some_and(|last| last.span.end == span.start)
                     && lost_its_exponent(&out) =>
             {
-                let times = out.iter().rev().skip(1).find(|token| !token.is_space()).is_some_and(|of| of.is('×'));
+                let times = out.iter().rev().skip(1).find(|token| !token.is_space()).is_some_and(|of| of.is_sign('×'));
                 let ten = out.last().is_some_and(|last| last.number().is_some());
                 if times || !ten {
-                    let mut raised = vec![Token::new(Kind::Operator('-'), span)];
+                    let mut raised = vec![Token::new(TokenKind::Operator('-'), span)];
                     raised.extend(rest.next());
-                    out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), span));
+                    out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), raised), span));
                 } else {
-                    out.push(Token::new(Kind::Unknown("ten to a power, or a difference".to_owned()), span));
+                    out.push(Token::new(TokenKind::Unknown("ten to a power, or a difference".to_owned()), span));
                 }
             }
             // In running text, space parts two numbers.
-            Kind::Space(_) if next_is(&|next| next.number().is_some(), &mut rest) => {
+            TokenKind::Space(_) if next_is(&|next| next.number().is_some(), &mut rest) => {
                 let number = out.last().is_some_and(|last| last.number().is_some());
-                out.push(Token::new(Kind::Space(if number { 6 } else { 2 }), span));
+                out.push(Token::new(TokenKind::Space(if number { 6 } else { 2 }), span));
             }
             kind => out.push(Token::new(kind, span)),
         }

@@ -1,6 +1,6 @@
 //! Which format a text is written in, told by what is in it.
 
-use super::Format;
+use super::TextFormat;
 
 /// Commands that a document in LaTeX has and a formula does not.
 const LATEX: [&str; 9] = [
@@ -21,11 +21,18 @@ const DISPLAYS: [&str; 4] = ["\\begin{equation", "\\begin{align", "\\begin{eqnar
 /// Elements of HTML that other formats of XML seldom have.
 const HTML: [&str; 5] = ["<!doctype html", "<html", "<body", "<p>", "<div"];
 
-impl Format {
+impl TextFormat {
     /// The format in which a text is most probably written, by what is in it.
     ///
     /// Every text has one: what shows no marks of another format is read as plain lines.
-    pub fn of_text(text: &str) -> Self {
+    ///
+    /// ```
+    /// use proofread::TextFormat;
+    ///
+    /// assert_eq!(TextFormat::recognise(r"\section{Speed} It is $2 + 2 = 5$."), TextFormat::Latex);
+    /// assert_eq!(TextFormat::recognise("2 + 2 = 5"), TextFormat::Plain);
+    /// ```
+    pub fn recognise(text: &str) -> Self {
         let start = text.trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']);
         if start.starts_with('{') && text.contains("\"cells\"") {
             return Self::Notebook;
@@ -52,21 +59,21 @@ mod tests {
     #[test]
     fn each_format_is_told_by_its_marks() {
         for (text, format) in [
-            ("\u{feff}{\n \"cells\": []}", Format::Notebook),
-            ("<?xml version=\"1.0\"?><document><m:math/></document>", Format::Xml),
-            ("<chapter><p>It is <m>1 + 1 = 2</m>.</p></chapter>", Format::Xml),
-            ("<para><math><mn>1</mn></math></para>", Format::Xml),
-            ("<!DOCTYPE html>\n<p>\\(1+1=2\\)</p>", Format::Html),
-            ("\\documentclass{article}\n$1+1=2$", Format::Latex),
-            ("\\begin{align*} 1+1 &= 2 \\end{align*}", Format::Latex),
-            ("$$\\begin{aligned} 1+1 &= 2 \\end{aligned}$$", Format::Markdown),
-            ("# Heading\n\n1 + 1 = 2", Format::Markdown),
-            ("It is $1+1=2$.", Format::Markdown),
-            ("F = 2 kg × 3 m/s² = 6 N", Format::Plain),
-            ("a < b, 1 + 1 = 2", Format::Plain),
-            ("", Format::Plain),
+            ("\u{feff}{\n \"cells\": []}", TextFormat::Notebook),
+            ("<?xml version=\"1.0\"?><document><m:math/></document>", TextFormat::Xml),
+            ("<chapter><p>It is <m>1 + 1 = 2</m>.</p></chapter>", TextFormat::Xml),
+            ("<para><math><mn>1</mn></math></para>", TextFormat::Xml),
+            ("<!DOCTYPE html>\n<p>\\(1+1=2\\)</p>", TextFormat::Html),
+            ("\\documentclass{article}\n$1+1=2$", TextFormat::Latex),
+            ("\\begin{align*} 1+1 &= 2 \\end{align*}", TextFormat::Latex),
+            ("$$\\begin{aligned} 1+1 &= 2 \\end{aligned}$$", TextFormat::Markdown),
+            ("# Heading\n\n1 + 1 = 2", TextFormat::Markdown),
+            ("It is $1+1=2$.", TextFormat::Markdown),
+            ("F = 2 kg × 3 m/s² = 6 N", TextFormat::Plain),
+            ("a < b, 1 + 1 = 2", TextFormat::Plain),
+            ("", TextFormat::Plain),
         ] {
-            assert_eq!(Format::of_text(text), format, "{text}");
+            assert_eq!(TextFormat::recognise(text), format, "{text}");
         }
     }
 }

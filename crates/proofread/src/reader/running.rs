@@ -1,8 +1,9 @@
 //! The running text of a page in HTML: its lines as they are shown, and where in the page each part of them is.
 
-use super::markup::{INLINE, Tag, decoded, end_of, next_tag};
-use super::{Format, Found, LONGEST, delimited, plain};
-use crate::token::{Sign, Span};
+use super::markup::INLINE;
+use super::tags::{Tag, decode_entities, end_of_element, next_tag};
+use super::{FormulaSink, LONGEST, TextFormat, delimited, plain};
+use crate::token::{SourceChar, Span};
 use std::ops::Range;
 
 /// Elements that are cut out of a line.
@@ -45,7 +46,7 @@ struct Script {
 
 /// The lines of a page, with exponents behind `^`, indices behind `_`, and a sign for what is cut out.
 #[derive(Default)]
-pub(crate) struct Running {
+pub(crate) struct RunningText {
     pub text: String,
     /// What is no running text, in bytes of the lines.
     cut: Vec<Range<usize>>,
@@ -56,11 +57,11 @@ pub(crate) struct Running {
     underlined: usize,
 }
 
-impl Running {
+impl RunningText {
     /// The lines of this page; none if it is no HTML.
-    pub fn of(page: &str, format: Format) -> Self {
+    pub fn from_page(page: &str, format: TextFormat) -> Self {
         let mut out = Self::default();
-        if format != Format::Html || page.len() > LONGEST {
+        if format != TextFormat::Html || page.len() > LONGEST {
             return out;
         }
         let mut at = 0;
@@ -77,12 +78,12 @@ impl Running {
     }
 
     /// Finds the formulas in the lines; their places are in the lines, too.
-    pub fn read(&self, each: &mut Found<'_>) {
+    pub fn read(&self, each: &mut FormulaSink<'_>) {
         plain::read(&self.text, &self.cut, each);
     }
 
     /// Where a stretch of the lines is in the page.
-    pub fn place(&self, span: Span) -> Span {
+    pub fn span_in_page(&self, span: Span) -> Span {
         let of = |byte: u32| {
             let at = self.places.partition_point(|(start, _)| *start <= byte as usize).max(1) - 1;
             let (start, page) = self.places.get(at).copied().unwrap_or_default();
@@ -119,7 +120,7 @@ impl Running {
     /// Ends a line, and what adjoins in it.
     fn block(&mut self, page: Span) {
         while !self.scripts.is_empty() {
-            self.close(page);
+            self.close_script(page);
         }
         while !self.text.ends_with("\n\n\n") {
             self.push('\n', page);
@@ -133,14 +134,14 @@ impl Running {
             let mut marks = rest.match_indices('<').map(|(at, _)| at);
             let hidden = marks.find(|at| rest[at + 1..].starts_with(['!', '?']));
             let shown = &rest[..hidden.unwrap_or(rest.len())];
-            decoded(shown, at).into_iter().for_each(|sign| self.sign(sign));
+            decode_entities(shown, at).into_iter().for_each(|sign| self.sign(sign));
             let Some(hidden) = hidden else { break };
             let close = if rest[hidden..].starts_with("<!--") { "-->" } else { ">" };
             at += rest[hidden..].find(close).map_or(rest.len(), |end| hidden + end + close.len());
         }
     }
 
-    fn sign(&mut self, Sign { c, span }: Sign) {
+    fn sign(&mut self, SourceChar { c, span }: SourceChar) {
         if c.is_ascii_whitespace() && span.range().len() == 1 {
             if !self.text.is_empty() && !self.text.ends_with([' ', '\n']) {
                 self.push(' ', span);
@@ -168,7 +169,7 @@ impl Running {
             let raw = CUT.contains(&name) || CUT_BLOCKS.contains(&name);
             if raw || is_hidden(tag) {
                 let close = |at| next_tag(page, at).map_or(page.len(), |close| close.end);
-                let end = if raw { close(end_of(page, tag.end, name)) } else { end_of_nested(page, tag) };
+                let end = if raw { close(end_of_element(page, tag.end, name)) } else { end_of_nested(page, tag) };
                 let whole = Span::new(tag.start, end);
                 if CUT_BLOCKS.contains(&name) {
                     self.block(whole)
@@ -180,7 +181,7 @@ impl Running {
         }
         match name {
             "img" | "input" => self.edge(span),
-            "sup" | "sub" if tag.closes => self.close(span),
+            "sup" | "sub" if tag.closes => self.close_script(span),
             "sup" | "sub" => {
                 self.scripts.push(Script { start: self.text.len(), links: false });
                 self.push(if name == "sup" { '^' } else { '_' }, span);
@@ -203,14 +204,14 @@ impl Running {
     }
 
     /// Ends an index or an exponent.
-    fn close(&mut self, page: Span) {
+    fn close_script(&mut self, page: Span) {
         let Some(Script { start, links }) = self.scripts.pop() else { return };
         let inner = self.text.get(start + 2..).unwrap_or_default().trim();
         let left_out = inner.is_empty() || inner.starts_with('[');
         if !left_out && !links && !matches!(inner, "th" | "st" | "nd" | "rd") {
             return self.push(')', page);
         }
-        let from = self.place(Span::new(start, start + 1));
+        let from = self.span_in_page(Span::new(start, start + 1));
         self.truncate(start);
         if !left_out {
             self.edge(from.join(page));

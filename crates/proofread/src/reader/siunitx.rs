@@ -1,45 +1,45 @@
 //! Numbers and units of the LaTeX package siunitx.
 
 use super::definitions::Macros;
-use super::words::{whole, words};
-use crate::token::{Kind, Sign, Token};
+use super::words::{span_of_chars, tokenise_words};
+use crate::token::{SourceChar, Token, TokenKind};
 use crate::unit::takes_prefix;
 
 /// A number with its exponent behind `e`.
-pub(crate) fn number(signs: &[Sign], out: &mut Vec<Token>) {
+pub(crate) fn number(signs: &[SourceChar], out: &mut Vec<Token>) {
     let exponent = signs.iter().position(|sign| matches!(sign.c, 'e' | 'E' | 'd' | 'D'));
     let (mantissa, exponent) = signs.split_at(exponent.unwrap_or(signs.len()));
     // Groups of digits may be parted by spaces or braces, and the uncertainty of the last digits stands in brackets.
     let uncertain = mantissa.iter().skip(1).position(|sign| sign.c == '(').map_or(mantissa.len(), |at| at + 1);
     let closes = mantissa.last().is_some_and(|sign| sign.c == ')');
     let mantissa = if closes { &mantissa[..uncertain] } else { mantissa };
-    let mantissa: Vec<Sign> =
+    let mantissa: Vec<SourceChar> =
         mantissa.iter().filter(|sign| !sign.c.is_whitespace() && !"{}~_".contains(sign.c)).copied().collect();
     // A comma is the sign of decimals in this package, too.
     let comma = mantissa.iter().filter(|sign| sign.c == ',').count() == 1 && mantissa.iter().all(|sign| sign.c != '.');
-    let point = |sign: Sign| if comma && sign.c == ',' { Sign { c: '.', ..sign } } else { sign };
-    let mantissa: Vec<Sign> = mantissa.into_iter().map(point).collect();
-    words(&mantissa, out);
+    let point = |sign: SourceChar| if comma && sign.c == ',' { SourceChar { c: '.', ..sign } } else { sign };
+    let mantissa: Vec<SourceChar> = mantissa.into_iter().map(point).collect();
+    tokenise_words(&mantissa, out);
     let [e, power @ ..] = exponent else { return };
     let span = e.span;
     if !mantissa.is_empty() {
-        out.push(Token::new(Kind::Operator('×'), span));
+        out.push(Token::new(TokenKind::Operator('×'), span));
     }
-    out.push(Token::new(Kind::Number("10".to_owned()), span));
+    out.push(Token::new(TokenKind::Number("10".to_owned()), span));
     let mut raised = Vec::new();
-    words(power, &mut raised);
-    out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), raised), whole(power)));
+    tokenise_words(power, &mut raised);
+    out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), raised), span_of_chars(power)));
 }
 
 /// Units with those that the document names itself written out, a few times over if they name each other.
-pub(crate) fn named(mut signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
+pub(crate) fn expand_named_units(mut signs: Vec<SourceChar>, macros: &Macros<'_>) -> Vec<SourceChar> {
     /// Most signs of a unit that is written out; the names of one may be as long as those of any macro.
     const MOST: usize = 1000;
     for _ in 0..4 {
         let (mut out, mut at) = (Vec::new(), 0);
         while let Some(sign) = signs.get(at) {
             if out.len() > MOST {
-                return vec![Sign { c: '?', span: sign.span }];
+                return vec![SourceChar { c: '?', span: sign.span }];
             }
             let (name, end) = name_at(&signs, at);
             let named = macros.in_quantity(&name).filter(|of| of.arguments == 0 && !is_known(&name));
@@ -49,7 +49,7 @@ pub(crate) fn named(mut signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
             match body {
                 Some(body) if alone || body.strip_prefix('\\').is_some_and(is_letters) => write(body, sign, &mut out),
                 // Several units in the place of one.
-                Some(body) if upright(body).is_none() => write("?", sign, &mut out),
+                Some(body) if unit_letters(body).is_none() => write("?", sign, &mut out),
                 _ => out.extend(&signs[at..end]),
             }
             at = end;
@@ -60,7 +60,7 @@ pub(crate) fn named(mut signs: Vec<Sign>, macros: &Macros<'_>) -> Vec<Sign> {
 }
 
 /// The name of the command at a place, empty if there is none, and the place behind it.
-fn name_at(signs: &[Sign], at: usize) -> (String, usize) {
+fn name_at(signs: &[SourceChar], at: usize) -> (String, usize) {
     let name: String = match signs[at].c {
         '\\' => signs[at + 1..].iter().map(|sign| sign.c).take_while(char::is_ascii_alphabetic).collect(),
         _ => String::new(),
@@ -80,15 +80,15 @@ fn is_known(name: &str) -> bool {
 }
 
 /// The letters of a unit that are all of a definition, such as `\textsc{atm}`.
-fn upright(body: &str) -> Option<&str> {
+fn unit_letters(body: &str) -> Option<&str> {
     let inner = ["\\mathrm{", "\\text{", "\\textsc{"].iter().find_map(|command| body.strip_prefix(command));
     let letters = inner.map_or(body, |inner| inner.trim_end_matches('}'));
     is_letters(letters).then_some(letters)
 }
 
 /// Units in words with backslashes, such as `\kilo\metre\per\second\squared`, as plain TeX.
-pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
-    let mut out: Vec<Sign> = Vec::new();
+pub(crate) fn unit(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<SourceChar> {
+    let mut out: Vec<SourceChar> = Vec::new();
     let mut at = 0;
     let mut below = false;
     let mut prefix = "";
@@ -103,7 +103,7 @@ pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
             if c == ' ' {
                 write("\\,", sign, &mut out);
             } else {
-                out.push(Sign { c, ..*sign });
+                out.push(SourceChar { c, ..*sign });
             }
             at += 1;
             continue;
@@ -117,14 +117,14 @@ pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
             "squared" => raise("2", sign, &mut out),
             "cubed" => raise("3", sign, &mut out),
             "tothe" | "raiseto" => {
-                let (digits, end) = group(signs, at);
+                let (digits, end) = group_digits(signs, at);
                 at = end;
                 match name.as_str() {
                     "tothe" => raise(&digits, sign, &mut out),
                     _ => power = format!("^{digits}"),
                 }
             }
-            "of" => at = group(signs, at).1,
+            "of" => at = group_digits(signs, at).1,
             "text" | "mathrm" | "textrm" | "textsc" | "textup" | "textnormal" | "mbox" | "ensuremath" => {}
             name => {
                 if let Some(known) = prefix_of(name) {
@@ -132,7 +132,7 @@ pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
                     continue;
                 }
                 let known = sign_of(name);
-                let letters = || macros.in_quantity(name).and_then(|of| upright(of.body.trim()));
+                let letters = || macros.in_quantity(name).and_then(|of| unit_letters(of.body.trim()));
                 let known = if known.is_empty() { letters().unwrap_or_default() } else { known };
                 let known = if known.is_empty() { abbreviated(name) } else { known.to_owned() };
                 if !out.is_empty() {
@@ -153,7 +153,7 @@ pub(crate) fn unit(signs: &[Sign], macros: &Macros<'_>) -> Vec<Sign> {
 }
 
 /// The digits in the group that begins at `at`, and the place behind it.
-fn group(signs: &[Sign], at: usize) -> (String, usize) {
+fn group_digits(signs: &[SourceChar], at: usize) -> (String, usize) {
     let open = signs[at..].iter().take_while(|sign| sign.c.is_whitespace() || sign.c == '{').count();
     let inner: String = signs[at + open..].iter().map(|sign| sign.c).take_while(|c| *c != '}').collect();
     let end = at + open + inner.chars().count() + 1;
@@ -169,12 +169,12 @@ fn abbreviated(name: &str) -> String {
     }
 }
 
-fn write(text: &str, at: &Sign, out: &mut Vec<Sign>) {
-    out.extend(text.chars().map(|c| Sign { c, span: at.span }));
+fn write(text: &str, at: &SourceChar, out: &mut Vec<SourceChar>) {
+    out.extend(text.chars().map(|c| SourceChar { c, span: at.span }));
 }
 
 /// Makes `^{-1}` at the end `^{-2}`, or adds an exponent.
-fn raise(power: &str, at: &Sign, out: &mut Vec<Sign>) {
+fn raise(power: &str, at: &SourceChar, out: &mut Vec<SourceChar>) {
     let tail: String = out.iter().rev().take(5).map(|sign| sign.c).collect();
     if tail == "}1-{^" {
         out.truncate(out.len() - 5);

@@ -1,6 +1,6 @@
 //! What single commands of TeX stand for, and how scripts and upright letters join what is before them.
 
-use crate::token::{Function, Kind, Span, Token};
+use crate::token::{MathFunction, Span, Token, TokenKind};
 
 /// Commands that make one sign of a unit, without their backslash.
 const UNIT_SIGNS: [(&str, char); 13] = [
@@ -25,25 +25,25 @@ pub(crate) fn unit_sign(name: &str) -> Option<char> {
 }
 
 /// A command without arguments.
-pub(crate) fn symbol(name: &str) -> Kind {
+pub(crate) fn symbol(name: &str) -> TokenKind {
     const GREEK: &str = "alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta θ iota ι kappa κ \
         lambda λ nu ν xi ξ pi π rho ρ varrho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ \
         Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ uppi π uplambda λ uprho ρ upalpha α upbeta β upgamma γ hbar ℏ ell ℓ infty ∞";
     let mut greek = GREEK.split_whitespace();
     while let (Some(known), Some(letter)) = (greek.next(), greek.next()) {
         if known == name {
-            return Kind::Name(letter.to_owned());
+            return TokenKind::Name(letter.to_owned());
         }
     }
     if let Some(sign) = unit_sign(name) {
         // The Greek letters may be quantities, too.
         let letter = matches!(name, "Omega" | "mu" | "micro" | "textmu" | "upmu");
-        return if letter { Kind::Name(sign.to_string()) } else { Kind::Word(sign.to_string()) };
+        return if letter { TokenKind::Name(sign.to_string()) } else { TokenKind::Word(sign.to_string()) };
     }
-    if let Some(function) = Function::named(name) {
-        return Kind::Function(function);
+    if let Some(function) = MathFunction::from_name(name) {
+        return TokenKind::Function(function);
     }
-    Kind::Operator(match name {
+    TokenKind::Operator(match name {
         "times" => '×',
         "cdot" | "cdotp" | "bullet" | "ast" => '·',
         "div" | "slash" => '/',
@@ -73,9 +73,9 @@ pub(crate) fn symbol(name: &str) -> Kind {
         "colon" => ':',
         "because" => '∵',
         "forall" => '∀',
-        "dots" | "ldots" | "cdots" | "vdots" | "ddots" => return Kind::Unknown("…".to_owned()),
-        "euro" | "pounds" | "textdollar" => return Kind::Word("$".to_owned()),
-        _ => return Kind::Unknown(format!("\\{name}")),
+        "dots" | "ldots" | "cdots" | "vdots" | "ddots" => return TokenKind::Unknown("…".to_owned()),
+        "euro" | "pounds" | "textdollar" => return TokenKind::Word("$".to_owned()),
+        _ => return TokenKind::Unknown(format!("\\{name}")),
     })
 }
 
@@ -83,21 +83,23 @@ pub(crate) fn symbol(name: &str) -> Kind {
 pub(crate) fn merge_letters(tokens: Vec<Token>, out: &mut Vec<Token>) {
     let mut joined = false;
     for mut next in tokens {
-        if let Kind::Scripts(base, sub, sup) = &mut next.kind
+        if let TokenKind::Scripts(base, sub, sup) = &mut next.kind
             && sub.is_empty()
         {
             let mut words = Vec::new();
             merge_letters(std::mem::take(base), &mut words);
             // The last letter of a word has the exponent.
             if joined
-                && let ([Token { kind: Kind::Word(letter), .. }], Some(Token { kind: Kind::Word(before), span, .. })) =
-                    (words.as_slice(), out.last_mut())
+                && let (
+                    [Token { kind: TokenKind::Word(letter), .. }],
+                    Some(Token { kind: TokenKind::Word(before), span, .. }),
+                ) = (words.as_slice(), out.last_mut())
                 && letter.chars().all(char::is_alphabetic)
             {
                 before.push_str(letter);
                 *span = span.join(next.span);
                 let sup = std::mem::take(sup);
-                out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), sup), next.span));
+                out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), sup), next.span));
                 joined = false;
                 continue;
             }
@@ -107,24 +109,24 @@ pub(crate) fn merge_letters(tokens: Vec<Token>, out: &mut Vec<Token>) {
             continue;
         }
         match next.kind {
-            Kind::Name(letter) if letter.chars().all(|c| c.is_alphabetic()) => {
-                if joined && let Some(Token { kind: Kind::Word(before), span, .. }) = out.last_mut() {
+            TokenKind::Name(letter) if letter.chars().all(|c| c.is_alphabetic()) => {
+                if joined && let Some(Token { kind: TokenKind::Word(before), span, .. }) = out.last_mut() {
                     before.push_str(&letter);
                     *span = span.join(next.span);
                     continue;
                 }
-                out.push(Token::new(Kind::Word(letter), next.span));
+                out.push(Token::new(TokenKind::Word(letter), next.span));
                 joined = true;
             }
-            Kind::Group(inner) => {
+            TokenKind::Group(inner) => {
                 merge_letters(inner, out);
                 joined = false;
             }
-            Kind::Fraction(a, b) => {
+            TokenKind::Fraction(a, b) => {
                 let (mut above, mut below) = (Vec::new(), Vec::new());
                 merge_letters(a, &mut above);
                 merge_letters(b, &mut below);
-                out.push(Token::new(Kind::Fraction(above, below), next.span));
+                out.push(Token::new(TokenKind::Fraction(above, below), next.span));
                 joined = false;
             }
             kind => {
@@ -136,26 +138,26 @@ pub(crate) fn merge_letters(tokens: Vec<Token>, out: &mut Vec<Token>) {
 }
 
 /// Gives a script to the last token that is no space.
-pub(crate) fn attach(out: &mut Vec<Token>, above: bool, script: Vec<Token>, span: Span) {
+pub(crate) fn attach_script(out: &mut Vec<Token>, above: bool, script: Vec<Token>, span: Span) {
     while out.last().is_some_and(Token::is_space) {
         out.pop();
     }
     let script_span = script.iter().fold(span, |sum, token| sum.join(token.span));
     let Some(last) = out.pop() else {
         let (sub, sup) = if above { (Vec::new(), script) } else { (script, Vec::new()) };
-        out.push(Token::new(Kind::Scripts(Vec::new(), sub, sup), script_span));
+        out.push(Token::new(TokenKind::Scripts(Vec::new(), sub, sup), script_span));
         return;
     };
     let whole = last.span.join(script_span);
     let kind = match last.kind {
-        Kind::Scripts(base, sub, sup) if above && sup.is_empty() => Kind::Scripts(base, sub, script),
-        Kind::Scripts(base, sub, sup) if !above && sub.is_empty() => Kind::Scripts(base, script, sup),
-        Kind::Group(inner) if above => {
-            Kind::Scripts(vec![Token::new(Kind::Group(inner), last.span)], Vec::new(), script)
+        TokenKind::Scripts(base, sub, sup) if above && sup.is_empty() => TokenKind::Scripts(base, sub, script),
+        TokenKind::Scripts(base, sub, sup) if !above && sub.is_empty() => TokenKind::Scripts(base, script, sup),
+        TokenKind::Group(inner) if above => {
+            TokenKind::Scripts(vec![Token::new(TokenKind::Group(inner), last.span)], Vec::new(), script)
         }
-        Kind::Group(inner) => Kind::Scripts(inner, script, Vec::new()),
-        kind if above => Kind::Scripts(vec![Token::new(kind, last.span)], Vec::new(), script),
-        kind => Kind::Scripts(vec![Token::new(kind, last.span)], script, Vec::new()),
+        TokenKind::Group(inner) => TokenKind::Scripts(inner, script, Vec::new()),
+        kind if above => TokenKind::Scripts(vec![Token::new(kind, last.span)], Vec::new(), script),
+        kind => TokenKind::Scripts(vec![Token::new(kind, last.span)], script, Vec::new()),
     };
     out.push(Token::new(kind, whole));
 }

@@ -1,12 +1,12 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
 use super::definitions::Macros;
-use super::dress::{self, stacked};
+use super::formatting::{self, with_over_fractions};
 use super::siunitx;
-use super::symbols::{attach, merge_letters, symbol};
-use super::words::{number, number_length, plain, whole, words};
+use super::symbols::{attach_script, merge_letters, symbol};
+use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
 use crate::effort;
-use crate::token::{ENDLESS, Function, Kind, Sign, Span, TOO_DEEP, TOO_LONG, Token, has_number, show};
+use crate::token::{ENDLESS, MathFunction, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show};
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
@@ -27,9 +27,9 @@ const SEPARATORS: [&[char]; 9] = [
 const LONGEST: usize = 20_000;
 
 /// Reads a formula.
-pub(crate) fn formula(signs: &[Sign], macros: &Macros<'_>) -> Vec<Token> {
+pub(crate) fn formula(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<Token> {
     if signs.len() > LONGEST {
-        return vec![token(Kind::Unknown(TOO_LONG.to_owned()), whole(signs))];
+        return vec![token(TokenKind::Unknown(TOO_LONG.to_owned()), span_of_chars(signs))];
     }
     let mut reader =
         Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0, outermost: None, upright: false };
@@ -38,7 +38,7 @@ pub(crate) fn formula(signs: &[Sign], macros: &Macros<'_>) -> Vec<Token> {
 
 pub(super) struct Tex<'m> {
     /// What is still to be read, the next character last.
-    pub(super) stack: Vec<Sign>,
+    pub(super) stack: Vec<SourceChar>,
     pub(super) macros: &'m Macros<'m>,
     /// How many characters macros have added.
     pub(super) expanded: usize,
@@ -48,12 +48,12 @@ pub(super) struct Tex<'m> {
     upright: bool,
 }
 
-pub(super) fn token(kind: Kind, span: Span) -> Token {
+pub(super) fn token(kind: TokenKind, span: Span) -> Token {
     Token::new(kind, span)
 }
 
 impl Tex<'_> {
-    pub(super) fn peek(&self) -> Option<Sign> {
+    pub(super) fn peek(&self) -> Option<SourceChar> {
         self.stack.last().copied()
     }
 
@@ -85,7 +85,7 @@ impl Tex<'_> {
     }
 
     /// The characters of a group, or the next character or command.
-    pub(super) fn raw_group(&mut self) -> Vec<Sign> {
+    pub(super) fn raw_group(&mut self) -> Vec<SourceChar> {
         self.skip_space();
         let Some(first) = self.stack.pop() else { return Vec::new() };
         if first.c == '\\' {
@@ -98,14 +98,14 @@ impl Tex<'_> {
         if first.c != '{' {
             return vec![first];
         }
-        self.until('{', '}')
+        self.take_until('{', '}')
     }
 
     /// The characters up to the bracket that closes one that has been taken.
-    fn until(&mut self, open: char, close: char) -> Vec<Sign> {
+    fn take_until(&mut self, open: char, close: char) -> Vec<SourceChar> {
         let (mut out, mut depth, mut braces) = (Vec::new(), 1usize, 0usize);
         while let Some(sign) = self.stack.pop() {
-            effort::count(1);
+            effort::count_steps(1);
             if sign.c == '\\' {
                 out.push(sign);
                 out.extend(self.stack.pop());
@@ -128,11 +128,11 @@ impl Tex<'_> {
         out
     }
 
-    pub(super) fn optional(&mut self) -> Option<Vec<Sign>> {
+    pub(super) fn optional(&mut self) -> Option<Vec<SourceChar>> {
         self.skip_space();
         (self.peek()?.c == '[').then(|| {
             self.stack.pop();
-            self.until('[', ']')
+            self.take_until('[', ']')
         })
     }
 
@@ -145,8 +145,8 @@ impl Tex<'_> {
             }
             // Commands without braces nest, too: \sqrt\sqrt\sqrt 2.
             Some('\\') if depth >= DEEPEST => {
-                let span = whole(&self.raw_group());
-                vec![token(Kind::Unknown(TOO_DEEP.to_owned()), span)]
+                let span = span_of_chars(&self.raw_group());
+                vec![token(TokenKind::Unknown(TOO_DEEP.to_owned()), span)]
             }
             Some('\\') => {
                 let mut out = Vec::new();
@@ -154,14 +154,14 @@ impl Tex<'_> {
                 out
             }
             Some(c) => {
-                let taken: Vec<Sign> = self.stack.pop().into_iter().collect();
-                let span = whole(&taken);
-                let Some(c) = plain(c) else { return Vec::new() };
+                let taken: Vec<SourceChar> = self.stack.pop().into_iter().collect();
+                let span = span_of_chars(&taken);
+                let Some(c) = plain_char(c) else { return Vec::new() };
                 vec![match c {
                     '0'..='9' => number(&taken),
-                    '°' | '%' => token(Kind::Word(c.to_string()), span),
-                    c if c.is_alphabetic() => token(Kind::Name(c.to_string()), span),
-                    c => token(Kind::Operator(c), span),
+                    '°' | '%' => token(TokenKind::Word(c.to_string()), span),
+                    c if c.is_alphabetic() => token(TokenKind::Name(c.to_string()), span),
+                    c => token(TokenKind::Operator(c), span),
                 }]
             }
             None => Vec::new(),
@@ -176,11 +176,11 @@ impl Tex<'_> {
         if depth > DEEPEST {
             let span = self.peek().map_or(Span::default(), |sign| sign.span);
             if ends == ['}'] {
-                self.until('{', '}');
+                self.take_until('{', '}');
             } else {
                 self.stack.clear();
             }
-            return vec![token(Kind::Unknown(TOO_DEEP.to_owned()), span)];
+            return vec![token(TokenKind::Unknown(TOO_DEEP.to_owned()), span)];
         }
         while let Some(sign) = self.peek() {
             let (c, span) = (sign.c, sign.span);
@@ -192,21 +192,21 @@ impl Tex<'_> {
                 '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
                 '~' => {
                     self.stack.pop();
-                    out.push(token(Kind::Space(2), span));
+                    out.push(token(TokenKind::Space(2), span));
                 }
                 '&' => {
                     self.stack.pop();
-                    out.push(token(Kind::Cell, span));
+                    out.push(token(TokenKind::Cell, span));
                 }
                 '{' => {
                     self.stack.pop();
                     if self.ahead(0) == Some(',') && self.ahead(1) == Some('}') {
                         self.stack.truncate(self.stack.len() - 2);
-                        out.push(token(Kind::Operator(','), span));
+                        out.push(token(TokenKind::Operator(','), span));
                         continue;
                     }
                     let inner = self.tokens(depth + 1, &['}']);
-                    out.push(token(Kind::Group(inner), span));
+                    out.push(token(TokenKind::Group(inner), span));
                 }
                 // The end of a group that is none, or a mark of a formula in text in a formula.
                 '}' | '$' => {
@@ -215,11 +215,11 @@ impl Tex<'_> {
                 '^' | '_' => {
                     self.stack.pop();
                     let script = self.argument(depth);
-                    attach(&mut out, c == '^', script, span);
+                    attach_script(&mut out, c == '^', script, span);
                 }
                 '\'' | '′' => {
                     self.stack.pop();
-                    out.push(token(Kind::Operator('′'), span));
+                    out.push(token(TokenKind::Operator('′'), span));
                 }
                 '\\' => {
                     self.command(depth, &mut out);
@@ -230,22 +230,22 @@ impl Tex<'_> {
                 _ if self.number(&mut out) => {}
                 _ => {
                     self.stack.pop();
-                    let Some(c) = plain(c) else { continue };
+                    let Some(c) = plain_char(c) else { continue };
                     out.push(match c {
-                        c if c.is_whitespace() => token(Kind::Space(0), span),
-                        '°' => token(Kind::Word("°".to_owned()), span),
-                        '*' => token(Kind::Operator('·'), span),
-                        c if c.is_alphabetic() => token(Kind::Name(c.to_string()), span),
-                        c => token(Kind::Operator(c), span),
+                        c if c.is_whitespace() => token(TokenKind::Space(0), span),
+                        '°' => token(TokenKind::Word("°".to_owned()), span),
+                        '*' => token(TokenKind::Operator('·'), span),
+                        c if c.is_alphabetic() => token(TokenKind::Name(c.to_string()), span),
+                        c => token(TokenKind::Operator(c), span),
                     });
                 }
             }
-            if out.last().is_some_and(|last| matches!(last.kind, Kind::Cell | Kind::Line)) {
-                stand(&mut out, &mut upright);
+            if out.last().is_some_and(|last| matches!(last.kind, TokenKind::Cell | TokenKind::Line)) {
+                make_upright(&mut out, &mut upright);
             }
         }
-        stand(&mut out, &mut upright);
-        stacked(out)
+        make_upright(&mut out, &mut upright);
+        with_over_fractions(out)
     }
 
     /// Takes a number with `,`, `{,}` or `\,` between its thousands.
@@ -278,7 +278,7 @@ impl Tex<'_> {
             self.stack.truncate(self.stack.len() - n);
             // Space parts thousands in texts with decimal commas, too.
             if separator.contains(&',') && separator[0] != '\\' {
-                taken.push(Sign { c: ',', span });
+                taken.push(SourceChar { c: ',', span });
             }
         }
         // A comma in braces before other than three digits is a decimal comma.
@@ -287,7 +287,7 @@ impl Tex<'_> {
         if comma && whole && digit(self.ahead(3)) {
             let span = self.peek().map_or(Span::default(), |sign| sign.span);
             self.stack.truncate(self.stack.len() - 3);
-            self.stack.push(Sign { c: '.', span });
+            self.stack.push(SourceChar { c: '.', span });
         }
         if self.ahead(0) == Some('.') && digit(self.ahead(1)) {
             taken.extend(self.stack.pop());
@@ -312,29 +312,29 @@ impl Tex<'_> {
         if let Some(used) = self.macros.get(&name) {
             if self.macros.is_endless(&name) || !self.expand(&name, used, span) {
                 self.stack.clear();
-                out.push(token(Kind::Unknown(ENDLESS.to_owned()), span));
+                out.push(token(TokenKind::Unknown(ENDLESS.to_owned()), span));
             }
             return;
         }
-        let push = |out: &mut Vec<Token>, kind: Kind| out.push(token(kind, span));
+        let push = |out: &mut Vec<Token>, kind: TokenKind| out.push(token(kind, span));
         match name.as_str() {
             "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" => {
                 let (above, below) = (self.argument(depth), self.argument(depth));
-                push(out, Kind::Fraction(above, below));
+                push(out, TokenKind::Fraction(above, below));
             }
             "sqrt" => {
                 let index = self.optional();
                 let index =
-                    index.map(|signs| self.inside(signs.into_iter().rev().collect(), depth)).unwrap_or_default();
+                    index.map(|signs| self.read_inside(signs.into_iter().rev().collect(), depth)).unwrap_or_default();
                 let of = self.argument(depth);
-                push(out, Kind::Root(of, index));
+                push(out, TokenKind::Root(of, index));
             }
             "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf"
             | "textsf" | "hbox" | "textnormal" | "mathtt" | "textup" | "mathup" | "symup" | "symrm" | "textsc"
-            | "textmd" => self.upright(&name, depth, out),
+            | "textmd" => self.read_upright(&name, depth, out),
             "underbrace" | "overbrace" | "underbracket" | "overbracket" => {
                 let inner = self.argument(depth);
-                push(out, Kind::Group(inner));
+                push(out, TokenKind::Group(inner));
                 self.skip_space();
                 // What is said at the brace.
                 if matches!(self.ahead(0), Some('_' | '^')) {
@@ -345,19 +345,19 @@ impl Tex<'_> {
             "rm" | "upshape" | "rmfamily" => self.upright = true,
             "intertext" | "shortintertext" => {
                 self.raw_group();
-                push(out, Kind::Line);
+                push(out, TokenKind::Line);
             }
             "hspace" | "hskip" | "kern" | "mspace" | "mkern" => {
                 let length = self.length();
-                push(out, Kind::Space(dress::width(&length).max(2)));
+                push(out, TokenKind::Space(formatting::space_width(&length).max(2)));
             }
-            "hfill" | "hfil" => push(out, Kind::Space(20)),
+            "hfill" | "hfil" => push(out, TokenKind::Space(20)),
             // The number of an equation.
             "eqno" | "leqno" => while self.stack.pop().is_some() {},
             "genfrac" => {
                 (0..4).for_each(|_| drop(self.raw_group()));
                 let (above, below) = (self.argument(depth), self.argument(depth));
-                push(out, Kind::Fraction(above, below));
+                push(out, TokenKind::Fraction(above, below));
             }
             "overline" | "bar" | "vec" | "dot" | "ddot" | "hat" | "tilde" | "widehat" | "overrightarrow"
             | "widetilde" | "acute" => {
@@ -369,18 +369,18 @@ impl Tex<'_> {
                     _ => "¯",
                 };
                 let base = self.argument(depth);
-                push(out, Kind::Accent(base, sign.to_owned()));
+                push(out, TokenKind::Accent(base, sign.to_owned()));
             }
             "circ" | "degree" | "degrees" | "deg" | "textdegree" | "degreeCelsius" | "celsius" | "textcelsius" => {
-                push(out, Kind::Word(if name.ends_with("elsius") { "°C" } else { "°" }.to_owned()));
+                push(out, TokenKind::Word(if name.ends_with("elsius") { "°C" } else { "°" }.to_owned()));
             }
             "ang" => {
                 let signs = self.raw_group();
                 if signs.iter().any(|sign| sign.c == ';') {
-                    push(out, Kind::Unknown("an angle with minutes".to_owned()));
+                    push(out, TokenKind::Unknown("an angle with minutes".to_owned()));
                 } else {
-                    words(&signs, out);
-                    push(out, Kind::Word("°".to_owned()));
+                    tokenise_words(&signs, out);
+                    push(out, TokenKind::Word("°".to_owned()));
                 }
             }
             // The brackets of the package physics.
@@ -388,19 +388,22 @@ impl Tex<'_> {
             "mathring" | "r" => {
                 let of = self.argument(depth);
                 match show(&of).as_str() {
-                    "A" => push(out, Kind::Word("Å".to_owned())),
-                    _ => push(out, Kind::Accent(of, "˚".to_owned())),
+                    "A" => push(out, TokenKind::Word("Å".to_owned())),
+                    _ => push(out, TokenKind::Accent(of, "˚".to_owned())),
                 }
             }
             "cancelto" => {
                 let (_to, of) = (self.argument(depth), self.argument(depth));
-                push(out, Kind::Group(of));
+                push(out, TokenKind::Group(of));
             }
             "cancel" | "bcancel" | "xcancel" => {
                 let of = self.argument(depth);
                 // What stands above or below a number that is struck out takes its place.
                 let replaced = has_number(&of) && self.peek().is_some_and(|next| "^_".contains(next.c));
-                push(out, if replaced { Kind::Unknown("a number struck out".to_owned()) } else { Kind::Group(of) });
+                push(
+                    out,
+                    if replaced { TokenKind::Unknown("a number struck out".to_owned()) } else { TokenKind::Group(of) },
+                );
             }
             "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
                 let options = self.optional().unwrap_or_default();
@@ -408,48 +411,48 @@ impl Tex<'_> {
                 if name == "unit"
                     && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || "-.$".contains(sign.c))
                 {
-                    let number = self.inside(options.into_iter().rev().collect(), depth);
-                    out.push(token(Kind::Group(number), span));
+                    let number = self.read_inside(options.into_iter().rev().collect(), depth);
+                    out.push(token(TokenKind::Group(number), span));
                 }
                 self.quantity(&name, depth, out);
             }
             "unitfrac" => {
                 let number = self.optional().unwrap_or_default();
-                let number = self.inside(number.into_iter().rev().collect(), depth);
-                push(out, Kind::Group(number));
-                push(out, Kind::Space(2));
+                let number = self.read_inside(number.into_iter().rev().collect(), depth);
+                push(out, TokenKind::Group(number));
+                push(out, TokenKind::Space(2));
                 let [above, below] = [self.argument(depth), self.argument(depth)].map(|part| {
                     let mut words = Vec::new();
                     merge_letters(part, &mut words);
                     words
                 });
-                push(out, Kind::Fraction(above, below));
+                push(out, TokenKind::Fraction(above, below));
             }
-            "quad" => push(out, Kind::Space(10)),
-            "qquad" => push(out, Kind::Space(20)),
+            "quad" => push(out, TokenKind::Space(10)),
+            "qquad" => push(out, TokenKind::Space(20)),
             "," | ";" | ":" | " " | ">" | "enspace" | "thinspace" | "\n" | "/" | "-" | "\t" => {
-                push(out, Kind::Space(2))
+                push(out, TokenKind::Space(2))
             }
             "!" => {}
-            "%" | "$" => push(out, Kind::Word(name)),
-            "{" | "}" | "|" | "#" | "_" => push(out, Kind::Operator(name.chars().next().unwrap_or('|'))),
+            "%" | "$" => push(out, TokenKind::Word(name)),
+            "{" | "}" | "|" | "#" | "_" => push(out, TokenKind::Operator(name.chars().next().unwrap_or('|'))),
             "&" => {}
-            "amp" => push(out, Kind::Cell),
+            "amp" => push(out, TokenKind::Cell),
             "\\" | "newline" | "cr" | "tabularnewline" => {
                 self.row_space();
-                push(out, Kind::Line);
+                push(out, TokenKind::Line);
             }
             "begin" | "end" => self.environment(&name, span, out),
-            "square" | "Box" if !self.ends() => push(out, Kind::Unknown("a box to fill in".to_owned())),
-            "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, Kind::Space(2)),
-            "pmod" | "bmod" => push(out, Kind::Unknown(name)),
+            "square" | "Box" if !self.ends() => push(out, TokenKind::Unknown("a box to fill in".to_owned())),
+            "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, TokenKind::Space(2)),
+            "pmod" | "bmod" => push(out, TokenKind::Unknown(name)),
             name => {
-                if let Some(dress) = dress::of(name) {
-                    self.dressed(name, dress, span, depth, out);
-                } else if let Some(sign) = dress::long(name) {
+                if let Some(command) = formatting::formatting_command(name) {
+                    self.format_argument(name, command, span, depth, out);
+                } else if let Some(sign) = formatting::long_arrow_sign(name) {
                     self.optional();
                     self.raw_group();
-                    push(out, Kind::Operator(sign));
+                    push(out, TokenKind::Operator(sign));
                 } else {
                     push(out, symbol(name));
                 }
@@ -480,33 +483,33 @@ impl Tex<'_> {
     }
 
     /// Upright text: a function, units, or words.
-    fn upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
+    fn read_upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
         let raw = self.raw_group();
         let text: String = raw.iter().map(|sign| sign.c).collect();
         // A remark in brackets stands apart.
         if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
-            out.push(token(Kind::Space(2), whole(&raw)));
+            out.push(token(TokenKind::Space(2), span_of_chars(&raw)));
         }
-        if let Some(function) = Function::named(text.trim()) {
-            out.push(token(Kind::Function(function), whole(&raw)));
+        if let Some(function) = MathFunction::from_name(text.trim()) {
+            out.push(token(TokenKind::Function(function), span_of_chars(&raw)));
             return;
         }
         if text.contains(['\\', '^', '_', '{', '$']) || (command == "mathrm" && text.contains('~')) {
             // Space for a dollar sign ends the name of a command before it.
-            let spaced = |sign: &Sign| if sign.c == '$' { Sign { c: ' ', ..*sign } } else { *sign };
-            let inner = self.inside(raw.iter().rev().map(spaced).collect(), depth);
+            let spaced = |sign: &SourceChar| if sign.c == '$' { SourceChar { c: ' ', ..*sign } } else { *sign };
+            let inner = self.read_inside(raw.iter().rev().map(spaced).collect(), depth);
             merge_letters(inner, out);
             return;
         }
-        let raw: Vec<Sign> =
-            raw.into_iter().map(|sign| if sign.c == '~' { Sign { c: ' ', ..sign } } else { sign }).collect();
-        words(&raw, out);
+        let raw: Vec<SourceChar> =
+            raw.into_iter().map(|sign| if sign.c == '~' { SourceChar { c: ' ', ..sign } } else { sign }).collect();
+        tokenise_words(&raw, out);
     }
 
     fn quantity(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
         if command.ends_with("range") || command.ends_with("list") {
             self.raw_group();
-            out.push(token(Kind::Unknown("a range".to_owned()), Span::default()));
+            out.push(token(TokenKind::Unknown("a range".to_owned()), Span::default()));
             return;
         }
         if !matches!(command, "si" | "unit") {
@@ -515,16 +518,16 @@ impl Tex<'_> {
         }
         if command != "num" {
             let raw = self.raw_group();
-            let place = whole(&raw);
-            let unit = siunitx::unit(&siunitx::named(raw, self.macros), self.macros);
-            let inner = self.inside(unit.into_iter().rev().collect(), depth);
-            out.push(token(Kind::Space(2), place));
+            let place = span_of_chars(&raw);
+            let unit = siunitx::unit(&siunitx::expand_named_units(raw, self.macros), self.macros);
+            let inner = self.read_inside(unit.into_iter().rev().collect(), depth);
+            out.push(token(TokenKind::Space(2), place));
             merge_letters(inner, out);
         }
     }
 
     /// Reads characters, the last one first, as a formula inside this one.
-    fn inside(&mut self, reversed: Vec<Sign>, depth: usize) -> Vec<Token> {
+    fn read_inside(&mut self, reversed: Vec<SourceChar>, depth: usize) -> Vec<Token> {
         let outer = std::mem::replace(&mut self.stack, reversed);
         let inner = self.tokens(depth + 1, &[]);
         self.stack = outer;
@@ -559,12 +562,12 @@ impl Tex<'_> {
             "dcases",
             "subequations",
         ];
-        out.push(token(if ROWS.contains(&base) { Kind::Line } else { Kind::Unknown(name) }, span));
+        out.push(token(if ROWS.contains(&base) { TokenKind::Line } else { TokenKind::Unknown(name) }, span));
     }
 }
 
 /// Makes words of the letters from `upright` on.
-fn stand(out: &mut Vec<Token>, upright: &mut Option<usize>) {
+fn make_upright(out: &mut Vec<Token>, upright: &mut Option<usize>) {
     if let Some(from) = upright.take() {
         let letters = out.split_off(from.min(out.len()));
         merge_letters(letters, out);

@@ -1,9 +1,9 @@
 //! Running text to tokens: numbers, words, units, and the signs between them.
 
-use crate::token::{Function, Kind, Sign, Span, Token};
+use crate::token::{MathFunction, SourceChar, Span, Token, TokenKind};
 
 /// The sign that a look-alike stands for, or none if it is to be left out.
-pub(crate) fn plain(c: char) -> Option<char> {
+pub(crate) fn plain_char(c: char) -> Option<char> {
     Some(match c {
         '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{202f}' | '\u{205f}' | '\u{3000}' => ' ',
         '\u{2061}'..='\u{2064}' | '\u{200b}'..='\u{200d}' | '\u{feff}' | '\u{ad}' => return None,
@@ -25,22 +25,22 @@ pub(crate) fn plain(c: char) -> Option<char> {
 }
 
 /// The characters with look-alikes replaced.
-pub(crate) fn plainly(signs: &[Sign]) -> Vec<Sign> {
+pub(crate) fn plain_chars(signs: &[SourceChar]) -> Vec<SourceChar> {
     let mut out = Vec::with_capacity(signs.len());
     for sign in signs {
         match sign.c {
             '℃' | '℉' => {
-                out.push(Sign { c: '°', ..*sign });
-                out.push(Sign { c: if sign.c == '℃' { 'C' } else { 'F' }, ..*sign });
+                out.push(SourceChar { c: '°', ..*sign });
+                out.push(SourceChar { c: if sign.c == '℃' { 'C' } else { 'F' }, ..*sign });
             }
-            c => out.extend(plain(c).map(|c| Sign { c, ..*sign })),
+            c => out.extend(plain_char(c).map(|c| SourceChar { c, ..*sign })),
         }
     }
     out
 }
 
 /// The length of the number at the start: digits, commas between groups of three, one point.
-pub(crate) fn number_length(signs: &[Sign]) -> usize {
+pub(crate) fn number_length(signs: &[SourceChar]) -> usize {
     let digit = |at: usize| signs.get(at).is_some_and(|sign| sign.c.is_ascii_digit());
     let is = |at: usize, c: char| signs.get(at).is_some_and(|sign| sign.c == c);
     let mut at = 0;
@@ -71,16 +71,16 @@ pub(crate) fn number_length(signs: &[Sign]) -> usize {
 }
 
 /// The token of the number that these characters are.
-pub(crate) fn number(signs: &[Sign]) -> Token {
-    Token::new(Kind::Number(signs.iter().map(|sign| sign.c).collect()), whole(signs))
+pub(crate) fn number(signs: &[SourceChar]) -> Token {
+    Token::new(TokenKind::Number(signs.iter().map(|sign| sign.c).collect()), span_of_chars(signs))
 }
 
 /// The stretch that characters cover.
-pub(crate) fn whole(signs: &[Sign]) -> Span {
+pub(crate) fn span_of_chars(signs: &[SourceChar]) -> Span {
     signs.iter().fold(Span::default(), |span, sign| span.join(sign.span))
 }
 
-fn raised(c: char) -> Option<char> {
+fn superscript_char(c: char) -> Option<char> {
     Some(match c {
         '⁰' => '0',
         '¹' => '1',
@@ -93,7 +93,7 @@ fn raised(c: char) -> Option<char> {
     })
 }
 
-fn lowered(c: char) -> Option<char> {
+fn subscript_char(c: char) -> Option<char> {
     ('₀'..='₉').contains(&c).then(|| char::from_digit(c as u32 - '₀' as u32, 10)).flatten()
 }
 
@@ -117,7 +117,7 @@ pub(crate) fn is_greek(c: char) -> bool {
 }
 
 /// The unit vector at the start, as the number of its axis, and how many characters it is.
-fn basis(signs: &[Sign]) -> Option<(u8, usize)> {
+fn basis(signs: &[SourceChar]) -> Option<(u8, usize)> {
     let hat = signs.get(1).is_some_and(|next| next.c == '\u{302}');
     Some(match (signs.first()?.c, hat) {
         ('î', _) => (1, 1),
@@ -131,7 +131,7 @@ fn basis(signs: &[Sign]) -> Option<(u8, usize)> {
 }
 
 /// The length of a number such as `0x1F` at the start.
-fn hexadecimal(signs: &[Sign]) -> Option<usize> {
+fn hexadecimal(signs: &[SourceChar]) -> Option<usize> {
     let marked = signs.first()?.c == '0' && signs.get(1)?.c == 'x' && signs.get(2)?.c.is_ascii_hexdigit();
     marked.then(|| 2 + signs[2..].iter().take_while(|sign| sign.c.is_ascii_hexdigit()).count())
 }
@@ -141,14 +141,14 @@ fn in_word(c: char) -> bool {
 }
 
 /// Reads running text. What it makes of a word is a unit or prose, never a letter of a formula, except Greek ones.
-pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
-    let signs = plainly(signs);
+pub(crate) fn tokenise_words(signs: &[SourceChar], out: &mut Vec<Token>) {
+    let signs = plain_chars(signs);
     let mut at = 0;
-    while let Some(&Sign { c, span }) = signs.get(at) {
+    while let Some(&SourceChar { c, span }) = signs.get(at) {
         let rest = &signs[at..];
         let length = number_length(rest);
         if let Some(length) = hexadecimal(rest) {
-            out.push(Token::new(Kind::Unknown("a hexadecimal number".to_owned()), whole(&rest[..length])));
+            out.push(Token::new(TokenKind::Unknown("a hexadecimal number".to_owned()), span_of_chars(&rest[..length])));
             at += length;
             continue;
         }
@@ -161,50 +161,55 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
         let mut taken = 1;
         if let Some((axis, length)) = basis(rest) {
             taken = length;
-            out.push(Token::new(Kind::Basis(axis), whole(&rest[..length])));
+            out.push(Token::new(TokenKind::Basis(axis), span_of_chars(&rest[..length])));
         } else if in_word(c) {
             let all = run(&in_word);
             taken = (1..all).find(|at| basis(&rest[*at..]).is_some()).unwrap_or(all);
-            let letter = |sign: &Sign| sign.c.is_ascii_alphabetic();
+            let letter = |sign: &SourceChar| sign.c.is_ascii_alphabetic();
             let digits = rest[taken..].iter().take_while(|sign| sign.c.is_ascii_digit()).count();
             let longer = rest[taken + digits..].iter().take_while(|sign| letter(sign)).count();
             if digits > 0 && taken > 1 && longer > 1 {
                 taken += digits + longer;
-                out.push(Token::new(Kind::Unknown("a name with digits in it".to_owned()), whole(&rest[..taken])));
+                out.push(Token::new(
+                    TokenKind::Unknown("a name with digits in it".to_owned()),
+                    span_of_chars(&rest[..taken]),
+                ));
             } else {
                 word(&rest[..taken], out);
                 taken += typed(&rest[taken..], out);
             }
         } else if c.is_whitespace() {
             taken = run(&char::is_whitespace);
-            out.push(Token::new(Kind::Space(2), whole(&rest[..taken])));
+            out.push(Token::new(TokenKind::Space(2), span_of_chars(&rest[..taken])));
         } else if c == '°' {
             let scale = rest.get(1).filter(|next| "CF".contains(next.c));
             let ends = rest.get(2).is_none_or(|after| !after.c.is_ascii_lowercase());
             match scale.filter(|_| ends) {
                 Some(next) => {
                     taken = 2;
-                    out.push(Token::new(Kind::Word(format!("°{}", next.c)), span.join(next.span)));
+                    out.push(Token::new(TokenKind::Word(format!("°{}", next.c)), span.join(next.span)));
                 }
-                None => out.push(Token::new(Kind::Word("°".to_owned()), span)),
+                None => out.push(Token::new(TokenKind::Word("°".to_owned()), span)),
             }
         } else if c == '%' || c == '$' {
-            out.push(Token::new(Kind::Word(c.to_string()), span));
-        } else if raised(c).is_some() {
-            taken = run(&|c| raised(c).is_some());
-            let signs: Vec<Sign> =
-                rest[..taken].iter().filter_map(|sign| raised(sign.c).map(|c| Sign { c, ..*sign })).collect();
+            out.push(Token::new(TokenKind::Word(c.to_string()), span));
+        } else if superscript_char(c).is_some() {
+            taken = run(&|c| superscript_char(c).is_some());
+            let signs: Vec<SourceChar> = rest[..taken]
+                .iter()
+                .filter_map(|sign| superscript_char(sign.c).map(|c| SourceChar { c, ..*sign }))
+                .collect();
             let mut exponent = Vec::new();
-            words(&signs, &mut exponent);
-            out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), whole(&signs)));
+            tokenise_words(&signs, &mut exponent);
+            out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), exponent), span_of_chars(&signs)));
         } else if let Some((above, below)) = vulgar(c) {
-            let part = |text: &str| vec![Token::new(Kind::Number(text.to_owned()), span)];
-            out.push(Token::new(Kind::Fraction(part(above), part(below)), span));
+            let part = |text: &str| vec![Token::new(TokenKind::Number(text.to_owned()), span)];
+            out.push(Token::new(TokenKind::Fraction(part(above), part(below)), span));
         } else if c == '…' || rest.iter().take(3).filter(|sign| sign.c == '.').count() == 3 {
             taken = if c == '…' { 1 } else { 3 };
-            out.push(Token::new(Kind::Unknown("…".to_owned()), whole(&rest[..taken])));
+            out.push(Token::new(TokenKind::Unknown("…".to_owned()), span_of_chars(&rest[..taken])));
         } else {
-            out.push(Token::new(Kind::Operator(c), span));
+            out.push(Token::new(TokenKind::Operator(c), span));
         }
         at += taken;
     }
@@ -212,8 +217,8 @@ pub(crate) fn words(signs: &[Sign], out: &mut Vec<Token>) {
 
 /// What is typed behind the name of a function: the base in `log2(8)`, or the exponent in `cos2(60)` and `sin-1(0.5)`. How many characters
 /// it is.
-fn typed(rest: &[Sign], out: &mut Vec<Token>) -> usize {
-    let Some(Token { kind: Kind::Function(function), .. }) = out.last_mut() else { return 0 };
+fn typed(rest: &[SourceChar], out: &mut Vec<Token>) -> usize {
+    let Some(Token { kind: TokenKind::Function(function), .. }) = out.last_mut() else { return 0 };
     let minus = usize::from(rest.first().is_some_and(|sign| sign.c == '-'));
     let digits: String = rest[minus..].iter().map(|sign| sign.c).take_while(char::is_ascii_digit).collect();
     let taken = minus + digits.len();
@@ -221,32 +226,33 @@ fn typed(rest: &[Sign], out: &mut Vec<Token>) -> usize {
         return 0;
     }
     match (*function, minus, digits.as_str()) {
-        (Function::Log, 0, "2") => *function = Function::LogTo(2),
-        (Function::Log, 0, "10") => *function = Function::Lg,
+        (MathFunction::Log, 0, "2") => *function = MathFunction::LogTo(2),
+        (MathFunction::Log, 0, "10") => *function = MathFunction::Lg,
         (_, 0, "2") | (_, 1, "1") => {
-            let exponent = if minus == 1 { vec![Token::new(Kind::Operator('-'), rest[0].span)] } else { Vec::new() };
+            let exponent =
+                if minus == 1 { vec![Token::new(TokenKind::Operator('-'), rest[0].span)] } else { Vec::new() };
             let exponent = exponent.into_iter().chain([number(&rest[minus..taken])]).collect();
-            out.push(Token::new(Kind::Scripts(Vec::new(), Vec::new(), exponent), whole(&rest[..taken])));
+            out.push(Token::new(TokenKind::Scripts(Vec::new(), Vec::new(), exponent), span_of_chars(&rest[..taken])));
         }
         _ => return 0,
     }
     taken
 }
 
-fn word(signs: &[Sign], out: &mut Vec<Token>) {
+fn word(signs: &[SourceChar], out: &mut Vec<Token>) {
     let text: String = signs.iter().map(|sign| sign.c).collect();
-    let span = whole(signs);
-    let subscript: String = signs.iter().filter_map(|sign| lowered(sign.c)).collect();
+    let span = span_of_chars(signs);
+    let subscript: String = signs.iter().filter_map(|sign| subscript_char(sign.c)).collect();
     let kind = if !subscript.is_empty() {
-        let base: String = signs.iter().map(|sign| sign.c).filter(|c| lowered(*c).is_none()).collect();
-        Kind::Name(format!("{base}_{subscript}"))
-    } else if let Some(function) = Function::named(&text).filter(|function| *function != Function::Sec) {
-        Kind::Function(function)
+        let base: String = signs.iter().map(|sign| sign.c).filter(|c| subscript_char(*c).is_none()).collect();
+        TokenKind::Name(format!("{base}_{subscript}"))
+    } else if let Some(function) = MathFunction::from_name(&text).filter(|function| *function != MathFunction::Sec) {
+        TokenKind::Function(function)
     } else {
         let mut letters = text.chars();
         match (letters.next(), letters.next()) {
-            (Some(c), None) if is_greek(c) && c != 'Ω' && c != 'μ' => Kind::Name(text),
-            _ => Kind::Word(text),
+            (Some(c), None) if is_greek(c) && c != 'Ω' && c != 'μ' => TokenKind::Name(text),
+            _ => TokenKind::Word(text),
         }
     };
     out.push(Token::new(kind, span));
@@ -259,7 +265,7 @@ mod tests {
 
     fn read(text: &str) -> Vec<Token> {
         let mut out = Vec::new();
-        words(&signs(text, 0), &mut out);
+        tokenise_words(&signs(text, 0), &mut out);
         out
     }
 

@@ -1,12 +1,12 @@
 //! Every unit against a second table, typed from other places: factors from appendix B of NIST Special Publication 811 (2008) and
 //! definitions from its tables 1 to 3. What that guide does not list has its definition beside it.
 
-use super::{PAIRS, PREFIXED, PREFIXES, Unit, WHOLE, unit};
+use super::{MeasurementUnit, PAIRS, PREFIXED, PREFIXES, WHOLE, unit};
 
 /// Names, the factor as the guide prints it (without spaces), and the definition in base units of the SI.
-type Entry = (&'static str, &'static str, &'static str);
+type SecondUnit = (&'static str, &'static str, &'static str);
 
-const ENTRIES: &[Entry] = &[
+const ENTRIES: &[SecondUnit] = &[
     ("m meter meters metre metres", "1", "m"),
     ("g gram grams", "1e-3", "kg"),
     ("kilogram kilograms", "1", "kg"),
@@ -169,7 +169,7 @@ fn digits_and_place(number: &str) -> (usize, f64) {
 }
 
 /// What is wrong with a unit for which the guide has this factor and definition.
-fn fault(name: &str, factor: &str, definition: &str, found: Option<Unit>) -> Option<String> {
+fn fault(name: &str, factor: &str, definition: &str, found: Option<MeasurementUnit>) -> Option<String> {
     let Some(found) = found else { return Some(format!("{name} is no unit")) };
     let own = format!("{:e}", found.factor);
     let (expected, [guide, ours]) = (factor.parse::<f64>().expect("a number"), [factor, &own].map(digits_and_place));
@@ -231,7 +231,7 @@ fn every_prefix_is_its_power_of_ten() {
 #[test]
 fn another_digit_or_another_dimension_is_noticed() {
     let changed = |name: &str, factor: f64| {
-        let found = unit(name).map(|of| Unit { factor: of.factor * factor, ..of });
+        let found = unit(name).map(|of| MeasurementUnit { factor: of.factor * factor, ..of });
         let (_, factor, definition) =
             ENTRIES.iter().find(|(names, ..)| names.split(' ').any(|of| of == name)).expect("listed");
         fault(name, factor, definition, found)

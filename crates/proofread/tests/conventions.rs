@@ -1,28 +1,28 @@
-//! What books write that is not a false number: customs of notation, each in a chain of ours that must not be listed as wrong,
+//! What books write that is not a false number: conventions of notation, each in a chain of ours that must not be listed as wrong,
 //! beside one that must.
 
 use crate::report;
-use proofread::{Format, List};
+use proofread::{ReportSection, TextFormat};
 
 /// What is listed on the number in a text, or set aside as a doubt.
-fn numbers(text: &str, format: Format) -> Vec<String> {
+fn numbers(text: &str, format: TextFormat) -> Vec<String> {
     let findings = report(text, format).findings;
     findings
         .iter()
-        .filter(|of| matches!(of.list, List::Numbers | List::Doubts))
+        .filter(|of| matches!(of.section, ReportSection::Numbers | ReportSection::Doubts))
         .map(|of| format!("{} | {}", of.left, of.right))
         .collect()
 }
 
 #[track_caller]
-fn quiet(format: Format, texts: &[&str]) {
+fn quiet(format: TextFormat, texts: &[&str]) {
     for text in texts {
         assert_eq!(numbers(text, format), [""; 0], "{text}");
     }
 }
 
 #[track_caller]
-fn loud(format: Format, texts: &[&str]) {
+fn loud(format: TextFormat, texts: &[&str]) {
     for text in texts {
         assert!(!numbers(text, format).is_empty(), "{text}");
     }
@@ -31,7 +31,7 @@ fn loud(format: Format, texts: &[&str]) {
 #[test]
 fn an_equals_sign_may_mean_corresponds_to() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"Scale: $1\,\text{cm} = 10\,\text{N}$",
             r"On the map, $1\,\text{cm} = 50\,\text{m}$.",
@@ -50,7 +50,7 @@ fn an_equals_sign_may_mean_corresponds_to() {
         ],
     );
     loud(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$1.09\,\text{m}^3 = 1.98\times10^8\,\text{N/m}^2$",
             r"$1.0\,\text{km} = 100\,\text{m}$ of road",
@@ -63,7 +63,7 @@ fn an_equals_sign_may_mean_corresponds_to() {
 #[test]
 fn factors_of_conversion_are_rounded() {
     quiet(
-        Format::Plain,
+        TextFormat::Plain,
         &[
             "1 in = 2.5 cm",
             "100 miles = 160 km",
@@ -78,13 +78,13 @@ fn factors_of_conversion_are_rounded() {
             "1 kg = 2.2 lb",
         ],
     );
-    loud(Format::Plain, &["1 hp = 764 W", "1 yr = 3.51e7 s", "5.00 miles = 9.00 km", "2.00 in = 5.80 cm"]);
+    loud(TextFormat::Plain, &["1 hp = 764 W", "1 yr = 3.51e7 s", "5.00 miles = 9.00 km", "2.00 in = 5.80 cm"]);
 }
 
 #[test]
 fn equations_of_chemistry_are_no_sums() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$\text{2H}_2 + \text{O}_2 = 2\text{H}_2\text{O}$",
             r"$\mathrm{2C + O_2 = 2CO}$",
@@ -92,13 +92,13 @@ fn equations_of_chemistry_are_no_sums() {
             r"$\ce{2H2 + O2 = 2H2O}$",
         ],
     );
-    quiet(Format::Plain, &["N2 + 3H2 = 2NH3", "2 C + O2 = 2 CO", "C + 2 S = CS2"]);
+    quiet(TextFormat::Plain, &["N2 + 3H2 = 2NH3", "2 C + O2 = 2 CO", "C + 2 S = CS2"]);
 }
 
 #[test]
 fn lists_steps_times_and_places_are_no_chains() {
     quiet(
-        Format::Plain,
+        TextFormat::Plain,
         &[
             "1. 2 + 3 = 5",
             "2) 4 + 4 = 8",
@@ -113,30 +113,30 @@ fn lists_steps_times_and_places_are_no_chains() {
             "$5 + $6 = $11",
         ],
     );
-    quiet(Format::Markdown, &["$x = 3, y = 4$", "$a = 2$, $b = 3$", r"\$5 + \$6 = \$11"]);
-    loud(Format::Plain, &["Step 3: 12 / 4 = 5", "2) 4 + 4 = 9"]);
+    quiet(TextFormat::Markdown, &["$x = 3, y = 4$", "$a = 2$, $b = 3$", r"\$5 + \$6 = \$11"]);
+    loud(TextFormat::Plain, &["Step 3: 12 / 4 = 5", "2) 4 + 4 = 9"]);
 }
 
 #[test]
 fn percentages_may_be_of_what_stands_before() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[r"$200 + 10\% = 220$", r"$80 - 25\% = 60$", r"$\frac{120 - 100}{100} = 20\%$", r"$\frac16 = 0.167 = 16.7\%$"],
     );
-    quiet(Format::Plain, &["200 + 19 % = 238", "7 % 2 = 1"]);
-    loud(Format::Markdown, &[r"$200 + 10\% = 240$", r"$\frac16 = 17.6\%$"]);
+    quiet(TextFormat::Plain, &["200 + 19 % = 238", "7 % 2 = 1"]);
+    loud(TextFormat::Markdown, &[r"$200 + 10\% = 240$", r"$\frac16 = 17.6\%$"]);
 }
 
 #[test]
 fn a_logarithm_without_a_base_has_two() {
-    quiet(Format::Markdown, &[r"$\log 5.00 = 1.61$", r"$\log 5.00 = 0.699$", r"$\log_2 8 = 3$"]);
-    loud(Format::Markdown, &[r"$\log 5.00 = 1.81$", r"$\log_{10} 5.00 = 1.61$", r"$\lg 5.00 = 1.61$"]);
+    quiet(TextFormat::Markdown, &[r"$\log 5.00 = 1.61$", r"$\log 5.00 = 0.699$", r"$\log_2 8 = 3$"]);
+    loud(TextFormat::Markdown, &[r"$\log 5.00 = 1.81$", r"$\log_{10} 5.00 = 1.61$", r"$\lg 5.00 = 1.61$"]);
 }
 
 #[test]
 fn vectors_sets_intervals_and_matrices_are_no_numbers() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$(2, 3) + (1, 1) = (3, 4)$",
             r"$(1, 2)\cdot(3, 4) = 11$",
@@ -152,7 +152,7 @@ fn vectors_sets_intervals_and_matrices_are_no_numbers() {
 #[test]
 fn remainders_and_other_bases_are_not_computed() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$17 = 2 \pmod 5$",
             r"$17 \bmod 5 = 2$",
@@ -161,15 +161,15 @@ fn remainders_and_other_bases_are_not_computed() {
             r"$(1010)_2 = 10$",
         ],
     );
-    quiet(Format::Plain, &["17 = 2 mod 5", "7 mod 2 = 1", "17 = 2 (mod 5)", "x = 0x1F = 31", "1010₂ = 10₁₀"]);
+    quiet(TextFormat::Plain, &["17 = 2 mod 5", "7 mod 2 = 1", "17 = 2 (mod 5)", "x = 0x1F = 31", "1010₂ = 10₁₀"]);
 }
 
 #[test]
 fn minutes_seconds_and_degrees_are_told_apart() {
-    quiet(Format::Markdown, &[r"$12^\circ 30' = 12.5^\circ$", r"$1^\circ = 60'$", r"$1' = 60''$"]);
-    quiet(Format::Plain, &["12° 30′ = 12.5°", "12°30'36\" = 12.51°"]);
+    quiet(TextFormat::Markdown, &[r"$12^\circ 30' = 12.5^\circ$", r"$1^\circ = 60'$", r"$1' = 60''$"]);
+    quiet(TextFormat::Plain, &["12° 30′ = 12.5°", "12°30'36\" = 12.51°"]);
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$25\,^\circ\text{C} = 298\,\text{K}$",
             r"$25 + 273 = 298\,\text{K}$",
@@ -179,7 +179,7 @@ fn minutes_seconds_and_degrees_are_told_apart() {
         ],
     );
     loud(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[r"$25\,^\circ\text{C} = 308\,\text{K}$", r"$80\,^\circ\text{C} - 20\,^\circ\text{C} = 70\,\text{K}$"],
     );
 }
@@ -187,7 +187,7 @@ fn minutes_seconds_and_degrees_are_told_apart() {
 #[test]
 fn angles_have_another_with_the_same_sine() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$\sin^{-1}(0.500) = 150^\circ$",
             r"$\cos^{-1}(0.500) = 300^\circ$",
@@ -197,16 +197,16 @@ fn angles_have_another_with_the_same_sine() {
         ],
     );
     loud(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[r"$\sin^{-1}(0.500) = 140^\circ$", r"$180 - 60 = 130^\circ$", r"$60.0\,\text{Hz} = 387\,\text{rad/s}$"],
     );
 }
 
 #[test]
 fn prices_shares_and_lost_exponents_are_told_apart() {
-    quiet(Format::Markdown, &[r"$1\,\text{kWh} = \$0.12$"]);
+    quiet(TextFormat::Markdown, &[r"$1\,\text{kWh} = \$0.12$"]);
     quiet(
-        Format::Plain,
+        TextFormat::Plain,
         &[
             "n = 15 (50%) = 15",
             "1.5 × 10−7 m = 150 nm",
@@ -215,13 +215,13 @@ fn prices_shares_and_lost_exponents_are_told_apart() {
             "v = 5 m s-1 = 18 km h-1",
         ],
     );
-    loud(Format::Plain, &["10 - 3 = 8", "5.0 m - 3.0 m = 3.0 m"]);
+    loud(TextFormat::Plain, &["10 - 3 = 8", "5.0 m - 3.0 m = 3.0 m"]);
 }
 
 #[test]
 fn digits_say_no_more_than_they_do() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$\sqrt{2} \approx 1$",
             r"$\pi^2 \approx 10$",
@@ -232,13 +232,13 @@ fn digits_say_no_more_than_they_do() {
             r"$5 = 5.00$",
         ],
     );
-    loud(Format::Markdown, &[r"$\sqrt{2} \approx 3$", r"$100/3 = 34.0$", r"$1000/7 = 150$"]);
+    loud(TextFormat::Markdown, &[r"$\sqrt{2} \approx 3$", r"$100/3 = 34.0$", r"$1000/7 = 150$"]);
 }
 
 #[test]
 fn programs_are_no_formulas() {
     quiet(
-        Format::Plain,
+        TextFormat::Plain,
         &[
             "i = i + 1",
             "a = 5; b = 7",
@@ -249,13 +249,13 @@ fn programs_are_no_formulas() {
             "x == 2 + 2 = 5",
         ],
     );
-    quiet(Format::Markdown, &["`x = 2*3 = 7`", "```\nx = 2*3 = 7\n```"]);
+    quiet(TextFormat::Markdown, &["`x = 2*3 = 7`", "```\nx = 2*3 = 7\n```"]);
 }
 
 #[test]
 fn degrees_and_directions_may_come_with_the_result_only() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$\arctan\left(\frac{3.0}{4.0}\right) \times \frac{180}{\pi} = 36.9^\circ$",
             r"$\arctan(-2.0/-3.0) \times 180/\pi \approx 33.7^\circ + 180^\circ \approx 214^\circ$",
@@ -263,7 +263,7 @@ fn degrees_and_directions_may_come_with_the_result_only() {
         ],
     );
     loud(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$\arctan\left(\frac{3.0}{4.0}\right) \times \frac{180}{\pi} = 38.9^\circ$",
             r"$(4.0\,\text{m})(3.0\,\text{m}) = (-12\,\text{m}^2)\hat{k}$",
@@ -275,14 +275,14 @@ fn degrees_and_directions_may_come_with_the_result_only() {
 #[test]
 fn constants_of_nature_may_be_rounded_or_understood() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$7.88\times10^{-26}\,\text{J} = 4.93\times10^{-7}\,\text{eV}$",
             r"$1000.0\,\text{cm}^{-1} = 11.96\,\text{kJ/mol}$",
         ],
     );
     loud(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"$7.88\times10^{-26}\,\text{J} = 4.95\times10^{-7}\,\text{eV}$",
             r"$7.88\times10^{-26}\,\text{J} = 4.90\times10^{-7}\,\text{eV}$",
@@ -293,7 +293,7 @@ fn constants_of_nature_may_be_rounded_or_understood() {
 #[test]
 fn a_wrong_conversion_is_no_correspondence() {
     quiet(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"On the map, $1\,\text{cm} = 50\,\text{m}$.",
             r"$60\,\text{dB} + 60\,\text{dB} = 63\,\text{dB}$",
@@ -301,7 +301,7 @@ fn a_wrong_conversion_is_no_correspondence() {
         ],
     );
     loud(
-        Format::Markdown,
+        TextFormat::Markdown,
         &[
             r"On that scale, $1.000\,\text{kcal} = 4106\,\text{J}$.",
             r"$73\,\text{dB} - 70\,\text{dB} = 5\,\text{dB}$",

@@ -1,10 +1,10 @@
 //! What an equals sign between two quantities may mean besides that they are equal: one stands for the other, or the factor
 //! between their units is rounded.
 
-use crate::printed::{Mode, Printed};
-use crate::token::{Kind, Token, any, trimmed};
-use crate::unit::{Dimension, is_percent, unit, without_prefix};
-use crate::value::{Angle, Value};
+use crate::printed::{Mode, PrintedNumber};
+use crate::token::{Token, TokenKind, any, trim_space};
+use crate::unit::{UnitDimension, is_percent, unit, without_prefix};
+use crate::value::{AngleUnit, SideValue};
 use std::f64::consts::PI;
 
 /// Units whose size in others texts round or define differently, and by how much relative to it.
@@ -23,39 +23,36 @@ const LOOSE: [(&[&str], f64); 9] = [
 /// Units of a logarithm, which are neither added nor converted as others are.
 const DECIBELS: [&str; 3] = ["dB", "dBm", "dBA"];
 
-fn has(tokens: &[Token], words: &[&str]) -> bool {
-    any(tokens, &|kind| matches!(kind, Kind::Word(word) if words.contains(&word.as_str())))
+fn has_word(tokens: &[Token], words: &[&str]) -> bool {
+    any(tokens, &|kind| matches!(kind, TokenKind::Word(word) if words.contains(&word.as_str())))
 }
 
 /// How far two sides may be apart, relative to their size, since the size of a unit of only one of them is rounded.
-pub(crate) fn looseness(left: &[Token], right: &[Token]) -> f64 {
-    LOOSE.iter().filter(|(words, _)| has(left, words) != has(right, words)).map(|(_, by)| by).sum()
+pub(crate) fn unit_looseness(left: &[Token], right: &[Token]) -> f64 {
+    LOOSE.iter().filter(|(words, _)| has_word(left, words) != has_word(right, words)).map(|(_, by)| by).sum()
 }
 
 /// Whether one side counts electrons and the other one is their charge, whose sign the count leaves out.
-pub(crate) fn counts_electrons(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
-    let [of_left, of_right] = sides.map(|side| has(side, &["e"]));
-    of_left != of_right
-        && left.has_unit
-        && left.dimension == right.dimension
-        && left.clone().negated().meets(right, 0.0)
+pub(crate) fn counts_electrons(sides: [&[Token]; 2], left: &SideValue, right: &SideValue) -> bool {
+    let [of_left, of_right] = sides.map(|side| has_word(side, &["e"]));
+    of_left != of_right && left.has_unit && left.dimension == right.dimension && left.clone().negate().meets(right, 0.0)
 }
 
 /// Whether two sides agree if the bare numbers of one of them are degrees, too.
-pub(crate) fn lacks_degrees(left: &Value, right: &Value) -> bool {
-    let bare = |of: &Value| of.angle.is_none() && !of.has_unit;
-    let in_degrees = |of: &Value| of.angle == Some(Angle::Degrees) && of.dimension.is_none();
-    let scaled = |of: &Value| of.scaled(180.0 / PI);
+pub(crate) fn lacks_degrees(left: &SideValue, right: &SideValue) -> bool {
+    let bare = |of: &SideValue| of.angle.is_none() && !of.has_unit;
+    let in_degrees = |of: &SideValue| of.angle == Some(AngleUnit::Degrees) && of.dimension.is_none();
+    let scaled = |of: &SideValue| of.scaled(180.0 / PI);
     (bare(left) && in_degrees(right) && left.meets(&scaled(right), 0.0))
         || (bare(right) && in_degrees(left) && right.meets(&scaled(left), 0.0))
 }
 
 /// Whether two sides, of which only one is in electronvolts, agree with the charge of an electron rounded to three digits.
-pub(crate) fn rounded_charge(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
+pub(crate) fn agree_with_rounded_charge(sides: [&[Token]; 2], left: &SideValue, right: &SideValue) -> bool {
     const VOLTS: [&str; 5] = ["eV", "meV", "keV", "MeV", "GeV"];
     let Some(volt) = unit("eV").filter(|volt| volt.dimension == left.dimension) else { return false };
     let rounded = 1.60e-19 / volt.factor;
-    match sides.map(|side| has(side, &VOLTS)) {
+    match sides.map(|side| has_word(side, &VOLTS)) {
         [true, false] => left.scaled(rounded).meets(right, 0.0),
         [false, true] => left.meets(&right.scaled(rounded), 0.0),
         _ => false,
@@ -65,18 +62,19 @@ pub(crate) fn rounded_charge(sides: [&[Token]; 2], left: &Value, right: &Value) 
 /// Whether a side turns an angle into degrees by a factor 180/π that lacks its degree sign.
 pub(crate) fn turns_into_degrees(side: &[Token]) -> bool {
     let is_straight = |of: &[Token]| matches!(of, [one] if one.number() == Some("180"));
-    let is_pi = |of: &[Token]| matches!(of, [one] if one.kind == Kind::Name("π".to_owned()));
-    let stacked = any(side, &|kind| matches!(kind, Kind::Fraction(above, below) if is_straight(above) && is_pi(below)));
-    stacked || side.windows(3).any(|of| is_straight(&of[..1]) && of[1].is('/') && is_pi(&of[2..]))
+    let is_pi = |of: &[Token]| matches!(of, [one] if one.kind == TokenKind::Name("π".to_owned()));
+    let stacked =
+        any(side, &|kind| matches!(kind, TokenKind::Fraction(above, below) if is_straight(above) && is_pi(below)));
+    stacked || side.windows(3).any(|of| is_straight(&of[..1]) && of[1].is_sign('/') && is_pi(&of[2..]))
 }
 
 /// Whether one side is a vector along an axis, and the other one its component without the direction.
-pub(crate) fn lacks_direction(left: &Value, right: &Value) -> bool {
-    let along = |of: &Value| match of.parts.0 {
+pub(crate) fn lacks_direction(left: &SideValue, right: &SideValue) -> bool {
+    let along = |of: &SideValue| match of.parts.0 {
         [None, Some(x), None, None] | [None, None, Some(x), None] | [None, None, None, Some(x)] => Some(x),
         _ => None,
     };
-    let of = |vector: &Value, scalar: &Value| match (along(vector), scalar.parts.0) {
+    let of = |vector: &SideValue, scalar: &SideValue| match (along(vector), scalar.parts.0) {
         (Some(x), [Some(y), None, None, None]) => x.meets(y, 0.0),
         _ => false,
     };
@@ -85,25 +83,26 @@ pub(crate) fn lacks_direction(left: &Value, right: &Value) -> bool {
 
 /// Whether two sides agree once the unit that one of them leaves to be understood is put in: the electronvolt beside meV, the
 /// centimetre beside μm, kilohms under volts beside μA, the revolution beside a division by 2π, the atomic mass unit.
-pub(crate) fn understood(sides: [&[Token]; 2], left: &Value, right: &Value) -> bool {
+pub(crate) fn agree_with_omitted_unit(sides: [&[Token]; 2], left: &SideValue, right: &SideValue) -> bool {
     let [of_left, of_right] = sides;
     leaves_unit_out(of_left, left, of_right, right) || leaves_unit_out(of_right, right, of_left, left)
 }
 
 /// Whether two sides agree once a mass on one of them counts as its weight, as in a pressure of kilograms per square centimetre.
-pub(crate) fn weighs(left: &Value, right: &Value) -> bool {
+pub(crate) fn agree_as_weight(left: &SideValue, right: &SideValue) -> bool {
     const STANDARD: [f64; 3] = [9.806_65, 9.81, 9.8];
     let Some((newton, kilogram)) = unit("N").zip(unit("kg")) else { return false };
-    let weighs = |mass: &Value, force: &Value| {
+    let weighs = |mass: &SideValue, force: &SideValue| {
         mass.has_unit
             && force.has_unit
-            && mass.dimension.times(newton.dimension, 1.0).times(kilogram.dimension, -1.0) == force.dimension
+            && mass.dimension.with_factor(newton.dimension, 1.0).with_factor(kilogram.dimension, -1.0)
+                == force.dimension
             && STANDARD.iter().any(|g| mass.scaled(*g).meets(force, 0.0))
     };
     weighs(left, right) || weighs(right, left)
 }
 
-fn leaves_unit_out(bare_side: &[Token], bare: &Value, side: &[Token], other: &Value) -> bool {
+fn leaves_unit_out(bare_side: &[Token], bare: &SideValue, side: &[Token], other: &SideValue) -> bool {
     if bare.has_unit || bare.angle.is_some() || !bare.dimension.is_none() {
         return false;
     }
@@ -118,7 +117,7 @@ fn leaves_unit_out(bare_side: &[Token], bare: &Value, side: &[Token], other: &Va
         let base = without_prefix(word).and_then(unit);
         if side.iter().filter(|token| is_unit(token)).count() > 1 {
             // A kilowatt-hour beside a product of watts and hours.
-            let raised = side.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
+            let raised = side.get(at + 1).is_some_and(|next| matches!(next.kind, TokenKind::Power(_)));
             let ratio = base.zip(unit(word)).map(|(base, whole)| base.factor / whole.factor);
             return !raised && ratio.is_some_and(|ratio| with(other.factor * ratio));
         }
@@ -131,33 +130,37 @@ fn leaves_unit_out(bare_side: &[Token], bare: &Value, side: &[Token], other: &Va
             with(base.factor) || length.is_some_and(|cm| with(cm.factor)) || by_prefixes(base.factor)
         });
     }
-    if other.angle == Some(Angle::Radians) {
-        let divides = any(bare_side, &|kind| *kind == Kind::Name("π".to_owned()));
+    if other.angle == Some(AngleUnit::Radians) {
+        let divides = any(bare_side, &|kind| *kind == TokenKind::Name("π".to_owned()));
         return divides && !bare.is_literal() && with(2.0 * PI);
     }
     // A mass in kilograms over one in atomic mass units.
-    let is_quotient = any(bare_side, &|kind| matches!(kind, Kind::Fraction(..) | Kind::Operator('/')));
+    let is_quotient = any(bare_side, &|kind| matches!(kind, TokenKind::Fraction(..) | TokenKind::Operator('/')));
     other.angle.is_none() && is_quotient && unit("u").is_some_and(|dalton| with(1.0 / dalton.factor))
 }
 
 /// Whether one side is said to stand for the other, as on a scale drawing, of a mole or by a law of physics.
-pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Value)) -> bool {
+pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: &(SideValue, SideValue)) -> bool {
     let (one, other) = values;
     let both_printed = one.is_literal() && other.is_literal();
-    let decibels = [has(left, &DECIBELS), has(right, &DECIBELS)];
-    let are_added = |tokens: &[Token]| has(tokens, &DECIBELS) && any(tokens, &|kind| *kind == Kind::Operator('+'));
+    let decibels = [has_word(left, &DECIBELS), has_word(right, &DECIBELS)];
+    let are_added =
+        |tokens: &[Token]| has_word(tokens, &DECIBELS) && any(tokens, &|kind| *kind == TokenKind::Operator('+'));
     if decibels == [true, true] && (are_added(left) || are_added(right)) {
         return true;
     }
-    if has(left, &["Np"]) != has(right, &["Np"]) && (decibels[0] || decibels[1]) {
+    if has_word(left, &["Np"]) != has_word(right, &["Np"]) && (decibels[0] || decibels[1]) {
         return true;
     }
     // A ratio and its size in decibels.
-    let in_decibels = |ratio: &Value, level: &Value, side: &[Token]| match (ratio.number(), level.number()) {
+    let in_decibels = |ratio: &SideValue, level: &SideValue, side: &[Token]| match (ratio.number(), level.number()) {
         (Ok(of), Ok(level)) if of.point > 0.0 && !ratio.has_unit => {
             let log = libm::log10(of.point);
-            let half =
-                side.iter().find_map(Token::number).and_then(Printed::read).map(|of| of.open(Mode::Result, false).0);
+            let half = side
+                .iter()
+                .find_map(Token::number)
+                .and_then(PrintedNumber::read)
+                .map(|of| of.open(Mode::Result, false).0);
             let near = half.unwrap_or_default().max(0.02 * level.point.abs());
             [10.0, 20.0].iter().any(|factor| (factor * log - level.point).abs() <= near)
         }
@@ -169,8 +172,8 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
         return true;
     }
     // Temperatures without their degree sign.
-    let scales = |tokens: &[Token]| has(tokens, &["C", "F"]);
-    let kelvins = |tokens: &[Token]| has(tokens, &["C", "F", "K", "°C", "°F"]);
+    let scales = |tokens: &[Token]| has_word(tokens, &["C", "F"]);
+    let kelvins = |tokens: &[Token]| has_word(tokens, &["C", "F", "K", "°C", "°F"]);
     if both_printed && ((scales(left) && kelvins(right)) || (scales(right) && kelvins(left))) && left != right {
         return true;
     }
@@ -180,15 +183,15 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
         return true;
     }
     // A price.
-    let money = |tokens: &[Token]| has(tokens, &["$", "cents"]);
+    let money = |tokens: &[Token]| has_word(tokens, &["$", "cents"]);
     if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
         return true;
     }
     if !both_printed || one.parts.is_vector() || other.parts.is_vector() {
         return false;
     }
-    let counted = |tokens: &[Token]| has(tokens, &["mol", "mole", "moles"]);
-    let is_one = |value: &Value| !value.has_unit && value.number().is_ok_and(|of| of.point == 1.0);
+    let counted = |tokens: &[Token]| has_word(tokens, &["mol", "mole", "moles"]);
+    let is_one = |value: &SideValue| !value.has_unit && value.number().is_ok_and(|of| of.point == 1.0);
     if one.has_unit && other.has_unit {
         let is_unity = |tokens: &[Token]| tokens.iter().find_map(Token::number) == Some("1");
         let unity = is_unity(left) || is_unity(right);
@@ -200,9 +203,9 @@ pub(crate) fn corresponds(left: &[Token], right: &[Token], values: &(Value, Valu
 }
 
 /// Whether one side is a power of ten alone, and the other one of the same order of magnitude.
-pub(crate) fn is_order_of_magnitude(sides: [&[Token]; 2], points: &[Value; 2]) -> bool {
-    let is_power = |side: &[Token]| match trimmed(side) {
-        [ten, Token { kind: Kind::Power(_), .. }] => ten.number() == Some("10"),
+pub(crate) fn is_order_of_magnitude(sides: [&[Token]; 2], points: &[SideValue; 2]) -> bool {
+    let is_power = |side: &[Token]| match trim_space(side) {
+        [ten, Token { kind: TokenKind::Power(_), .. }] => ten.number() == Some("10"),
         _ => false,
     };
     let near = match [points[0].number(), points[1].number()] {
@@ -214,18 +217,18 @@ pub(crate) fn is_order_of_magnitude(sides: [&[Token]; 2], points: &[Value; 2]) -
 
 /// Whether one quantity may stand for another one on a drawing: they are of different kinds, or of sizes that no misprint of
 /// a conversion explains.
-pub(crate) fn may_be_to_scale(left: &Value, right: &Value) -> bool {
-    let size = |of: &Value| of.number().map_or(0.0, |number| number.point.abs());
+pub(crate) fn may_be_to_scale(left: &SideValue, right: &SideValue) -> bool {
+    let size = |of: &SideValue| of.number().map_or(0.0, |number| number.point.abs());
     let (one, other) = (size(left), size(right));
     left.dimension != right.dimension || one > 10.0 * other || other > 10.0 * one
 }
 
 /// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, energy of a mole, weight,
 /// temperature, amount, number, wave number.
-fn is_convertible(dimension: Dimension) -> bool {
+fn is_convertible(dimension: UnitDimension) -> bool {
     let of = |word: &str| unit(word).map(|unit| unit.dimension);
     let known = ["kg", "J", "K", "N", "mol", "rad"].map(of);
-    let of_a_mole = of("J").zip(of("mol")).map(|(energy, amount)| energy.times(amount, -1.0));
+    let of_a_mole = of("J").zip(of("mol")).map(|(energy, amount)| energy.with_factor(amount, -1.0));
     known.contains(&Some(dimension))
         || of_a_mole == Some(dimension)
         || of("m").map(|length| length.power(-1.0)) == Some(dimension)

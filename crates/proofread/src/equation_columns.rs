@@ -1,34 +1,35 @@
 //! Aligned equations side by side that go on in the rows below: each column of equations is read down.
 
-use crate::token::{Kind, Token, any, trimmed};
+use crate::token::{Token, TokenKind, any, trim_space};
 use crate::unit::unit;
 
 /// The rows of a formula, each with its cells.
 fn cells(tokens: &[Token]) -> Vec<Vec<&[Token]>> {
-    let rows = tokens.split(|token| token.kind == Kind::Line);
-    rows.map(|row| row.split(|token| token.kind == Kind::Cell).collect()).collect()
+    let rows = tokens.split(|token| token.kind == TokenKind::Line);
+    rows.map(|row| row.split(|token| token.kind == TokenKind::Cell).collect()).collect()
 }
 
 fn begins_with_relation(cell: &[Token]) -> bool {
-    trimmed(cell).first().is_some_and(|first| first.is_one_of("=≈"))
+    trim_space(cell).first().is_some_and(|first| first.is_one_of("=≈"))
 }
 
 /// Whether a cell is a remark: words, or a number in brackets, and no equation.
 fn is_remark(cell: &[Token]) -> bool {
-    let prose = |kind: &Kind| matches!(kind, Kind::Word(word) if word.chars().count() > 1 && unit(word).is_none());
-    let bracketed = matches!(trimmed(cell), [open, .., close] if open.is('(') && close.is(')'));
-    let relation = |kind: &Kind| matches!(kind, Kind::Operator('=' | '≈'));
+    let prose =
+        |kind: &TokenKind| matches!(kind, TokenKind::Word(word) if word.chars().count() > 1 && unit(word).is_none());
+    let bracketed = matches!(trim_space(cell), [open, .., close] if open.is_sign('(') && close.is_sign(')'));
+    let relation = |kind: &TokenKind| matches!(kind, TokenKind::Operator('=' | '≈'));
     (any(cell, &prose) || bracketed) && !cell.iter().any(|token| relation(&token.kind))
 }
 
 /// The rows of aligned equations without the remarks in the cells behind them, or none if there are no such remarks.
-pub(crate) fn without_remarks(tokens: &[Token]) -> Option<Vec<Token>> {
+pub(crate) fn without_row_remarks(tokens: &[Token]) -> Option<Vec<Token>> {
     let mut rows = cells(tokens);
     let mut found = false;
     for row in &mut rows {
-        let aligned = row.len() > 2 && begins_with_relation(row[1]) && trimmed(row[1]).len() > 1;
+        let aligned = row.len() > 2 && begins_with_relation(row[1]) && trim_space(row[1]).len() > 1;
         let keep = row.iter().skip(2).position(|cell| is_remark(cell)).filter(|_| aligned);
-        if let Some(keep) = keep.filter(|keep| row[2..2 + keep].iter().all(|cell| trimmed(cell).is_empty())) {
+        if let Some(keep) = keep.filter(|keep| row[2..2 + keep].iter().all(|cell| trim_space(cell).is_empty())) {
             row.truncate(2 + keep);
             found = true;
         }
@@ -36,10 +37,10 @@ pub(crate) fn without_remarks(tokens: &[Token]) -> Option<Vec<Token>> {
     let at = tokens.first()?.span;
     let mut out = Vec::with_capacity(tokens.len());
     for row in rows.into_iter().filter(|_| found) {
-        out.push(Token::new(Kind::Line, at));
+        out.push(Token::new(TokenKind::Line, at));
         for (which, cell) in row.into_iter().enumerate() {
             if which > 0 {
-                out.push(Token::new(Kind::Cell, at));
+                out.push(Token::new(TokenKind::Cell, at));
             }
             out.extend_from_slice(cell);
         }
@@ -49,17 +50,17 @@ pub(crate) fn without_remarks(tokens: &[Token]) -> Option<Vec<Token>> {
 
 /// Whether the second equation of a row goes on from the row above: nothing stands before its equals sign.
 fn goes_on(row: &[&[Token]]) -> bool {
-    row.len() >= 4 && trimmed(row[2]).is_empty() && begins_with_relation(row[3])
+    row.len() >= 4 && trim_space(row[2]).is_empty() && begins_with_relation(row[3])
 }
 
 /// Whether a row has its relations where aligned equations have them, in every second cell.
 fn is_aligned(row: &[&[Token]]) -> bool {
-    row.iter().skip(1).step_by(2).all(|cell| trimmed(cell).is_empty() || begins_with_relation(cell))
+    row.iter().skip(1).step_by(2).all(|cell| trim_space(cell).is_empty() || begins_with_relation(cell))
 }
 
 /// The tokens with one column of equations behind the other, or none if there are no such columns.
 pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
-    if !tokens.iter().any(|token| token.kind == Kind::Cell) {
+    if !tokens.iter().any(|token| token.kind == TokenKind::Cell) {
         return None;
     }
     let rows = cells(tokens);
@@ -75,7 +76,7 @@ pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
     let mut out = Vec::with_capacity(tokens.len());
     for column in 0..columns {
         for row in &rows {
-            out.push(Token::new(Kind::Line, at));
+            out.push(Token::new(TokenKind::Line, at));
             out.extend(row.iter().skip(2 * column).take(2).flat_map(|cell| cell.iter().cloned()));
         }
     }

@@ -1,11 +1,10 @@
 //! Commands of TeX that change how their arguments look, or stand for something that is not part of the formula.
 
-use super::tex::{Tex, token};
-use crate::token::{Kind, Span, Token, span_of};
+use crate::token::{Token, TokenKind, span_of};
 
 /// What a command does with what stands behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Dress {
+pub(crate) struct FormattingCommand {
     /// Whether arguments in square brackets belong to it.
     pub optional: bool,
     /// How many arguments are not part of the formula.
@@ -14,50 +13,50 @@ pub(crate) struct Dress {
     pub kept: bool,
 }
 
-const fn dress(optional: bool, dropped: usize, kept: bool) -> Dress {
-    Dress { optional, dropped, kept }
+const fn command(optional: bool, dropped: usize, kept: bool) -> FormattingCommand {
+    FormattingCommand { optional, dropped, kept }
 }
 
-const KNOWN: [(&str, Dress); 10] = [
+const KNOWN: [(&str, FormattingCommand); 10] = [
     (
         "mathbf boldsymbol mathit mathcal bm mathbb mathscr mathfrak pmb boxed underline ensuremath fbox \
          mathnormal mathrel mathbin mathop mathord mathopen mathclose mathpunct mathinner Aboxed uline uuline dotuline dashuline \
          hl textsl emph sout tcbhighmath mathbfit symbf symbfit symit vcenter",
-        dress(false, 0, true),
+        command(false, 0, true),
     ),
-    ("framebox makebox smash bbox", dress(true, 0, true)),
-    ("textcolor mathcolor colorbox rotatebox raisebox scalebox parbox", dress(true, 1, true)),
+    ("framebox makebox smash bbox", command(true, 0, true)),
+    ("textcolor mathcolor colorbox rotatebox raisebox scalebox parbox", command(true, 1, true)),
     (
         "class cssId style href htmlClass htmlId htmlStyle htmlData foreignlanguage underset overset stackrel",
-        dress(false, 1, true),
+        command(false, 1, true),
     ),
-    ("fcolorbox resizebox", dress(true, 2, true)),
+    ("fcolorbox resizebox", command(true, 2, true)),
     (
         "tag label ref eqref vspace phantom hphantom vphantom require pageref autoref cref Cref index",
-        dress(false, 1, false),
+        command(false, 1, false),
     ),
     (
         "color cite citep citet parencite textcite footcite footnote footnotetext todo marginpar hyperref",
-        dress(true, 1, false),
+        command(true, 1, false),
     ),
-    ("rule addtolength setlength setcounter addtocounter fontsize", dress(true, 2, false)),
-    ("footnotemark", dress(true, 0, false)),
+    ("rule addtolength setlength setcounter addtocounter fontsize", command(true, 2, false)),
+    ("footnotemark", command(true, 0, false)),
     (
         "it bf big Big bigg Bigg bigl bigr Bigl Bigr biggl biggr Biggl Biggr bigm Bigm biggm Biggm displaystyle textstyle limits \
          nolimits scriptstyle scriptscriptstyle nonumber notag noindent hline par allowbreak break nobreak relax middle strut mathstrut null \
          protect centering raggedright large Large LARGE huge Huge small normalsize footnotesize scriptsize tiny bfseries \
          itshape slshape boldmath unboldmath sf tt sl em sc cal mit normalfont selectfont left right mleft mright xspace",
-        dress(false, 0, false),
+        command(false, 0, false),
     ),
 ];
 
 /// What a command does that is no part of the formula itself, if it is known.
-pub(crate) fn of(name: &str) -> Option<Dress> {
-    KNOWN.iter().find(|(names, _)| names.split_whitespace().any(|known| known == name)).map(|(_, dress)| *dress)
+pub(crate) fn formatting_command(name: &str) -> Option<FormattingCommand> {
+    KNOWN.iter().find(|(names, _)| names.split_whitespace().any(|known| known == name)).map(|(_, command)| *command)
 }
 
 /// The width of `\hspace{2cm}` in tenths of an em, as far as it matters: whether it parts what stands on its sides.
-pub(crate) fn width(length: &str) -> u8 {
+pub(crate) fn space_width(length: &str) -> u8 {
     let length = length.trim();
     let end = length.find(|c: char| c.is_ascii_alphabetic() || c == '\\').unwrap_or(length.len());
     let size: f64 = length[..end].trim().parse().unwrap_or(1.0);
@@ -77,7 +76,7 @@ pub(crate) fn width(length: &str) -> u8 {
 }
 
 /// The sign that a long arrow or equals sign stands for, whose argument is written above it.
-pub(crate) fn long(name: &str) -> Option<char> {
+pub(crate) fn long_arrow_sign(name: &str) -> Option<char> {
     Some(match name {
         "xlongequal" => '=',
         name if name.starts_with('x') && (name.ends_with("Rightarrow") || name.ends_with("Leftrightarrow")) => '⇒',
@@ -90,64 +89,13 @@ pub(crate) fn long(name: &str) -> Option<char> {
     })
 }
 
-impl Tex<'_> {
-    /// What a command dresses up.
-    pub(super) fn dressed(&mut self, name: &str, dress: Dress, span: Span, depth: usize, out: &mut Vec<Token>) {
-        let options = |reader: &mut Self| while dress.optional && reader.optional().is_some() {};
-        options(self);
-        let mut said = String::new();
-        for _ in 0..dress.dropped {
-            said.extend(self.raw_group().iter().map(|sign| sign.c));
-            options(self);
-        }
-        if dress.kept {
-            let inner = self.argument(depth);
-            // Whether both sides are equal is asked, or demanded.
-            let asked = matches!(said.trim(), "?" | "!");
-            match inner.as_slice() {
-                [Token { kind: Kind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
-                    let sign = if asked && *c == '=' { '≡' } else { *c };
-                    out.push(token(Kind::Operator(sign), span));
-                }
-                [Token { kind: Kind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
-                _ => out.push(token(Kind::Group(inner), span)),
-            }
-        } else if name.ends_with("left") || name.ends_with("right") {
-            self.skip_space();
-            if self.ahead(0) == Some('.') {
-                self.stack.pop();
-            }
-        }
-    }
-
-    /// The length behind a command for space, in braces or without.
-    pub(super) fn length(&mut self) -> String {
-        self.skip_space();
-        if self.ahead(0) == Some('{') {
-            return self.raw_group().iter().map(|sign| sign.c).collect();
-        }
-        let mut out = String::new();
-        while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit() || " .-".contains(sign.c)) {
-            out.push(sign.c);
-            self.stack.pop();
-        }
-        for _ in 0..2 {
-            if let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_lowercase()) {
-                out.push(sign.c);
-                self.stack.pop();
-            }
-        }
-        out
-    }
-}
-
 /// Fractions of what stands before and behind `\over` in a group or cell.
-pub(super) fn stacked(tokens: Vec<Token>) -> Vec<Token> {
-    let is_over = |token: &Token| matches!(&token.kind, Kind::Unknown(name) if name == "\\over");
+pub(super) fn with_over_fractions(tokens: Vec<Token>) -> Vec<Token> {
+    let is_over = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name == "\\over");
     if !tokens.iter().any(is_over) {
         return tokens;
     }
-    let ends = |token: &Token| matches!(token.kind, Kind::Cell | Kind::Line);
+    let ends = |token: &Token| matches!(token.kind, TokenKind::Cell | TokenKind::Line);
     let mut out = Vec::with_capacity(tokens.len());
     for part in tokens.split_inclusive(ends) {
         let (end, part) = match part.split_last() {
@@ -156,8 +104,8 @@ pub(super) fn stacked(tokens: Vec<Token>) -> Vec<Token> {
         };
         match part.iter().position(is_over) {
             Some(at) if !part.iter().any(|token| token.is_one_of("=≈")) && !part[at + 1..].iter().any(is_over) => {
-                let fraction = Kind::Fraction(part[..at].to_vec(), part[at + 1..].to_vec());
-                out.push(token(fraction, span_of(part)));
+                let fraction = TokenKind::Fraction(part[..at].to_vec(), part[at + 1..].to_vec());
+                out.push(Token::new(fraction, span_of(part)));
             }
             _ => out.extend(part.iter().cloned()),
         }
@@ -175,7 +123,7 @@ mod tests {
         for (length, wide) in
             [("2cm", true), ("1em", true), ("0.5mm", false), ("2pt", false), ("3mu", false), ("", true)]
         {
-            assert_eq!(width(length) >= 9, wide, "{length}");
+            assert_eq!(space_width(length) >= 9, wide, "{length}");
         }
     }
 

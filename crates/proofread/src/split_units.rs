@@ -1,10 +1,10 @@
 //! Units that are written in pieces, and powers of ten behind an `e`.
 
-use crate::token::{Kind, Span, Token};
+use crate::token::{Span, Token, TokenKind};
 use crate::unit::{pair, takes_prefix, unit};
 
 fn word(text: &str, span: Span) -> Token {
-    Token::new(Kind::Word(text.to_owned()), span)
+    Token::new(TokenKind::Word(text.to_owned()), span)
 }
 
 fn last(tokens: &[Token]) -> Option<&Token> {
@@ -19,19 +19,19 @@ fn is_unit(token: &Token) -> bool {
 pub(crate) fn takes_unit(before: &[Token]) -> bool {
     let Some(token) = last(before) else { return false };
     match token.kind {
-        Kind::Number(_) | Kind::Power(_) | Kind::Fraction(..) => true,
-        Kind::Operator(')') => true,
-        Kind::Operator('·' | '/') => {
+        TokenKind::Number(_) | TokenKind::Power(_) | TokenKind::Fraction(..) => true,
+        TokenKind::Operator(')') => true,
+        TokenKind::Operator('·' | '/') => {
             let at = before.iter().rposition(|of| std::ptr::eq(of, token)).unwrap_or(0);
-            last(&before[..at]).is_some_and(|of| is_unit(of) || matches!(of.kind, Kind::Power(_)))
+            last(&before[..at]).is_some_and(|of| is_unit(of) || matches!(of.kind, TokenKind::Power(_)))
         }
         _ => false,
     }
 }
 
 /// A unit whose name has a subscript: pounds of force or of mass, and what the sun has.
-pub(crate) fn with_subscript(base: &[Token], sub: &str) -> Option<&'static str> {
-    let [Token { kind: Kind::Word(base) | Kind::Name(base), .. }] = base else { return None };
+pub(crate) fn unit_with_subscript(base: &[Token], sub: &str) -> Option<&'static str> {
+    let [Token { kind: TokenKind::Word(base) | TokenKind::Name(base), .. }] = base else { return None };
     Some(match (base.as_str(), sub) {
         ("lb", "f") => "lbf",
         ("lb", "m") => "lbm",
@@ -61,13 +61,13 @@ fn run_together(text: &str) -> Option<Vec<&'static str>> {
 
 /// Whether it is a negative exponent.
 pub(crate) fn is_below(token: &Token) -> bool {
-    matches!(&token.kind, Kind::Power(power) if power.first().is_some_and(|first| first.is('-')))
+    matches!(&token.kind, TokenKind::Power(power) if power.first().is_some_and(|first| first.is_sign('-')))
 }
 
 /// Powers of ten in brackets behind a number, `6.7(10)⁻⁴` or `6.7(10⁻⁴)`, lose the brackets.
-pub(crate) fn scaled(tokens: Vec<Token>) -> Vec<Token> {
+pub(crate) fn unwrap_powers_of_ten(tokens: Vec<Token>) -> Vec<Token> {
     let is_ten = |token: Option<&Token>| token.and_then(Token::number) == Some("10");
-    if !tokens.windows(2).any(|pair| pair[0].is('(') && is_ten(pair.get(1))) {
+    if !tokens.windows(2).any(|pair| pair[0].is_sign('(') && is_ten(pair.get(1))) {
         return tokens;
     }
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
@@ -78,18 +78,18 @@ pub(crate) fn scaled(tokens: Vec<Token>) -> Vec<Token> {
         let behind = out.iter().rev().filter(|token| !token.is_space()).nth(usize::from(signed));
         let number = behind.is_some_and(|before| before.number().is_some());
         let power = match tokens.get(at + 1..).unwrap_or_default() {
-            [_, close, power, ..] if close.is(')') => Some((power, 4)),
-            [_, power, close, ..] if close.is(')') => Some((power, 4)),
+            [_, close, power, ..] if close.is_sign(')') => Some((power, 4)),
+            [_, power, close, ..] if close.is_sign(')') => Some((power, 4)),
             _ => None,
         };
         if let Some((power, taken)) = power
-            && token.is('(')
+            && token.is_sign('(')
             && number
             && is_ten(tokens.get(at + 1))
-            && matches!(power.kind, Kind::Power(_))
+            && matches!(power.kind, TokenKind::Power(_))
         {
             if !signed {
-                out.push(Token::new(Kind::Operator('×'), token.span));
+                out.push(Token::new(TokenKind::Operator('×'), token.span));
             }
             out.extend([tokens[at + 1].clone(), power.clone()]);
             at += taken;
@@ -102,7 +102,7 @@ pub(crate) fn scaled(tokens: Vec<Token>) -> Vec<Token> {
 }
 
 /// Words that are several units become several words.
-pub(crate) fn split(tokens: Vec<Token>) -> Vec<Token> {
+pub(crate) fn split_unit_words(tokens: Vec<Token>) -> Vec<Token> {
     let mut out = Vec::with_capacity(tokens.len());
     let mut rest = tokens.into_iter().peekable();
     while let Some(token) = rest.next() {
@@ -120,7 +120,7 @@ pub(crate) fn split(tokens: Vec<Token>) -> Vec<Token> {
         for (at, part) in parts.into_iter().enumerate() {
             // Without a sign, `m` and `s` would become a millisecond again.
             if at > 0 && below {
-                out.push(Token::new(Kind::Operator('·'), token.span));
+                out.push(Token::new(TokenKind::Operator('·'), token.span));
             }
             out.push(word(part, token.span));
         }
@@ -129,15 +129,16 @@ pub(crate) fn split(tokens: Vec<Token>) -> Vec<Token> {
 }
 
 /// Units in square brackets behind a number lose the brackets, and their letters become words.
-pub(crate) fn bracketed(tokens: Vec<Token>) -> Vec<Token> {
-    if !tokens.iter().any(|token| token.is('[')) {
+pub(crate) fn unwrap_unit_brackets(tokens: Vec<Token>) -> Vec<Token> {
+    if !tokens.iter().any(|token| token.is_sign('[')) {
         return tokens;
     }
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
-        let behind = token.is('[') && last(&out).is_some_and(|of| matches!(of.kind, Kind::Number(_) | Kind::Power(_)));
-        let end = tokens[at..].iter().position(|token| token.is(']')).filter(|_| behind).map(|end| at + end);
+        let behind = token.is_sign('[')
+            && last(&out).is_some_and(|of| matches!(of.kind, TokenKind::Number(_) | TokenKind::Power(_)));
+        let end = tokens[at..].iter().position(|token| token.is_sign(']')).filter(|_| behind).map(|end| at + end);
         if let Some(units) = end.and_then(|end| letters(&tokens[at + 1..end]).map(|units| (units, end))) {
             out.extend(units.0);
             at = units.1 + 1;
@@ -155,21 +156,23 @@ fn letters(tokens: &[Token]) -> Option<Vec<Token>> {
     let mut joined = false;
     for token in tokens {
         match &token.kind {
-            Kind::Name(letter) if joined => match out.last_mut() {
-                Some(Token { kind: Kind::Word(before), span, .. }) => {
+            TokenKind::Name(letter) if joined => match out.last_mut() {
+                Some(Token { kind: TokenKind::Word(before), span, .. }) => {
                     before.push_str(letter);
                     *span = span.join(token.span);
                 }
                 _ => return None,
             },
-            Kind::Name(letter) => out.push(word(letter, token.span)),
-            Kind::Fraction(above, below) => {
-                out.push(Token::new(Kind::Fraction(letters(above)?, letters(below)?), token.span));
+            TokenKind::Name(letter) => out.push(word(letter, token.span)),
+            TokenKind::Fraction(above, below) => {
+                out.push(Token::new(TokenKind::Fraction(letters(above)?, letters(below)?), token.span));
             }
-            Kind::Word(_) | Kind::Power(_) | Kind::Operator('·' | '/') | Kind::Space(_) => out.push(token.clone()),
+            TokenKind::Word(_) | TokenKind::Power(_) | TokenKind::Operator('·' | '/') | TokenKind::Space(_) => {
+                out.push(token.clone())
+            }
             _ => return None,
         }
-        joined = matches!(token.kind, Kind::Name(_));
+        joined = matches!(token.kind, TokenKind::Name(_));
     }
     let known = |token: &Token| token.word().is_none_or(|word| unit(word).is_some());
     (!out.is_empty() && out.iter().all(known)).then_some(out)
@@ -177,18 +180,18 @@ fn letters(tokens: &[Token]) -> Option<Vec<Token>> {
 
 /// Whether the point at `at` is the sign of a product: between two units, or close between a letter and a letter or bracket.
 pub(crate) fn is_product(tokens: &[Token], at: usize) -> bool {
-    if let [.., Token { kind: Kind::Name(_), .. }, point, next] = &tokens[..tokens.len().min(at + 2)]
-        && point.is('.')
-        && (next.is('(') || matches!(next.kind, Kind::Name(_)))
+    if let [.., Token { kind: TokenKind::Name(_), .. }, point, next] = &tokens[..tokens.len().min(at + 2)]
+        && point.is_sign('.')
+        && (next.is_sign('(') || matches!(next.kind, TokenKind::Name(_)))
         && at > 0
     {
         return true;
     }
-    if !tokens[at].is('.') || at == 0 || !tokens.get(at + 1).is_some_and(is_unit) {
+    if !tokens[at].is_sign('.') || at == 0 || !tokens.get(at + 1).is_some_and(is_unit) {
         return false;
     }
     match &tokens[at - 1].kind {
-        Kind::Power(_) => at > 1 && is_unit(&tokens[at - 2]),
+        TokenKind::Power(_) => at > 1 && is_unit(&tokens[at - 2]),
         _ => is_unit(&tokens[at - 1]),
     }
 }
@@ -205,13 +208,14 @@ pub(crate) fn power_of_ten(tokens: &[Token], before: &[Token]) -> (Vec<Token>, u
     if !plain || !(upright || number.contains('.') || (sign == 0 && digits.len() == 2)) {
         return nothing;
     }
-    let made = [Kind::Operator('×'), Kind::Number("10".to_owned()), Kind::Power(tokens[1..2 + sign].to_vec())];
+    let made =
+        [TokenKind::Operator('×'), TokenKind::Number("10".to_owned()), TokenKind::Power(tokens[1..2 + sign].to_vec())];
     (made.into_iter().map(|kind| Token::new(kind, e.span)).collect(), 2 + sign)
 }
 
 /// A length of mercury or water as a pressure: cm Hg, inches of mercury.
-pub(crate) fn column(tokens: &[Token], at: usize, length: &str) -> Option<(Kind, usize, Span)> {
-    let words = tokens.iter().enumerate().skip(at + 1).filter(|(_, token)| !token.is_space() && !token.is('.'));
+pub(crate) fn pressure_column(tokens: &[Token], at: usize, length: &str) -> Option<(TokenKind, usize, Span)> {
+    let words = tokens.iter().enumerate().skip(at + 1).filter(|(_, token)| !token.is_space() && !token.is_sign('.'));
     let mut words = words.filter(|(_, token)| token.word() != Some("of"));
     let (last, next) = words.next()?;
     let of = match next.word()? {
@@ -220,22 +224,22 @@ pub(crate) fn column(tokens: &[Token], at: usize, length: &str) -> Option<(Kind,
         _ => return None,
     };
     let length = if length.starts_with("in") { "in" } else { length };
-    Some((Kind::Word(format!("{length}{of}")), last, next.span))
+    Some((TokenKind::Word(format!("{length}{of}")), last, next.span))
 }
 
 /// A prefix and its unit, which stand apart.
-pub(crate) fn prefixed(
+pub(crate) fn prefixed_unit(
     token: &Token,
     text: &str,
     next: Option<(&Token, usize)>,
     below: bool,
     out: &[Token],
-) -> Option<(Kind, usize, Span)> {
+) -> Option<(TokenKind, usize, Span)> {
     let (next, at) = next?;
     let is_word = token.word().is_some();
     let unit = match &next.kind {
-        Kind::Word(unit) => unit,
-        Kind::Name(unit) if (text == "μ" && !is_word) || unit == "Ω" => unit,
+        TokenKind::Word(unit) => unit,
+        TokenKind::Name(unit) if (text == "μ" && !is_word) || unit == "Ω" => unit,
         _ => return None,
     };
     if !is_word && text != "μ" && unit != "Ω" {
@@ -243,13 +247,13 @@ pub(crate) fn prefixed(
     }
     let before = out.iter().rev().find(|token| !token.is_space());
     let follows = before.is_some_and(|before| match before.kind {
-        Kind::Number(_) | Kind::Power(_) | Kind::Fraction(..) => true,
-        Kind::Operator(c) => ")/]".contains(c),
+        TokenKind::Number(_) | TokenKind::Power(_) | TokenKind::Fraction(..) => true,
+        TokenKind::Operator(c) => ")/]".contains(c),
         _ => false,
     });
     let follows = follows || out.last().is_none_or(Token::is_space);
     let takes = takes_prefix(unit) && (unit != "g" || text == "μ" || text == "k") && (follows || unit == "g");
     // Metres and seconds below them, which only touch each other in this text: m s⁻¹.
     let product = text == "m" && below;
-    (takes && !product).then(|| (Kind::Word(format!("{text}{unit}")), at, next.span))
+    (takes && !product).then(|| (TokenKind::Word(format!("{text}{unit}")), at, next.span))
 }

@@ -1,0 +1,63 @@
+//! What commands of TeX that change how something looks take behind them.
+
+use super::formatting::FormattingCommand;
+use super::tex::{Tex, token};
+use crate::token::{Span, Token, TokenKind};
+
+impl Tex<'_> {
+    /// What a command dresses up.
+    pub(super) fn format_argument(
+        &mut self,
+        name: &str,
+        command: FormattingCommand,
+        span: Span,
+        depth: usize,
+        out: &mut Vec<Token>,
+    ) {
+        let options = |reader: &mut Self| while command.optional && reader.optional().is_some() {};
+        options(self);
+        let mut said = String::new();
+        for _ in 0..command.dropped {
+            said.extend(self.raw_group().iter().map(|sign| sign.c));
+            options(self);
+        }
+        if command.kept {
+            let inner = self.argument(depth);
+            // Whether both sides are equal is asked, or demanded.
+            let asked = matches!(said.trim(), "?" | "!");
+            match inner.as_slice() {
+                [Token { kind: TokenKind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
+                    let sign = if asked && *c == '=' { '≡' } else { *c };
+                    out.push(token(TokenKind::Operator(sign), span));
+                }
+                [Token { kind: TokenKind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
+                _ => out.push(token(TokenKind::Group(inner), span)),
+            }
+        } else if name.ends_with("left") || name.ends_with("right") {
+            self.skip_space();
+            if self.ahead(0) == Some('.') {
+                self.stack.pop();
+            }
+        }
+    }
+
+    /// The length behind a command for space, in braces or without.
+    pub(super) fn length(&mut self) -> String {
+        self.skip_space();
+        if self.ahead(0) == Some('{') {
+            return self.raw_group().iter().map(|sign| sign.c).collect();
+        }
+        let mut out = String::new();
+        while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit() || " .-".contains(sign.c)) {
+            out.push(sign.c);
+            self.stack.pop();
+        }
+        for _ in 0..2 {
+            if let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_lowercase()) {
+                out.push(sign.c);
+                self.stack.pop();
+            }
+        }
+        out
+    }
+}
