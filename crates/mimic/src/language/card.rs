@@ -5,6 +5,7 @@ use super::expression::{Problems, expected};
 use super::fault::{Problem, is_unprintable, nearest_to};
 use super::function::function_named;
 use super::token::{Placed, Token, tokens};
+use super::tree::Word;
 use core::ops::Range;
 
 /// Most characters of a card. The machine's had eighty.
@@ -62,13 +63,6 @@ pub(super) fn is_comment(card: &[char], layout: Layout) -> bool {
         Some('C' | 'c') => layout == Layout::Columns || card.get(1).is_none_or(|next| next.is_whitespace()),
         _ => false,
     }
-}
-
-/// A name and its columns.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Word {
-    pub(super) name: String,
-    pub(super) at: Range<usize>,
 }
 
 /// The fields of a card.

@@ -1,6 +1,6 @@
 //! Flat code: a list of instructions over a list of registers, run from the first to the last.
 
-use super::trouble::eight_digits;
+use super::digits::eight_digits;
 
 /// What an instruction does. A truth is 1, its opposite 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,8 +1,7 @@
 //! Data cards: the numbers of the constants and parameters.
 
-use super::card::Word;
-use super::deck::{Deck, Group};
 use super::fault::{Fault, Faults, Problem};
+use super::tree::{DataCard, DataFile, Deck, Group, Word};
 use core::ops::Range;
 
 /// Most runs of one deck.
@@ -12,14 +11,6 @@ const MOST_SETS: usize = 100_000;
 pub(super) const MOST_NUMBERS: usize = 500_000;
 /// Most numbers of a data card that are read: more than the names of any CON or PAR card.
 const MOST_ON_A_CARD: usize = super::card::LONGEST;
-
-/// The numbers of one data card, with their columns.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct DataCard {
-    card: usize,
-    /// Each number, or what is wrong where one should be.
-    numbers: Vec<(Result<f64, &'static str>, Range<usize>)>,
-}
 
 /// What is wrong where no number is.
 const NO_NUMBER: &str = "not a number; write it as 2., .05 or 5.E-6, with blanks or commas between numbers";
@@ -78,13 +69,6 @@ impl DataCard {
     fn weight(&self) -> usize {
         self.numbers.len().max(1)
     }
-}
-
-/// A text with data cards, by itself.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct DataFile {
-    name: String,
-    text: String,
 }
 
 /// The numbers of one run, each under its name: those of the CON cards, then those of the PAR cards.

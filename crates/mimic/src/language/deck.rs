@@ -1,76 +1,10 @@
-//! A deck: statements, parameters, the end of the run, and what is printed and plotted.
+//! What can be asked of a deck, and changed in it, between reading and compiling.
 
-use super::card::Word;
 use super::control::STEPS;
-use super::data::{DataCard, DataFile};
-use super::expression::{Expression, Node};
 use super::fault::{Fault, Problem};
 use super::sorting::Sorted;
+use super::tree::{Deck, Expression, Node, Statement, Word};
 use core::ops::Range;
-
-/// A statement: a result and its expression, perhaps under a control variable.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Statement {
-    pub(super) card: usize,
-    pub(super) control: Option<Word>,
-    pub(super) result: Word,
-    pub(super) expression: Expression,
-}
-
-/// The names of one CON or PAR card.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Group {
-    pub(super) card: usize,
-    /// Whether they are read for each run.
-    pub(super) each_run: bool,
-    pub(super) names: Vec<Word>,
-}
-
-/// A card with expressions.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Listed {
-    pub(super) card: usize,
-    pub(super) expressions: Vec<Expression>,
-}
-
-/// A PLO card, and the SCA and ZER cards behind it.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct PlotCards {
-    pub(super) card: usize,
-    pub(super) names: Vec<Word>,
-    pub(super) scale: Option<Listed>,
-    pub(super) zero: Option<Listed>,
-}
-
-/// Plot of one run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Plot {
-    /// What is plotted against what: X, then the others.
-    pub names: Vec<String>,
-    /// Of each, the change from line to line or from column to column, in its own unit; none to choose it.
-    pub scale: Option<Vec<f64>>,
-    /// Of each, the value on the first line or in the first column, in its own unit; none to choose it.
-    pub zero: Option<Vec<f64>>,
-}
-
-/// A deck as it was read: every card is understood by itself, and nothing is known yet of how they fit together.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Deck {
-    pub(super) cards: Vec<String>,
-    pub(super) statements: Vec<Statement>,
-    pub(super) groups: Vec<Group>,
-    pub(super) finishes: Vec<Listed>,
-    pub(super) headings: Vec<Vec<String>>,
-    pub(super) outputs: Vec<Vec<Word>>,
-    pub(super) output_cards: Vec<usize>,
-    pub(super) plots: Vec<PlotCards>,
-    pub(super) data: Vec<DataCard>,
-    /// Where the data are from, if they do not stand behind the deck.
-    pub(super) data_file: Option<DataFile>,
-    pub(super) notes: Vec<String>,
-    /// The note of a comment that could define C.
-    pub(super) hidden_c: Option<String>,
-}
 
 impl Deck {
     /// Notes on a deck without mistakes: comments that could be statements.

@@ -9,69 +9,11 @@ use super::control::WORDS;
 use super::fault::Problem;
 use super::function::{FUNCTIONS, function_named};
 use super::token::{Placed, Token};
+use super::tree::{Expression, Node};
 use core::ops::Range;
 
 /// How deep parentheses may stand in one another.
 const DEEPEST: usize = 64;
-
-/// A part of an expression; numbers of nodes are those of earlier ones.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Node {
-    /// A number.
-    Number(f64),
-    /// A name.
-    Name(String),
-    /// The opposite of a node.
-    Negative(usize),
-    /// Two nodes and what is done with them.
-    Binary(Operation, [usize; 2]),
-    /// A function, by its place in the table, and its arguments.
-    Call(usize, Vec<usize>),
-}
-
-impl Node {
-    /// The nodes that it needs.
-    pub(super) fn parts(&self) -> &[usize] {
-        match self {
-            Self::Number(_) | Self::Name(_) => &[],
-            Self::Negative(part) => core::slice::from_ref(part),
-            Self::Binary(_, parts) => parts,
-            Self::Call(_, arguments) => arguments,
-        }
-    }
-}
-
-/// An expression: the last node is the whole. It is never empty.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Expression {
-    pub(super) nodes: Vec<(Node, Range<usize>)>,
-}
-
-impl Expression {
-    /// A number that stands alone.
-    pub(super) fn number(value: f64, at: Range<usize>) -> Self {
-        Self { nodes: vec![(Node::Number(value), at)] }
-    }
-
-    /// The node of the whole.
-    pub(super) fn root(&self) -> usize {
-        self.nodes.len() - 1
-    }
-
-    /// The columns from its first sign to its last.
-    pub(super) fn columns(&self) -> Range<usize> {
-        let start = self.nodes.iter().map(|(_, at)| at.start).min().unwrap_or(0);
-        start..self.nodes.iter().map(|(_, at)| at.end).max().unwrap_or(0)
-    }
-
-    /// The function that the whole is, if it is one.
-    pub(super) fn whole_call(&self) -> Option<(usize, &[usize])> {
-        match self.nodes.last() {
-            Some((Node::Call(function, arguments), _)) => Some((*function, arguments)),
-            _ => None,
-        }
-    }
-}
 
 /// What is wrong, and where.
 pub(super) type Problems = Vec<(Range<usize>, Problem)>;

@@ -1,12 +1,10 @@
 //! What needs what: names, definitions, loops, and what is known before the run.
 
 use super::control::{GIVEN, STEPS};
-use super::deck::{Deck, Statement};
-use super::expression::{Expression, Node};
-use super::fault::MOST_FAULTS;
-use super::fault::{Fault, MOST_TOLD, Problem, but_near, nearest_to};
+use super::fault::{Fault, MOST_FAULTS, MOST_TOLD, Problem, but_near, nearest_to};
 use super::function::{FUNCTIONS, Kind};
 use super::sorting::{circle, components};
+use super::tree::{Deck, Expression, Listed, Node, Statement};
 use super::types::Type;
 use std::collections::{HashMap, HashSet};
 
@@ -220,7 +218,7 @@ impl<'a> Graph<'a> {
     }
 
     /// All cards with expressions that are no statements.
-    pub(super) fn listed(&self) -> impl Iterator<Item = &'a super::deck::Listed> + use<'a> {
+    pub(super) fn listed(&self) -> impl Iterator<Item = &'a Listed> + use<'a> {
         let plots = self.deck.plots.iter().flat_map(|plot| plot.scale.iter().chain(&plot.zero));
         self.deck.finishes.iter().chain(plots)
     }

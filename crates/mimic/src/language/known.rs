@@ -2,10 +2,10 @@
 //! nothing needs.
 
 use super::control::STEPS;
-use super::expression::Node;
 use super::fault::Problem;
 use super::function::{FUNCTIONS, Kind};
 use super::graph::{Graph, Region};
+use super::tree::Node;
 use super::types::{Type, types};
 
 impl Graph<'_> {

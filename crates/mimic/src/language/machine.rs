@@ -1,9 +1,9 @@
 //! A program as the integrator sees it: its derivatives, what it remembers of kept points, and what stopped it.
 
 use super::code::execute;
-use super::origin::Origin;
+use super::digits::eight_digits;
 use super::program::{Memory, More, Program, State, TIME};
-use super::trouble::{Trouble, eight_digits};
+use super::trouble::{Origin, Trouble};
 use crate::step::Attempt;
 use crate::{Cause, DelayError, DelayLine, Parameters, System};
 use core::cell::Cell;

@@ -32,9 +32,9 @@
 //! ```
 //!
 //! From deck to run, a file for each step: `card` parts the text into cards and these into fields, `token` and
-//! `expression` read what stands in them, `deck` puts it together, `graph`, `known` and `sorting` find the order and
-//! what is known before, `types` tells numbers from truths, `compile` makes a `program` of flat `code`, `run` and `machine`
-//! integrate it, and `printout` is what the line printer wrote.
+//! `expression` read what stands in them, `reading` puts it together as a `tree`, `graph`, `known` and `sorting` find the
+//! order and what is known before, `types` tells numbers from truths, `compile` makes a `program` of flat `code`, `run` and
+//! `machine` integrate it, and `printout` is what the line printer wrote.
 
 mod card;
 mod code;
@@ -42,6 +42,7 @@ mod compile;
 mod control;
 mod data;
 mod deck;
+mod digits;
 mod expression;
 mod fault;
 mod function;
@@ -55,21 +56,22 @@ mod reading;
 mod run;
 mod sorting;
 mod token;
+mod tree;
 mod trouble;
 mod types;
 
 pub use card::Layout;
 pub use control::{CARDS, Card};
 pub use data::DataSet;
-pub use deck::{Deck, Plot, listing_in};
+pub use deck::listing_in;
 pub use fault::{Fault, Faults, Problem, nearest_to};
 pub use function::{Evidence, FUNCTIONS, Function};
-pub use origin::Origin;
 pub use printout::{line_plot, print_out};
 pub use program::Program;
-pub use run::{Choices, RememberedPoints, Run, Runs};
+pub use run::{Choices, Plot, RememberedPoints, Run, Runs};
 pub use sorting::{Sorted, When};
-pub use trouble::{RunError, Trouble};
+pub use tree::Deck;
+pub use trouble::{Origin, RunError, Trouble};
 
 /// The decks of this project, each under its name.
 pub const DECKS: [(&str, &str); 9] = [

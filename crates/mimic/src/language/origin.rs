@@ -1,29 +1,9 @@
 //! Where a number that is none came from: backwards from where it was seen.
 
 use super::code::Operation;
+use super::digits::eight_digits;
 use super::program::{Code, Program, TIME};
-use super::trouble::eight_digits;
-use core::fmt;
-
-/// The instruction that made it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Origin {
-    /// Its card, counted from 1; 0 if it came with the data.
-    pub card: usize,
-    /// The text of the card.
-    pub text: String,
-    /// What happened.
-    pub reason: String,
-}
-
-impl fmt::Display for Origin {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.card == 0 {
-            return write!(f, "{}", self.reason);
-        }
-        write!(f, "card {} ({}): {}", self.card, self.text, self.reason)
-    }
-}
+use super::trouble::Origin;
 
 impl Program {
     /// The text of a card.

@@ -1,7 +1,6 @@
 //! What the line printer wrote: tables and plots in characters.
 
-use super::deck::Plot;
-use super::run::Run;
+use super::run::{Plot, Run};
 use core::fmt::Write;
 
 /// Characters of a column of numbers, unless its heading is longer.

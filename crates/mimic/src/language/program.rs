@@ -1,10 +1,6 @@
 //! A program: flat code, and what stands in which register.
 
 use super::code::Instruction;
-use super::compile::compiled;
-use super::deck::Deck;
-use super::fault::Faults;
-use super::graph::Graph;
 use super::sorting::Sorted;
 
 /// Registers with a fixed place: time, the two truths and the steps.
@@ -165,17 +161,6 @@ impl Program {
         let controls = self.memories.iter().flat_map(|memory| memory.controls.iter().copied());
         let ends = self.finishes.iter().flat_map(|finish| [finish.value, finish.limit]);
         controls.chain(self.states.iter().filter_map(|state| state.control)).chain(limits.flatten()).chain(ends)
-    }
-
-    /// Sorts and compiles a deck.
-    ///
-    /// # Errors
-    ///
-    /// All that does not fit together: names that no card defines, definitions that clash, loops, truths for numbers.
-    pub fn new(deck: &Deck) -> Result<Self, Faults> {
-        let mut graph = Graph::new(deck);
-        Faults::among(core::mem::take(&mut graph.faults))?;
-        Ok(compiled(&graph))
     }
 
     /// The statements in the order in which they are computed.

@@ -1,13 +1,12 @@
 //! How cards are read into a deck.
 
-use super::card::{Fields, LONGEST, Layout, Word, fields, is_comment};
+use super::card::{Fields, LONGEST, Layout, fields, is_comment};
 use super::control::reserved;
-use super::data::DataCard;
-use super::deck::{Deck, Group, Listed, PlotCards, Statement};
-use super::expression::{Expression, Node, Problems, expected, expression, list};
+use super::expression::{Problems, expected, expression, list};
 use super::fault::{Fault, Faults, MOST_FAULTS, Problem};
 use super::graph::Graph;
 use super::token::Placed;
+use super::tree::{DataCard, Deck, Expression, Group, Listed, Node, PlotCards, Statement, Word};
 use std::collections::HashSet;
 
 /// Most lines of a deck up to its END, and most names, numbers and signs on them.

@@ -2,10 +2,10 @@
 
 use super::code::execute;
 use super::data::DataSet;
-use super::deck::Plot;
+use super::digits::eight_digits;
 use super::machine::{Line, Machine, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
-use super::trouble::{RunError, Trouble, eight_digits};
+use super::trouble::{RunError, Trouble};
 use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, Work};
 use core::cell::Cell;
 use nalgebra::SVector;
@@ -68,6 +68,17 @@ impl Default for Choices {
             at_once: 1,
         }
     }
+}
+
+/// Plot of one run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// What is plotted against what: X, then the others.
+    pub names: Vec<String>,
+    /// Of each, the change from line to line or from column to column, in its own unit; none to choose it.
+    pub scale: Option<Vec<f64>>,
+    /// Of each, the value on the first line or in the first column, in its own unit; none to choose it.
+    pub zero: Option<Vec<f64>>,
 }
 
 /// Printed result of a run.

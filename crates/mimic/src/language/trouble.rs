@@ -1,8 +1,29 @@
 //! What can stop a run, in words: the card and the time.
 
-use super::origin::Origin;
+use super::digits::eight_digits;
 use crate::DelayError;
+use core::fmt;
 use thiserror::Error;
+
+/// Where a number that is none came from: the instruction that made it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Origin {
+    /// Its card, counted from 1; 0 if it came with the data.
+    pub card: usize,
+    /// The text of the card.
+    pub text: String,
+    /// What happened.
+    pub reason: String,
+}
+
+impl fmt::Display for Origin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.card == 0 {
+            return write!(f, "{}", self.reason);
+        }
+        write!(f, "card {} ({}): {}", self.card, self.text, self.reason)
+    }
+}
 
 /// Why a run was not begun, or not ended.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -188,13 +209,6 @@ impl Trouble {
             other => other,
         }
     }
-}
-
-/// A number in a message: eight significant digits, and a power of ten rather than a row of zeros.
-pub(super) fn eight_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.7e}").parse().unwrap_or(value);
-    let text = format!("{rounded:?}");
-    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
 
 /// What to do about a value that is no number, where its origin does not say.

@@ -1,8 +1,8 @@
 //! Numbers and truths: which of the two a name is, and whether it is used as that.
 
-use super::expression::{Expression, Node};
 use super::fault::Problem;
 use super::function::{FUNCTIONS, Takes};
+use super::tree::{Expression, Node};
 use core::ops::Range;
 
 /// What a value is.

@@ -4,19 +4,27 @@ mod statement;
 
 use crate::language::code::{Instruction, Operation};
 use crate::language::control::STEPS;
-use crate::language::deck::Listed;
-use crate::language::expression::{Expression, Node};
+use crate::language::fault::Faults;
 use crate::language::function::{FUNCTIONS, Kind};
 use crate::language::graph::{Graph, Region};
 use crate::language::program::{
     Code, Delay, FALSE, FIRST_STEP, FREE, Finish, Memory, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
 };
 use crate::language::sorting::{Sorted, When};
+use crate::language::tree::{Deck, Expression, Listed, Node};
 use std::collections::HashMap;
 
-/// The program of a deck in which nothing is wrong.
-pub(super) fn compiled(graph: &Graph<'_>) -> Program {
-    Compiler::new(graph).program()
+impl Program {
+    /// Sorts and compiles a deck.
+    ///
+    /// # Errors
+    ///
+    /// All that does not fit together: names that no card defines, definitions that clash, loops, truths for numbers.
+    pub fn new(deck: &Deck) -> Result<Self, Faults> {
+        let mut graph = Graph::new(deck);
+        Faults::among(core::mem::take(&mut graph.faults))?;
+        Ok(Compiler::new(&graph).program())
+    }
 }
 
 struct Compiler<'a> {
