@@ -3,7 +3,6 @@
 //! The expectation is counted exactly, from the pairs of a row and a computed number that agree. The distribution is
 //! sampled.
 
-use crate::rise_times::Tried;
 use crate::scores::Score;
 use crate::{Column, EXPLAINED, Row};
 use geneva_kinematics::Mechanism;
@@ -51,16 +50,20 @@ pub fn shuffles_of_cells(score: &Score, mechanisms: &[Mechanism], shuffles: usiz
     Some((0..shuffles).map(|_| one()).collect())
 }
 
-/// How many printed rise times the best of all definitions explains, of the runs or of the mechanisms, in each of some
+/// How many printed rise times the best of some lists of computed times explains, a time for each row, in each of some
 /// shuffles of the printed times.
-pub fn shuffles_of_definitions(rows: &[Row], tried: &[Tried], shuffled: Shuffled, shuffles: usize) -> Vec<usize> {
-    let both = |tried: &Tried| [&tried.as_run, &tried.ideal].map(|of| rises(rows, &of.times));
-    let definitions: Vec<Near> = tried.iter().flat_map(both).collect();
+pub(crate) fn shuffles_of_rises<'a>(
+    rows: &[Row],
+    times: impl Iterator<Item = &'a [f64]>,
+    shuffled: Shuffled,
+    shuffles: usize,
+) -> Vec<usize> {
+    let agreements: Vec<Near> = times.map(|times| rises(rows, times)).collect();
     let all: Vec<usize> = (0..rows.len()).collect();
     let mut dealer = Dealer::new(rows, shuffled);
     let mut one = || {
         let dealt = dealer.deal();
-        definitions.iter().map(|near| explained_by(near, dealt, &all)).max().unwrap_or(0)
+        agreements.iter().map(|near| explained_by(near, dealt, &all)).max().unwrap_or(0)
     };
     (0..shuffles).map(|_| one()).collect()
 }

@@ -1,6 +1,6 @@
 //! Which definition of a rise time the tables could use, and how the tables agree with the thesis's own words.
 
-use crate::chance::expected_rises;
+use crate::chance::{Shuffled, expected_rises, shuffles_of_rises};
 use crate::{Column, Hypothesis, Row, series};
 use geneva_dynamics::steady::{Cycle, Engagement, Extreme, Printed, Rise};
 use geneva_dynamics::{Inertias, Parameters};
@@ -329,6 +329,13 @@ pub fn explained(rows: &[Row], missing: f64) -> Vec<Tried> {
         definition.ways().flat_map(near).map(|near| tried(definition, Some(near))).collect::<Vec<_>>()
     });
     of_parts.chain(EVENTS.iter().map(|definition| tried(definition, None))).collect()
+}
+
+/// How many printed rise times the best of all definitions explains, of the runs or of the mechanisms, in each of some
+/// shuffles of the printed times.
+pub fn shuffles_of_definitions(rows: &[Row], tried: &[Tried], shuffled: Shuffled, shuffles: usize) -> Vec<usize> {
+    let times = tried.iter().flat_map(|tried| [&*tried.as_run.times, &*tried.ideal.times]);
+    shuffles_of_rises(rows, times, shuffled, shuffles)
 }
 
 /// The greatest relative change, dimensionless and without its sign, of the time until the velocity is the steady one at every angle, but for a

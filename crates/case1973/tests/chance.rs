@@ -1,7 +1,8 @@
 //! What chance is expected to explain is the mean of what it explains.
 
 use crate::tables::tables;
-use geneva_case1973::chance::{Shuffled, expected_cells, shuffles_of_cells, shuffles_of_definitions};
+use geneva_case1973::chance::{Shuffled, expected_cells, shuffles_of_cells};
+use geneva_case1973::rise_times::shuffles_of_definitions;
 use geneva_case1973::rise_times::{explained, groups};
 use geneva_case1973::witness::sampling;
 use geneva_case1973::{Column, Hypothesis, Score, Trend, pairs_by_torque};

@@ -16,10 +16,10 @@
 
 use super::Joints;
 use super::contact::{Arms, Journals, Reach};
-use super::existence;
 use crate::error::not_negative;
 use crate::{Error, Parameters, Sign};
 use geneva_kinematics::Field;
+use geneva_kinematics::bisection::bisect;
 
 /// Terms of the equation of motion at one crank angle, without the contact; inertias and torques over I_f.
 ///
@@ -144,7 +144,7 @@ impl Escapement {
             return Err(Error::DragTorque { asked: joints.driver_drag_torque, torque: parameters.torque() });
         }
         let journals = Journals::new(&joints, parameters.friction());
-        let reversal = existence::reversal(parameters, joints.pin_radius);
+        let reversal = reversal_angle(parameters, joints.pin_radius);
         Ok(Self { parameters: *parameters, joints, journals, reversal })
     }
 
@@ -211,6 +211,19 @@ impl Escapement {
         let contact = reach.arms(&self.joints.pin_radius, &self.parameters.friction(), flank, sliding);
         contact.with_journals(&self.journals.driver, &self.journals.follower, flank)
     }
+}
+
+/// Crank angle behind the line of centres at which a pin of this radius stops sliding inward on the trailing flank.
+///
+/// On the leading flank it is the mirror image. There R dR/dθ + ρ (R² + h)/R, with h = a cos θ − 1, rises all the way
+/// from entry to the line of centres: the first term by h + 1, the second by −ρ g h/R³ with g = a sin θ < 0. At entry
+/// it is −R + ρ R < 0 if ρ < 1, on the line of centres it is not negative.
+fn reversal_angle(parameters: &Parameters, pin: f64) -> f64 {
+    if pin == 0.0 {
+        return 0.0;
+    }
+    let inward = |angle| Reach::of_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
+    bisect([0.0, parameters.mechanism().engagement_half_angle()], inward)[1]
 }
 
 /// Power at one instant, in the unit of the torque times radians per unit of time; or, summed over a time, work done,

@@ -9,11 +9,9 @@
 //! flank; both must be positive, as A > |D| must in the ideal model, to which the margin goes over. No closed form is
 //! known for where the least of them is: it is looked for on a grid, and about its lowest point refined.
 
-use super::contact::Reach;
 use super::equation::Escapement;
-use crate::{Error, Parameters, Sign};
+use crate::{Error, Sign};
 use geneva_kinematics::Mechanism;
-use geneva_kinematics::bisection::bisect;
 
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,19 +41,6 @@ pub fn largest_pin_radius(mechanism: Mechanism) -> f64 {
 
 /// Points of the grid over one engagement.
 const GRID: u32 = 2048;
-
-/// Crank angle behind the line of centres at which a pin of this radius stops sliding inward on the trailing flank.
-///
-/// On the leading flank it is the mirror image. There R dR/dθ + ρ (R² + h)/R, with h = a cos θ − 1, rises all the way
-/// from entry to the line of centres: the first term by h + 1, the second by −ρ g h/R³ with g = a sin θ < 0. At entry
-/// it is −R + ρ R < 0 if ρ < 1, on the line of centres it is not negative.
-pub(super) fn reversal(parameters: &Parameters, pin: f64) -> f64 {
-    if pin == 0.0 {
-        return 0.0;
-    }
-    let inward = |angle| Reach::of_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
-    bisect([0.0, parameters.mechanism().engagement_half_angle()], inward)[1]
-}
 
 impl Escapement {
     /// An error unless the equation of motion has one solution in every pose and at every speed.

@@ -2,7 +2,7 @@
 
 use super::*;
 use geneva_case1973::witness::{self, gauss_newton, steps};
-use geneva_case1973::{Run, Score};
+use geneva_case1973::{Run, Score, rise_times};
 
 /// The score of a hypothesis among those compared.
 pub fn score(hypothesis: Hypothesis) -> Option<&'static Score<'static>> {
@@ -140,7 +140,7 @@ pub fn little_friction_in_steps(mechanism: Mechanism) -> Option<f64> {
 pub fn shuffled(shuffled: Shuffled) -> &'static [usize] {
     static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
     let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
-    let deal = || chance::shuffles_of_definitions(rows(), explained(), shuffled, SHUFFLES);
+    let deal = || rise_times::shuffles_of_definitions(rows(), explained(), shuffled, SHUFFLES);
     COUNTS[own].get_or_init(deal)
 }
 
