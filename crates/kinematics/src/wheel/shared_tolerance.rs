@@ -9,8 +9,7 @@
 //!
 //! Notation: `a` crank radius, `c` centre distance, α half the angle between slots, `g` the gap of slot or arc.
 
-use super::crescent::Crescent;
-use super::sizes::{LockingDisc, Sizes};
+use super::sizes::{Crescent, LockingDisc, Sizes};
 use crate::KinematicsError;
 use crate::indexing::Indexing;
 
