@@ -10,7 +10,9 @@
 use geneva_dynamics::steady::Printed;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Pose, Sign};
 use geneva_kinematics::{Mechanism, Turn};
-use geneva_mimic::{DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, System, Work, integrate};
+use geneva_mimic::{
+    DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, SolverStats, System, integrate,
+};
 use nalgebra::Vector2;
 use std::fmt;
 
@@ -143,7 +145,7 @@ pub struct Printout {
     /// The lines, the start included. Their crank angles and the velocity ratio of the follower's speed are of the reset angle.
     pub lines: Vec<Printed>,
     /// Steps and evaluations.
-    pub work: Work,
+    pub work: SolverStats,
 }
 
 impl Printout {

@@ -44,7 +44,7 @@ fn the_time_of_a_hand_over_is_exact_where_the_angle_is_a_cubic() {
     let read = |least: f64, first: i32, apart: f64, reset: f64| {
         let all = (first..).map(|k| line(least, f64::from(k) * apart));
         let lines = all.take_while(|line| line.turned < 3.0 * reset).collect();
-        Run::read_off(&Printout { lines, work: geneva_mimic::Work::default() }, reset)
+        Run::read_off(&Printout { lines, work: geneva_mimic::SolverStats::default() }, reset)
     };
     // The driver is handed over at this time, and again when it has turned twice as far.
     for (least, apart, time) in [(0.05, 0.06, 0.1), (1.0, 0.5, 0.7), (1.0, 0.35, 1.2), (1.0, 0.4, 1.9)] {

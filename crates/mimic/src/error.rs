@@ -1,6 +1,6 @@
 //! Why a run was not begun, or not ended.
 
-use crate::{MOST_STEPS, Work};
+use crate::{MOST_STEPS, SolverStats};
 use core::fmt;
 use nalgebra::SVector;
 use thiserror::Error;
@@ -141,7 +141,7 @@ pub struct Stopped<const D: usize, F> {
     /// State at that time.
     pub state: SVector<f64, D>,
     /// The work up to there.
-    pub work: Work,
+    pub work: SolverStats,
     /// What stopped it.
     pub cause: Cause<F>,
 }

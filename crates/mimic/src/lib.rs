@@ -52,6 +52,6 @@ mod system;
 pub use delay::{DelayError, DelayLine, Extrapolation, Interpolation};
 pub use error::{Allowed, Cause, IntegrationError, ParameterError, Quantity, Stopped};
 pub use parameters::{AtSmallestStep, Kept, MOST_STEPS, Parameters};
-pub use run::{Outcome, Point, Work, integrate};
+pub use run::{Outcome, Point, SolverStats, integrate};
 pub use step::runge_kutta_step;
 pub use system::System;

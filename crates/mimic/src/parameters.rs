@@ -21,7 +21,7 @@ pub enum Kept {
 pub enum AtSmallestStep {
     /// End the run with an error.
     Stop,
-    /// Keep the step all the same and count it: [`Work::forced`](crate::Work::forced).
+    /// Keep the step all the same and count it: [`SolverStats::forced`](crate::SolverStats::forced).
     Continue,
 }
 
@@ -137,7 +137,7 @@ impl Parameters {
 
     /// A run with steps of one length, shorter only where a printed point is nearer; no step is refused for its error.
     ///
-    /// Steps that miss the tolerance are counted: [`Work::forced`](crate::Work::forced).
+    /// Steps that miss the tolerance are counted: [`SolverStats::forced`](crate::SolverStats::forced).
     pub fn with_fixed_step(step: f64, print_interval: f64, run_length: f64) -> Self {
         Self {
             smallest_step: step,

@@ -26,7 +26,7 @@ pub struct Point<const D: usize> {
 /// that reaches its end has `evaluations == 10 * (accepted + rejected) + accepted + 1`. What a system evaluates to say
 /// whether it [`switches`](System::switches) is not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
+pub struct SolverStats {
     /// Steps that were kept.
     pub accepted: u64,
     /// Steps that were tried and refused.
@@ -43,7 +43,7 @@ pub struct Outcome<const D: usize> {
     /// The last printed point.
     pub last: Point<D>,
     /// The work of the whole run.
-    pub work: Work,
+    pub work: SolverStats,
 }
 
 /// Integrates the system from `start` at time 0 and hands each printed point to `print`, the start included.
@@ -90,7 +90,7 @@ where
         derivative: SVector::zeros(),
         largest: 0.0,
         step: parameters.initial_step,
-        work: Work::default(),
+        work: SolverStats::default(),
     };
     run.finite(Quantity::Start, &start)?;
     run.accept(0.0, start)?;
@@ -115,7 +115,7 @@ struct Run<'a, S, const D: usize> {
     largest: f64,
     /// What would be tried next if no printed point were in the way.
     step: f64,
-    work: Work,
+    work: SolverStats,
 }
 
 impl<S: System<D>, const D: usize> Run<'_, S, D> {

@@ -1,7 +1,7 @@
 //! Does the step halve and double by the rule, is the right result kept, and what does a run cost?
 
 use crate::problems::{KEPT, LOGISTIC, Points, Problem, SMOOTH, SPRING, run};
-use geneva_mimic::{AtSmallestStep, Kept, Parameters, System, Work, integrate, runge_kutta_step};
+use geneva_mimic::{AtSmallestStep, Kept, Parameters, SolverStats, System, integrate, runge_kutta_step};
 use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
 
@@ -27,7 +27,7 @@ impl System<2> for Recorded {
     }
 }
 
-fn recorded(problem: Problem, parameters: &Parameters) -> (Recorded, Work) {
+fn recorded(problem: Problem, parameters: &Parameters) -> (Recorded, SolverStats) {
     let mut system = Recorded { problem, kept: Vec::new(), calls: 0 };
     let work = integrate(&mut system, (problem.exact)(0.0), parameters, |_| ()).expect("a smooth problem").work;
     (system, work)
@@ -146,11 +146,14 @@ fn an_attempt_takes_ten_evaluations_and_a_kept_point_one() {
 #[test]
 fn the_spring_takes_this_many_steps() {
     let table = [
-        (Parameters::new(0.5, 6.0), Work { accepted: 52, rejected: 4, forced: 0, evaluations: 613 }),
+        (Parameters::new(0.5, 6.0), SolverStats { accepted: 52, rejected: 4, forced: 0, evaluations: 613 }),
         // Each printed point takes a step.
-        (Parameters::new(0.005, 6.0), Work { accepted: 1200, rejected: 0, forced: 0, evaluations: 13_201 }),
+        (Parameters::new(0.005, 6.0), SolverStats { accepted: 1200, rejected: 0, forced: 0, evaluations: 13_201 }),
         // Steps kept against the tolerance are counted.
-        (Parameters::with_fixed_step(1.0, 1.0, 6.0), Work { accepted: 6, rejected: 0, forced: 6, evaluations: 67 }),
+        (
+            Parameters::with_fixed_step(1.0, 1.0, 6.0),
+            SolverStats { accepted: 6, rejected: 0, forced: 6, evaluations: 67 },
+        ),
     ];
     for (parameters, work) in table {
         assert_eq!(run(&SPRING, &parameters).1.work, work);

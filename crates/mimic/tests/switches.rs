@@ -1,7 +1,7 @@
 //! What is lost where the right-hand side jumps: the order falls to one, whichever value is kept.
 
 use crate::problems::KEPT;
-use geneva_mimic::{Kept, Outcome, Parameters, Work, integrate};
+use geneva_mimic::{Kept, Outcome, Parameters, SolverStats, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ fn fixed(kept: Kept, steps: f64, end: f64) -> Parameters {
 }
 
 /// x' = 1 before x = `switch` and 2 after it, from 0. At time 1: 2 − `switch`.
-fn speed_up(switch: f64, parameters: &Parameters) -> (f64, Work) {
+fn speed_up(switch: f64, parameters: &Parameters) -> (f64, SolverStats) {
     let end = run(|_, x| Vector1::new(if x[0] < switch { 1.0 } else { 2.0 }), Vector1::zeros(), parameters);
     ((end.last.state[0] - (2.0 - switch)).abs(), end.work)
 }

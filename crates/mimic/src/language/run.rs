@@ -6,7 +6,7 @@ use super::digits::eight_digits;
 use super::machine::{Line, Machine, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
 use super::trouble::{RunError, Trouble};
-use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, Work};
+use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, SolverStats};
 use core::cell::Cell;
 use nalgebra::SVector;
 
@@ -97,7 +97,7 @@ pub struct Run {
     /// The plots, and the values of their names at each printed point, each in its own unit.
     pub plots: Vec<(Plot, Vec<Vec<f64>>)>,
     /// Steps and evaluations.
-    pub work: Work,
+    pub work: SolverStats,
     /// Kept steps that were longer than the delay of a TDL: it then gave its latest value, less long ago than it says.
     pub longer_than_delay: u64,
 }
@@ -241,7 +241,7 @@ impl Program {
             last_time = point.time;
         });
         let work = match outcome {
-            Ok(_) if has_end => Ok(outcome.map_or(Work::default(), |outcome| outcome.work)),
+            Ok(_) if has_end => Ok(outcome.map_or(SolverStats::default(), |outcome| outcome.work)),
             Ok(outcome) => Err(Trouble::TooManyRows { time: outcome.last.time, rows: outcome.last.index }),
             Err(IntegrationError::Parameter(error)) => Err(Trouble::Integrator(error)),
             Err(IntegrationError::Stopped(stopped)) => match stopped.cause {
@@ -377,7 +377,7 @@ impl Program {
         self.delays.iter().map(line).collect()
     }
 
-    fn result(&self, rows: Vec<Vec<f64>>, registers: &[f64], work: Work) -> Run {
+    fn result(&self, rows: Vec<Vec<f64>>, registers: &[f64], work: SolverStats) -> Run {
         let columns = self.columns();
         let mut from = columns.len();
         let plots = self.plots.iter().map(|plot| {

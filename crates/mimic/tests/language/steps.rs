@@ -2,7 +2,7 @@
 
 use super::program;
 use geneva_mimic::language::{Choices, DataSet, Program, Run, Runs};
-use geneva_mimic::{Parameters, Work};
+use geneva_mimic::{Parameters, SolverStats};
 
 /// Most steps of all runs, counted once for each integral and each delay.
 const MOST_OF_ALL: u64 = 300_000_000;
@@ -12,7 +12,7 @@ fn all_runs_have_so_many_steps_together() {
     // Two integrals and two delays: a step counts four times.
     let program = program(" X INT(1.,0.)\n Y INT(X,0.)\n A TDL(X,.1)\n B TDL(X,.2)\n OUT(T)\n FIN(T,.1)\n END\n");
     let made = program.run(&DataSet::default(), &Choices::default()).expect("it runs");
-    let half = Work { accepted: MOST_OF_ALL / 16, rejected: MOST_OF_ALL / 16, ..made.work };
+    let half = SolverStats { accepted: MOST_OF_ALL / 16, rejected: MOST_OF_ALL / 16, ..made.work };
     let mut runs = Runs::default();
     for _ in 0..2 {
         runs.add(&program, Ok(Run { work: half, ..made.clone() })).expect("as many as can be");

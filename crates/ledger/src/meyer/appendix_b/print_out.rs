@@ -6,7 +6,7 @@ use crate::meyer::runs::table::{listing, rows};
 use geneva_case1973::deck;
 use geneva_case1973::{Constants, Hypothesis, Row, weakest};
 use geneva_dynamics::steady::Printed;
-use geneva_mimic::Work;
+use geneva_mimic::SolverStats;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, OnceLock};
@@ -182,7 +182,7 @@ fn prints_alone(kind: &'static str) -> Option<bool> {
 }
 
 fn prints_otherwise_without(kind: &str) -> Option<bool> {
-    static WHOLE: OnceLock<Option<(Work, String)>> = OnceLock::new();
+    static WHOLE: OnceLock<Option<(SolverStats, String)>> = OnceLock::new();
     let text = deck_named("escapement")?;
     let plot = text.lines().find(|line| line.contains("PLO("))?;
     let scaled = text
