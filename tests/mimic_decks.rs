@@ -9,7 +9,7 @@ use geneva_ledger::meyer::runs::study::by_deck;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::printed_value;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, RememberedPoints, deck_named};
-use geneva_mimic::{Interpolation, Kept, Parameters};
+use geneva_mimic::{Interpolation, Parameters, StepSolution};
 
 /// The escapement's deck with some names set.
 #[track_caller]
@@ -197,8 +197,8 @@ fn the_results_do_not_hang_on_what_is_not_known() {
     let program = program(&as_listed());
     let with = |integrator| Choices { integrator, ..usual };
     let variants = [
-        with(Parameters { kept: Kept::FullStep, ..usual.integrator }),
-        with(Parameters { kept: Kept::Extrapolated, ..usual.integrator }),
+        with(Parameters { kept: StepSolution::FullStep, ..usual.integrator }),
+        with(Parameters { kept: StepSolution::Extrapolated, ..usual.integrator }),
         with(Parameters { relative_tolerance: usual.integrator.relative_tolerance / 100.0, ..usual.integrator }),
         Choices { interpolation: Interpolation::Hold, ..usual },
         Choices { remembered: RememberedPoints::AsAsked, ..usual },

@@ -2,7 +2,7 @@
 
 use crate::hypothesis::{Hypothesis, Lag};
 use crate::{EXPLAINED, Row, Run};
-use geneva_mimic::{Kept, Parameters as Integrator};
+use geneva_mimic::{Parameters as Integrator, StepSolution};
 
 /// One parameter of the integrator, set to something other than its default.
 pub struct Variant {
@@ -13,10 +13,10 @@ pub struct Variant {
 
 /// The variants. The print interval, the length of the run and the relative error are the thesis's own.
 pub const VARIANTS: [Variant; 9] = [
-    Variant { name: "the full step is kept", change: |by| Integrator { kept: Kept::FullStep, ..by } },
+    Variant { name: "the full step is kept", change: |by| Integrator { kept: StepSolution::FullStep, ..by } },
     Variant {
         name: "the two half steps, extrapolated, are kept",
-        change: |by| Integrator { kept: Kept::Extrapolated, ..by },
+        change: |by| Integrator { kept: StepSolution::Extrapolated, ..by },
     },
     Variant {
         name: "no floor below which errors are absolute",

@@ -3,7 +3,7 @@
 
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Mechanism, Turn};
-use geneva_mimic::AtSmallestStep;
+use geneva_mimic::MinStepPolicy;
 
 /// The columns of a table, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -71,7 +71,7 @@ impl Listing {
     /// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.
     pub fn integrator(&self) -> geneva_mimic::Parameters {
         geneva_mimic::Parameters {
-            at_smallest_step: AtSmallestStep::Continue,
+            at_smallest_step: MinStepPolicy::Continue,
             ..geneva_mimic::Parameters::new(self.interval, self.duration)
         }
     }

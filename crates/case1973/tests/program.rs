@@ -13,7 +13,7 @@ fn tight(run_length: f64) -> geneva_mimic::Parameters {
         relative_tolerance: 1e-11,
         absolute_floor: 1.0,
         growth_below: 1.0 / 64.0,
-        at_smallest_step: geneva_mimic::AtSmallestStep::Continue,
+        at_smallest_step: geneva_mimic::MinStepPolicy::Continue,
         ..geneva_mimic::Parameters::new(run_length / 400.0, run_length)
     }
 }

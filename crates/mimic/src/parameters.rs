@@ -7,7 +7,7 @@ pub const MOST_STEPS: u64 = 1_000_000_000_000;
 
 /// Value of a step with which the run goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kept {
+pub enum StepSolution {
     /// The whole step: order 4, the larger error of the two.
     FullStep,
     /// The two half steps: order 4, a sixteenth of the error of the whole step.
@@ -18,7 +18,7 @@ pub enum Kept {
 
 /// Action if the error is too large and the step cannot be made smaller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum AtSmallestStep {
+pub enum MinStepPolicy {
     /// End the run with an error.
     Stop,
     /// Keep the step all the same and count it: [`SolverStats::forced`](crate::SolverStats::forced).
@@ -96,11 +96,11 @@ pub struct Parameters {
     ///
     /// Default: two half steps. It is the better of the two that the thesis says are computed; of a third it says
     /// nothing.
-    pub kept: Kept,
+    pub kept: StepSolution,
     /// What happens when the smallest step is not small enough.
     ///
     /// Default: the run stops. A number that misses its tolerance should not pass for one that meets it.
-    pub at_smallest_step: AtSmallestStep,
+    pub at_smallest_step: MinStepPolicy,
     /// Most attempts at a step, refused ones included; from 1 to [`MOST_STEPS`].
     ///
     /// Default 10⁷, some seconds' work for a few components. It bounds what an ill-chosen print interval or tolerance can cost.
@@ -129,8 +129,8 @@ impl Parameters {
             smallest_step: print_interval / 1_073_741_824.0,
             largest_step: print_interval,
             initial_step: print_interval,
-            kept: Kept::TwoHalfSteps,
-            at_smallest_step: AtSmallestStep::Stop,
+            kept: StepSolution::TwoHalfSteps,
+            at_smallest_step: MinStepPolicy::Stop,
             most_steps: 10_000_000,
         }
     }
@@ -143,7 +143,7 @@ impl Parameters {
             smallest_step: step,
             largest_step: step,
             initial_step: step,
-            at_smallest_step: AtSmallestStep::Continue,
+            at_smallest_step: MinStepPolicy::Continue,
             ..Self::new(print_interval, run_length)
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::grid::{Grid, SLIVER};
 use crate::step::{Attempt, non_finite};
-use crate::{AtSmallestStep, Cause, IntegrationError, Parameters, Quantity, Stopped, System};
+use crate::{Cause, IntegrationError, MinStepPolicy, Parameters, Quantity, Stopped, System};
 use nalgebra::SVector;
 
 /// A printed point.
@@ -31,7 +31,7 @@ pub struct SolverStats {
     pub accepted: u64,
     /// Steps that were tried and refused.
     pub rejected: u64,
-    /// Accepted steps whose error is too large: see [`AtSmallestStep::Continue`].
+    /// Accepted steps whose error is too large: see [`MinStepPolicy::Continue`].
     pub forced: u64,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,
@@ -146,7 +146,7 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
             // The end is rounded, and the step from it may be a little longer than was asked for.
             let asked = step.min(self.step);
             let smallest = asked <= smallest_step * (1.0 + SLIVER);
-            let forced = smallest && infinite.is_none() && parameters.at_smallest_step == AtSmallestStep::Continue;
+            let forced = smallest && infinite.is_none() && parameters.at_smallest_step == MinStepPolicy::Continue;
             if excess <= 1.0 || forced {
                 let kept = attempt.kept(parameters.kept);
                 let switch_step = parameters.switch_step();

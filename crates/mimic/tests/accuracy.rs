@@ -2,7 +2,7 @@
 //! bits always the same?
 
 use crate::problems::{KEPT, Problem, SMOOTH, SPRING, dop853, dopri5, largest_error, run};
-use geneva_mimic::{Kept, Parameters, integrate};
+use geneva_mimic::{Parameters, StepSolution, integrate};
 use nalgebra::Vector2;
 
 fn error(problem: &Problem, parameters: &Parameters) -> f64 {
@@ -29,7 +29,7 @@ fn the_order_is_four_and_five_if_extrapolated_and_half_steps_have_a_sixteenth_of
 }
 
 /// A tenth of the run between printed points.
-fn at(problem: &Problem, kept: Kept, relative_tolerance: f64) -> Parameters {
+fn at(problem: &Problem, kept: StepSolution, relative_tolerance: f64) -> Parameters {
     Parameters { kept, relative_tolerance, ..Parameters::new(problem.run_length / 10.0, problem.run_length) }
 }
 
@@ -62,7 +62,7 @@ fn a_smaller_tolerance_gives_a_smaller_error() {
 #[test]
 fn other_integrators_and_this_one_meet_in_the_closed_form() {
     for problem in &SMOOTH {
-        let here = run(problem, &at(problem, Kept::Extrapolated, 1e-12)).0;
+        let here = run(problem, &at(problem, StepSolution::Extrapolated, 1e-12)).0;
         for (name, points) in [("5", dopri5(problem, 1e-12)), ("8", dop853(problem, 1e-12)), ("here", here)] {
             let error = largest_error(problem, &points);
             assert!(error < 1e-11, "{}, {name}: {error}", problem.name);
@@ -73,7 +73,7 @@ fn other_integrators_and_this_one_meet_in_the_closed_form() {
 #[test]
 fn a_judge_that_is_shown_a_wrong_solution_says_so() {
     for problem in &SMOOTH {
-        let mut points = run(problem, &at(problem, Kept::TwoHalfSteps, 1e-9)).0;
+        let mut points = run(problem, &at(problem, StepSolution::TwoHalfSteps, 1e-9)).0;
         points[3].1[1] += 0.001;
         assert!(largest_error(problem, &points) > 0.0005, "{}", problem.name);
     }

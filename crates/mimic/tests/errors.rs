@@ -1,7 +1,7 @@
 //! What cannot be integrated: is it reported, with the place, and without a panic?
 
 use geneva_mimic::{
-    Allowed, AtSmallestStep, Cause, IntegrationError, MOST_STEPS, Outcome, ParameterError, Parameters, Quantity,
+    Allowed, Cause, IntegrationError, MOST_STEPS, MinStepPolicy, Outcome, ParameterError, Parameters, Quantity,
     Stopped, integrate,
 };
 use nalgebra::{Vector1, Vector2};
@@ -47,7 +47,7 @@ fn what_is_no_number_is_named_where_it_is() {
     assert!(value.is_nan() && (stop.time, stop.state[0]) == (0.0, 2.0));
     assert!(stop.to_string().contains("component 0 of the derivative there is NaN"), "{stop}");
     // From time 1 on there is no root; to go on all the same is no help against what is no number.
-    for at_smallest_step in [AtSmallestStep::Stop, AtSmallestStep::Continue] {
+    for at_smallest_step in [MinStepPolicy::Stop, MinStepPolicy::Continue] {
         let parameters = Parameters { at_smallest_step, ..Parameters::new(0.3, 2.0) };
         let stop = stopped(|time, _| (1.0 - time).sqrt(), 0.0, &parameters);
         assert!((stop.time - 1.0).abs() < 1e-8 && (stop.state[0] - 2.0 / 3.0).abs() < 1e-4, "{stop}");

@@ -1,7 +1,7 @@
 //! Are results printed at exactly the times that were asked for, to the last bit?
 
 use crate::problems::{LOGISTIC, SPRING, run};
-use geneva_mimic::{Kept, Parameters, integrate};
+use geneva_mimic::{Parameters, StepSolution, integrate};
 use nalgebra::Vector2;
 
 /// The grid, compiled here by itself: a run of so many points would take too long.
@@ -23,7 +23,7 @@ fn every_time_is_a_product_to_the_bit_whatever_the_tolerance() {
         let run_length = f64::from(points) * print_interval;
         let expected: Vec<u64> = (0..=points).map(|index| (f64::from(index) * print_interval).to_bits()).collect();
         for relative_tolerance in [1e-3, 5e-6, 1e-10] {
-            for kept in [Kept::FullStep, Kept::Extrapolated] {
+            for kept in [StepSolution::FullStep, StepSolution::Extrapolated] {
                 let asked = Parameters { relative_tolerance, kept, ..Parameters::new(print_interval, run_length) };
                 let printed: Vec<u64> = times(&asked).into_iter().map(f64::to_bits).collect();
                 assert_eq!(printed, expected, "every {print_interval} at {relative_tolerance}");

@@ -1,7 +1,8 @@
 //! Is one step the classical one, when does it ask the system, and what does a run make of its two results?
 
 use geneva_mimic::{
-    AtSmallestStep, Cause, IntegrationError, Kept, Outcome, Parameters, Stopped, System, integrate, runge_kutta_step,
+    Cause, IntegrationError, MinStepPolicy, Outcome, Parameters, StepSolution, Stopped, System, integrate,
+    runge_kutta_step,
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector3};
 use std::convert::Infallible;
@@ -104,7 +105,7 @@ fn scripted<const D: usize>(
 #[track_caller]
 fn excess<const D: usize>(full: SVector<f64, D>, halves: SVector<f64, D>, tolerance: f64, floor: f64) -> Option<f64> {
     let ended = scripted(full, halves, |parameters| {
-        parameters.at_smallest_step = AtSmallestStep::Stop;
+        parameters.at_smallest_step = MinStepPolicy::Stop;
         (parameters.relative_tolerance, parameters.absolute_floor) = (tolerance, floor);
     });
     match ended {
@@ -131,7 +132,7 @@ fn the_excess_is_relative_above_the_floor_and_absolute_below() {
 
 #[test]
 fn each_state_that_can_be_kept_is_its_own() {
-    let kept = [Kept::FullStep, Kept::TwoHalfSteps, Kept::Extrapolated].map(|kept| {
+    let kept = [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated].map(|kept| {
         let end = scripted(Vector1::new(1.0), Vector1::new(16.0), |parameters| parameters.kept = kept);
         end.unwrap().last.state[0]
     });

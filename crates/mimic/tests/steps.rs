@@ -1,7 +1,7 @@
 //! Does the step halve and double by the rule, is the right result kept, and what does a run cost?
 
 use crate::problems::{KEPT, LOGISTIC, Points, Problem, SMOOTH, SPRING, run};
-use geneva_mimic::{AtSmallestStep, Kept, Parameters, SolverStats, System, integrate, runge_kutta_step};
+use geneva_mimic::{MinStepPolicy, Parameters, SolverStats, StepSolution, System, integrate, runge_kutta_step};
 use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
 
@@ -69,7 +69,7 @@ fn by_hand(problem: &Problem, parameters: &Parameters) -> (Points, u64) {
             if !cut && 64.0 * excess <= 1.0 {
                 step = (2.0 * step).min(parameters.print_interval);
             }
-            (time, state) = (end, if parameters.kept == Kept::FullStep { full } else { halves });
+            (time, state) = (end, if parameters.kept == StepSolution::FullStep { full } else { halves });
             kept.push((time, state));
         }
     }
@@ -80,7 +80,7 @@ fn by_hand(problem: &Problem, parameters: &Parameters) -> (Points, u64) {
 fn a_run_is_its_rule_step_by_step_to_the_bit() {
     let (mut refused_in_all, mut doubled_in_all) = (0, 0);
     for problem in SMOOTH {
-        for kept in [Kept::FullStep, Kept::TwoHalfSteps] {
+        for kept in [StepSolution::FullStep, StepSolution::TwoHalfSteps] {
             for (relative_tolerance, parts) in [(5e-6, 1.0), (5e-6, 7.0), (1e-9, 10.0)] {
                 let whole = Parameters::new(problem.run_length / parts, problem.run_length);
                 let parameters = Parameters { kept, relative_tolerance, ..whole };
@@ -124,7 +124,7 @@ fn each_named_parameter_is_heeded() {
     assert!(steps(|p| p.growth_below = 0.0).len() > usual.len());
     assert!(steps(|p| p.shrink_factor = 0.125).len() > usual.len());
     assert!(steps(|p| p.absolute_floor = 10.0).len() < usual.len());
-    assert_ne!(steps(|p| p.kept = Kept::Extrapolated).last(), usual.last());
+    assert_ne!(steps(|p| p.kept = StepSolution::Extrapolated).last(), usual.last());
     assert!(steps(|p| p.relative_tolerance = 1e-11).len() > 2 * usual.len());
 }
 
@@ -163,7 +163,7 @@ fn the_spring_takes_this_many_steps() {
 #[test]
 fn over_a_jump_that_no_step_can_hide_the_smallest_is_forced() {
     let mut jump = |time: f64, _: &Vector1<f64>| Vector1::new(if time < 0.3 { 0.0 } else { 1e6 });
-    let forced = Parameters { at_smallest_step: AtSmallestStep::Continue, ..Parameters::new(0.25, 1.0) };
+    let forced = Parameters { at_smallest_step: MinStepPolicy::Continue, ..Parameters::new(0.25, 1.0) };
     let end = integrate(&mut jump, Vector1::zeros(), &forced, |_| ()).unwrap();
     assert!((end.last.state[0] / 0.7e6 - 1.0).abs() < 1e-8);
     assert!(end.work.forced == 1 && end.work.rejected >= 29, "{:?}", end.work);

@@ -1,7 +1,7 @@
 //! What is lost where the right-hand side jumps: the order falls to one, whichever value is kept.
 
 use crate::problems::KEPT;
-use geneva_mimic::{Kept, Outcome, Parameters, SolverStats, integrate};
+use geneva_mimic::{Outcome, Parameters, SolverStats, StepSolution, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ fn run<const D: usize>(
     integrate(&mut rate, start, parameters, |_| ()).map_err(|error| error.to_string()).expect("no end")
 }
 
-fn fixed(kept: Kept, steps: f64, end: f64) -> Parameters {
+fn fixed(kept: StepSolution, steps: f64, end: f64) -> Parameters {
     Parameters { kept, ..Parameters::with_fixed_step(end / steps, end, end) }
 }
 

@@ -3,7 +3,7 @@
 use crate::race::{Answer, Row, numbers};
 use geneva_case1973::program::Program;
 use geneva_dynamics::steady::Engagement;
-use geneva_mimic::AtSmallestStep;
+use geneva_mimic::MinStepPolicy;
 
 /// The steady state by integrals over the angle, from the escapement.
 pub fn steady(row: &Row, tolerance: f64) -> Option<Answer> {
@@ -28,7 +28,7 @@ pub fn run(row: &Row, tolerance: f64) -> Option<Answer> {
 pub fn program(row: &Row, tolerance: f64) -> Option<Answer> {
     let integrator = geneva_mimic::Parameters {
         relative_tolerance: tolerance,
-        at_smallest_step: AtSmallestStep::Continue,
+        at_smallest_step: MinStepPolicy::Continue,
         ..geneva_mimic::Parameters::new(row.interval, row.duration)
     };
     let printout = Program::of(&row.escapement).run(&integrator).ok()?;

@@ -7,7 +7,7 @@ use super::{escapement, samples};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Parameters, Sign};
 use geneva_kinematics::Mechanism;
-use geneva_mimic::{AtSmallestStep, Kept};
+use geneva_mimic::{MinStepPolicy, StepSolution};
 use nalgebra::Vector2;
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
@@ -187,12 +187,12 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
             };
             let parameters = geneva_mimic::Parameters {
                 relative_tolerance: 1e-12,
-                kept: Kept::Extrapolated,
+                kept: StepSolution::Extrapolated,
                 smallest_step: 1e-13,
                 // Of several steps that miss a switch by themselves none may pass for exact.
                 largest_step: 1.0 / 1024.0,
                 initial_step: 1.0 / 1024.0,
-                at_smallest_step: AtSmallestStep::Continue,
+                at_smallest_step: MinStepPolicy::Continue,
                 ..geneva_mimic::Parameters::new(0.125, 8.0)
             };
             let (mut worst, mut number) = (0.0_f64, 0);

@@ -19,7 +19,7 @@ use geneva_mimic::language::{
     Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
     nearest_to,
 };
-use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
+use geneva_mimic::{Interpolation, MinStepPolicy, StepSolution};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -414,13 +414,13 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
 fn choices(wanted: &RunArguments) -> Choices {
     let usual = Choices::default();
     let kept = match wanted.kept {
-        KeptName::FullStep => Kept::FullStep,
-        KeptName::HalfSteps => Kept::TwoHalfSteps,
-        KeptName::Extrapolated => Kept::Extrapolated,
+        KeptName::FullStep => StepSolution::FullStep,
+        KeptName::HalfSteps => StepSolution::TwoHalfSteps,
+        KeptName::Extrapolated => StepSolution::Extrapolated,
     };
     let at_smallest_step = match wanted.at_dtmin {
-        AtDtmin::Keep => AtSmallestStep::Continue,
-        AtDtmin::Stop => AtSmallestStep::Stop,
+        AtDtmin::Keep => MinStepPolicy::Continue,
+        AtDtmin::Stop => MinStepPolicy::Stop,
     };
     let interpolation = match wanted.delay_between {
         Between::Linear => Interpolation::Linear,

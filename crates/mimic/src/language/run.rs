@@ -59,7 +59,7 @@ pub struct Choices {
 
 impl Default for Choices {
     fn default() -> Self {
-        let at_smallest_step = crate::AtSmallestStep::Continue;
+        let at_smallest_step = crate::MinStepPolicy::Continue;
         Self {
             integrator: Parameters { at_smallest_step, ..Parameters::new(0.1, 0.1) },
             interpolation: Interpolation::Linear,

@@ -2,14 +2,14 @@
 
 use super::own;
 use geneva_mimic::language::{Choices, DECKS, Deck, Layout, Program, Run};
-use geneva_mimic::{AtSmallestStep, Extrapolation, Interpolation, Parameters, System, integrate};
+use geneva_mimic::{Extrapolation, Interpolation, MinStepPolicy, Parameters, System, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dopri5, System as OtherSystem};
 
 /// The integrator as the language uses it.
 fn like(print_interval: f64, run_length: f64) -> Parameters {
-    Parameters { at_smallest_step: AtSmallestStep::Continue, ..Parameters::new(print_interval, run_length) }
+    Parameters { at_smallest_step: MinStepPolicy::Continue, ..Parameters::new(print_interval, run_length) }
 }
 
 #[track_caller]

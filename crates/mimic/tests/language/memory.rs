@@ -2,12 +2,12 @@
 
 use super::{own, program, runs};
 use geneva_mimic::language::{Choices, DataSet, Program, Run};
-use geneva_mimic::{Kept, Parameters};
+use geneva_mimic::{Parameters, StepSolution};
 
 /// A run with each kept value and some tolerances.
 fn in_all_ways(program: &Program, set: &DataSet, mut check: impl FnMut(&Run, f64)) {
     let usual = Choices::default();
-    for kept in [Kept::FullStep, Kept::TwoHalfSteps, Kept::Extrapolated] {
+    for kept in [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated] {
         for relative_tolerance in [1e-4, 5e-6, 1e-8, 1e-11] {
             let integrator = Parameters { kept, relative_tolerance, ..usual.integrator };
             let run = program

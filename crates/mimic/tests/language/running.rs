@@ -2,7 +2,7 @@
 
 use super::{deck, own, program, runs};
 use geneva_mimic::language::{Choices, DataSet, Plot, Program, RememberedPoints, Run, Trouble, line_plot, print_out};
-use geneva_mimic::{AtSmallestStep, Kept, Parameters};
+use geneva_mimic::{MinStepPolicy, Parameters, StepSolution};
 
 #[track_caller]
 fn trouble(text: &str) -> String {
@@ -60,15 +60,15 @@ fn steps_are_no_longer_than_dtmax_and_no_shorter_than_dtmin() {
 fn a_tolerance_costs_steps_and_gives_accuracy() {
     let (program, set) = own("oscillator", &[1.0, 0.0, 1.0, 0.0, 1.0]);
     let usual = Choices::default();
-    let error = |relative_tolerance: f64, kept: Kept| {
+    let error = |relative_tolerance: f64, kept: StepSolution| {
         let integrator = Parameters { relative_tolerance, kept, ..usual.integrator };
         let run = program.run(&set, &Choices { integrator, ..usual }).unwrap_or_else(|trouble| panic!("{trouble}"));
         let error = run.rows.iter().map(|row| (row[1] - libm::cos(row[0])).abs()).fold(0.0, f64::max);
         (error, run.work.accepted)
     };
-    let [rough, fine] = [1e-5, 1e-9].map(|tolerance| error(tolerance, Kept::TwoHalfSteps));
+    let [rough, fine] = [1e-5, 1e-9].map(|tolerance| error(tolerance, StepSolution::TwoHalfSteps));
     assert!(rough.0 > 10.0 * fine.0 && rough.1 < fine.1, "{rough:?} {fine:?}");
-    assert!(error(1e-5, Kept::Extrapolated).0 < rough.0 && error(1e-5, Kept::FullStep).0 > rough.0);
+    assert!(error(1e-5, StepSolution::Extrapolated).0 < rough.0 && error(1e-5, StepSolution::FullStep).0 > rough.0);
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn a_step_below_dtmin_stops_a_run_that_is_to_be_stopped() {
     let program = super::program(&text);
     let kept = program.run(&DataSet::default(), &usual).unwrap_or_else(|trouble| panic!("{trouble}"));
     assert!(kept.work.forced > 0 && print_out(&kept, "").contains("missed the tolerance"));
-    let integrator = Parameters { at_smallest_step: AtSmallestStep::Stop, ..usual.integrator };
+    let integrator = Parameters { at_smallest_step: MinStepPolicy::Stop, ..usual.integrator };
     let told = program.run(&DataSet::default(), &Choices { integrator, ..usual }).expect_err("it stops");
     let Trouble::StepTooSmall { time, card, name, .. } = &told else { panic!("{told}") };
     assert!((0.5..0.512_345).contains(time) && *card == 3 && name == "X", "{told}");
