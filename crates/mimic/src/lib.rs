@@ -52,6 +52,6 @@ mod system;
 pub use delay::{DelayError, DelayLine, Extrapolation, Interpolation};
 pub use error::{Allowed, Cause, IntegrationError, ParameterError, Quantity, Stopped};
 pub use parameters::{MOST_STEPS, MinStepPolicy, Parameters, StepSolution};
-pub use run::{Outcome, Point, SolverStats, integrate};
+pub use run::{Point, Solution, SolverStats, integrate};
 pub use step::runge_kutta_step;
 pub use system::System;

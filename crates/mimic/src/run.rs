@@ -39,7 +39,7 @@ pub struct SolverStats {
 
 /// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outcome<const D: usize> {
+pub struct Solution<const D: usize> {
     /// The last printed point.
     pub last: Point<D>,
     /// The work of the whole run.
@@ -76,13 +76,13 @@ pub fn integrate<S, const D: usize>(
     start: SVector<f64, D>,
     parameters: &Parameters,
     mut print: impl FnMut(&Point<D>),
-) -> Result<Outcome<D>, IntegrationError<D, S::Fault>>
+) -> Result<Solution<D>, IntegrationError<D, S::Fault>>
 where
     S: System<D>,
 {
     parameters.check()?;
     let grid = Grid::new(parameters.print_interval, parameters.run_length);
-    let mut run = Run {
+    let mut run = Integration {
         system,
         parameters,
         time: 0.0,
@@ -101,11 +101,11 @@ where
         last = run.point(index);
         print(&last);
     }
-    Ok(Outcome { last, work: run.work })
+    Ok(Solution { last, work: run.work })
 }
 
 /// A run at the last point that it has accepted.
-struct Run<'a, S, const D: usize> {
+struct Integration<'a, S, const D: usize> {
     system: &'a mut S,
     parameters: &'a Parameters,
     time: f64,
@@ -118,7 +118,7 @@ struct Run<'a, S, const D: usize> {
     work: SolverStats,
 }
 
-impl<S: System<D>, const D: usize> Run<'_, S, D> {
+impl<S: System<D>, const D: usize> Integration<'_, S, D> {
     /// Steps to a printed point.
     fn reach(&mut self, target: f64) -> Result<(), Stopped<D, S::Fault>> {
         let parameters = self.parameters;

@@ -1,13 +1,13 @@
 //! What cannot be integrated: is it reported, with the place, and without a panic?
 
 use geneva_mimic::{
-    Allowed, Cause, IntegrationError, MOST_STEPS, MinStepPolicy, Outcome, ParameterError, Parameters, Quantity,
+    Allowed, Cause, IntegrationError, MOST_STEPS, MinStepPolicy, ParameterError, Parameters, Quantity, Solution,
     Stopped, integrate,
 };
 use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
 
-type Ended = Result<Outcome<1>, IntegrationError<1, Infallible>>;
+type Ended = Result<Solution<1>, IntegrationError<1, Infallible>>;
 
 fn run(mut rate: impl FnMut(f64, f64) -> f64, start: f64, parameters: &Parameters) -> Ended {
     let mut rate = |time: f64, state: &Vector1<f64>| Vector1::new(rate(time, state[0]));

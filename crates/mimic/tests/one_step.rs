@@ -1,7 +1,7 @@
 //! Is one step the classical one, when does it ask the system, and what does a run make of its two results?
 
 use geneva_mimic::{
-    Cause, IntegrationError, MinStepPolicy, Outcome, Parameters, StepSolution, Stopped, System, integrate,
+    Cause, IntegrationError, MinStepPolicy, Parameters, Solution, StepSolution, Stopped, System, integrate,
     runge_kutta_step,
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector3};
@@ -91,7 +91,7 @@ fn scripted<const D: usize>(
     full: SVector<f64, D>,
     halves: SVector<f64, D>,
     change: impl FnOnce(&mut Parameters),
-) -> Result<Outcome<D>, Stopped<D, Infallible>> {
+) -> Result<Solution<D>, Stopped<D, Infallible>> {
     let mut parameters = Parameters::with_fixed_step(12.0, 12.0, 12.0);
     change(&mut parameters);
     let ended = integrate(&mut Scripted { full, halves, asked: 0 }, SVector::zeros(), &parameters, |_| ());

@@ -1,7 +1,7 @@
 //! What is lost where the right-hand side jumps: the order falls to one, whichever value is kept.
 
 use crate::problems::KEPT;
-use geneva_mimic::{Outcome, Parameters, SolverStats, StepSolution, integrate};
+use geneva_mimic::{Parameters, Solution, SolverStats, StepSolution, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ fn run<const D: usize>(
     mut rate: impl FnMut(f64, &SVector<f64, D>) -> SVector<f64, D>,
     start: SVector<f64, D>,
     parameters: &Parameters,
-) -> Outcome<D> {
+) -> Solution<D> {
     integrate(&mut rate, start, parameters, |_| ()).map_err(|error| error.to_string()).expect("no end")
 }
 
