@@ -70,7 +70,7 @@ pub enum ParameterError {
 
 /// Quantity that was found not to be finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
+pub enum SolverQuantity {
     /// The state that the run was to start from.
     Start,
     /// The state at the end of a step, however small.
@@ -79,7 +79,7 @@ pub enum Quantity {
     Derivative,
 }
 
-impl fmt::Display for Quantity {
+impl fmt::Display for SolverQuantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Start => "the start",
@@ -113,7 +113,7 @@ pub enum Cause<F> {
     )]
     NonFinite {
         /// What it belongs to.
-        quantity: Quantity,
+        quantity: SolverQuantity,
         /// Its place in the state, counted from 0.
         component: usize,
         /// Its value, in the component's own unit.

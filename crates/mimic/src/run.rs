@@ -2,7 +2,7 @@
 
 use crate::grid::{Grid, SLIVER};
 use crate::step::{Attempt, non_finite};
-use crate::{Cause, IntegrationError, MinStepPolicy, Parameters, Quantity, Stopped, System};
+use crate::{Cause, IntegrationError, MinStepPolicy, Parameters, SolverQuantity, Stopped, System};
 use nalgebra::SVector;
 
 /// A printed point.
@@ -92,7 +92,7 @@ where
         step: parameters.initial_step,
         work: SolverStats::default(),
     };
-    run.finite(Quantity::Start, &start)?;
+    run.finite(SolverQuantity::Start, &start)?;
     run.accept(0.0, start)?;
     let mut last = run.point(0);
     print(&last);
@@ -167,7 +167,7 @@ impl<S: System<D>, const D: usize> Integration<'_, S, D> {
             self.work.rejected += 1;
             if smallest {
                 return Err(self.stopped(match infinite {
-                    Some((component, value)) => Cause::NonFinite { quantity: Quantity::State, component, value },
+                    Some((component, value)) => Cause::NonFinite { quantity: SolverQuantity::State, component, value },
                     None => Cause::StepUnderflow { step, smallest_step, excess },
                 }));
             }
@@ -193,13 +193,13 @@ impl<S: System<D>, const D: usize> Integration<'_, S, D> {
 
     /// Goes on from this point: its derivative is the first of the steps that start here.
     fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
-        self.finite(Quantity::State, &state)?;
+        self.finite(SolverQuantity::State, &state)?;
         (self.time, self.state) = (time, state);
         self.largest = self.largest.max(state.amax());
         self.work.evaluations += 1;
         let derivative = self.system.kept_derivative(time, &state);
         self.derivative = derivative.map_err(|fault| self.stopped(Cause::System(fault)))?;
-        self.finite(Quantity::Derivative, &self.derivative)?;
+        self.finite(SolverQuantity::Derivative, &self.derivative)?;
         let accepted = self.system.accepted(time, &state, &self.derivative);
         accepted.map_err(|fault| self.stopped(Cause::System(fault)))
     }
@@ -209,7 +209,7 @@ impl<S: System<D>, const D: usize> Integration<'_, S, D> {
         self.parameters.absolute_floor.min(self.largest.max(attempt.largest()))
     }
 
-    fn finite(&self, quantity: Quantity, vector: &SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
+    fn finite(&self, quantity: SolverQuantity, vector: &SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
         match non_finite(vector) {
             Some((component, value)) => Err(self.stopped(Cause::NonFinite { quantity, component, value })),
             None => Ok(()),

@@ -1,7 +1,7 @@
 //! What cannot be integrated: is it reported, with the place, and without a panic?
 
 use geneva_mimic::{
-    Allowed, Cause, IntegrationError, MOST_STEPS, MinStepPolicy, ParameterError, Parameters, Quantity, Solution,
+    Allowed, Cause, IntegrationError, MOST_STEPS, MinStepPolicy, ParameterError, Parameters, Solution, SolverQuantity,
     Stopped, integrate,
 };
 use nalgebra::{Vector1, Vector2};
@@ -43,7 +43,9 @@ fn a_solution_that_blows_up_is_followed_to_its_pole() {
 #[test]
 fn what_is_no_number_is_named_where_it_is() {
     let stop = stopped(|_, _| f64::NAN, 2.0, &Parameters::new(1.0, 1.0));
-    let Cause::NonFinite { quantity: Quantity::Derivative, component: 0, value } = stop.cause else { panic!("{stop}") };
+    let Cause::NonFinite { quantity: SolverQuantity::Derivative, component: 0, value } = stop.cause else {
+        panic!("{stop}")
+    };
     assert!(value.is_nan() && (stop.time, stop.state[0]) == (0.0, 2.0));
     assert!(stop.to_string().contains("component 0 of the derivative there is NaN"), "{stop}");
     // From time 1 on there is no root; to go on all the same is no help against what is no number.
@@ -51,13 +53,13 @@ fn what_is_no_number_is_named_where_it_is() {
         let parameters = Parameters { at_smallest_step, ..Parameters::new(0.3, 2.0) };
         let stop = stopped(|time, _| (1.0 - time).sqrt(), 0.0, &parameters);
         assert!((stop.time - 1.0).abs() < 1e-8 && (stop.state[0] - 2.0 / 3.0).abs() < 1e-4, "{stop}");
-        assert!(matches!(stop.cause, Cause::NonFinite { quantity: Quantity::State, .. }), "{stop}");
+        assert!(matches!(stop.cause, Cause::NonFinite { quantity: SolverQuantity::State, .. }), "{stop}");
     }
     let mut rate = |_: f64, state: &Vector2<f64>| *state;
     let ended = integrate(&mut rate, Vector2::new(0.0, f64::INFINITY), &Parameters::new(1.0, 1.0), |_| ());
     let Err(IntegrationError::Stopped(stop)) = ended else { panic!("{ended:?}") };
     let infinite = f64::INFINITY;
-    assert_eq!(stop.cause, Cause::NonFinite { quantity: Quantity::Start, component: 1, value: infinite });
+    assert_eq!(stop.cause, Cause::NonFinite { quantity: SolverQuantity::Start, component: 1, value: infinite });
     assert_eq!(stop.work.evaluations, 0);
     assert!(stop.to_string().contains("component 1 of the start is inf"), "{stop}");
 }
