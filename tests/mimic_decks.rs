@@ -8,7 +8,7 @@ use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, d
 use geneva_ledger::meyer::runs::study::by_deck;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::printed_value;
-use geneva_mimic::language::{Choices, Deck, Layout, Program, RememberedPoints, deck_named};
+use geneva_mimic::language::{CardLayout, Choices, Deck, Program, RememberedPoints, deck_named};
 use geneva_mimic::{Interpolation, Parameters, StepSolution};
 
 /// The escapement's deck with some names set.
@@ -28,7 +28,7 @@ fn changed(change: impl Fn(&str) -> String) -> Deck {
     let text = deck_named("escapement").expect("a deck");
     let cards = change(text);
     assert_ne!(cards, text);
-    let mut deck = Deck::read(&cards, Layout::of(&cards)).unwrap_or_else(|faults| panic!("{faults}"));
+    let mut deck = Deck::read(&cards, CardLayout::detect(&cards)).unwrap_or_else(|faults| panic!("{faults}"));
     for (name, value) in as_listed() {
         assert!(deck.set(name, value));
     }

@@ -6,7 +6,7 @@
 use crate::program::Printout;
 use crate::{Hypothesis, Listing, Reset, Row, Run};
 use geneva_dynamics::steady::Printed;
-use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
+use geneva_mimic::language::{CardLayout, Choices, DataSet, Deck, Program, deck_named};
 
 /// The names of the deck with other values in the program of the thesis: the reset angle and π.
 pub const AS_LISTED: [&str; 2] = ["RESET", "PI"];
@@ -20,7 +20,7 @@ pub fn as_listed(listing: &Listing) -> [(&'static str, f64); 2] {
 /// something is wrong with the deck.
 pub fn deck(set: &[(&str, f64)]) -> Option<Deck> {
     let text = deck_named("escapement")?;
-    let mut deck = Deck::read(text, Layout::of(text)).ok()?;
+    let mut deck = Deck::read(text, CardLayout::detect(text)).ok()?;
     set.iter().all(|(name, value)| deck.set(name, *value)).then_some(deck)
 }
 

@@ -5,7 +5,7 @@ mod native;
 
 use divan::{Bencher, black_box};
 use geneva_mimic::integrate;
-use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
+use geneva_mimic::language::{CardLayout, Choices, DataSet, Deck, Program, deck_named};
 use nalgebra::Vector2;
 use native::{Escapement, parameters};
 use std::rc::Rc;
@@ -19,7 +19,7 @@ fn text() -> &'static str {
 }
 
 fn program() -> Program {
-    let deck = Deck::read(text(), Layout::Columns).expect("a deck");
+    let deck = Deck::read(text(), CardLayout::Columns).expect("a deck");
     Program::new(&deck).expect("a program")
 }
 
@@ -35,7 +35,7 @@ fn data() -> Vec<[f64; 6]> {
 #[divan::bench]
 fn layout_read_and_sort() -> Program {
     let text = black_box(text());
-    let deck = Deck::read(text, Layout::of(text)).expect("a deck");
+    let deck = Deck::read(text, CardLayout::detect(text)).expect("a deck");
     Program::new(&deck).expect("a program")
 }
 

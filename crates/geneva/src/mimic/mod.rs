@@ -16,7 +16,7 @@ use geneva_case1973::Hypothesis;
 use geneva_host::files;
 use geneva_ledger::meyer::runs::table::rows;
 use geneva_mimic::language::{
-    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
+    CardLayout, Choices, DECKS, DataSet, Deck, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
     nearest_to,
 };
 use geneva_mimic::{Interpolation, MinStepPolicy, StepSolution};
@@ -303,9 +303,9 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
         (None, None) => bail!("the deck is missing; give a file, or --listing-in FILE"),
     };
     let layout = match wanted.layout {
-        Some(LayoutName::Columns) => Layout::Columns,
-        Some(LayoutName::Free) => Layout::Free,
-        None => Layout::of(&text),
+        Some(LayoutName::Columns) => CardLayout::Columns,
+        Some(LayoutName::Free) => CardLayout::Free,
+        None => CardLayout::detect(&text),
     };
     let mut deck = Deck::read(&text, layout).map_err(|faults| anyhow!("{name}\n{faults}"))?;
     for (set, value) in &wanted.set {

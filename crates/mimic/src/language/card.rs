@@ -13,7 +13,7 @@ pub(super) const LONGEST: usize = 1000;
 
 /// Layout of a card: where its logical control variable, result and expression are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Layout {
+pub enum CardLayout {
     /// In columns, as in the deck of the encyclopedia: control before column 10, result from 10 to 16 with a sign = in
     /// 17 that may be left out, expression from 19 on.
     Columns,
@@ -25,9 +25,9 @@ pub enum Layout {
 const RESULT: usize = 9;
 const EXPRESSION: usize = 18;
 
-impl Layout {
+impl CardLayout {
     /// The layout of a deck: columns, if every card keeps to them.
-    pub fn of(text: &str) -> Self {
+    pub fn detect(text: &str) -> Self {
         let mut any = false;
         for line in text.lines() {
             let card: Vec<char> = line.trim_end().chars().collect();
@@ -56,11 +56,11 @@ fn keeps_to_columns(card: &[char]) -> bool {
 }
 
 /// Whether a line is a comment.
-pub(super) fn is_comment(card: &[char], layout: Layout) -> bool {
+pub(super) fn is_comment(card: &[char], layout: CardLayout) -> bool {
     match card.first() {
         Some('*' | '/') => true,
         // CON(A) and C=2. may begin in column 1 where columns do not count.
-        Some('C' | 'c') => layout == Layout::Columns || card.get(1).is_none_or(|next| next.is_whitespace()),
+        Some('C' | 'c') => layout == CardLayout::Columns || card.get(1).is_none_or(|next| next.is_whitespace()),
         _ => false,
     }
 }
@@ -75,7 +75,7 @@ pub(super) enum Fields {
 }
 
 /// The fields of a card that is no comment.
-pub(super) fn fields(card: &[char], layout: Layout) -> Result<Fields, Problems> {
+pub(super) fn fields(card: &[char], layout: CardLayout) -> Result<Fields, Problems> {
     let all = 0..card.len();
     if card.len() > LONGEST {
         return Err(vec![(LONGEST..card.len(), Problem::TooLong { length: card.len(), most: LONGEST })]);
@@ -96,8 +96,8 @@ pub(super) fn fields(card: &[char], layout: Layout) -> Result<Fields, Problems> 
         return control;
     }
     match layout {
-        Layout::Columns => in_columns(found, card.len()),
-        Layout::Free => free(found, card.len()),
+        CardLayout::Columns => in_columns(found, card.len()),
+        CardLayout::Free => free(found, card.len()),
     }
 }
 

@@ -7,7 +7,7 @@
 //! field of [`Choices`].
 //!
 //! ```
-//! use geneva_mimic::language::{Choices, Deck, Layout, Program};
+//! use geneva_mimic::language::{Choices, Deck, CardLayout, Program};
 //!
 //! let deck = Deck::read(
 //!     "* a spring and a damper
@@ -21,7 +21,7 @@
 //!      END
 //!      .5 4.
 //!      0. 4.",
-//!     Layout::Free,
+//!     CardLayout::Free,
 //! )?;
 //! let program = Program::new(&deck)?;
 //! let runs = program.runs(&deck.data_sets()?, &Choices::default())?;
@@ -60,7 +60,7 @@ mod tree;
 mod trouble;
 mod types;
 
-pub use card::Layout;
+pub use card::CardLayout;
 pub use control::{CARDS, Card};
 pub use data::DataSet;
 pub use deck::listing_in;
@@ -89,10 +89,10 @@ pub const DECKS: [(&str, &str); 9] = [
 /// The text of a deck of this project.
 ///
 /// ```
-/// use geneva_mimic::language::{Deck, Layout, deck_named};
+/// use geneva_mimic::language::{Deck, CardLayout, deck_named};
 ///
 /// let text = deck_named("decay").expect("a deck of this project");
-/// assert!(Deck::read(text, Layout::Free).is_ok());
+/// assert!(Deck::read(text, CardLayout::Free).is_ok());
 /// assert_eq!(deck_named("growth"), None);
 /// ```
 pub fn deck_named(name: &str) -> Option<&'static str> {

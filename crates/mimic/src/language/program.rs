@@ -114,10 +114,10 @@ pub(super) struct PlotCode {
 /// A deck that is sorted and compiled: it runs as often as there are data.
 ///
 /// ```
-/// use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
+/// use geneva_mimic::language::{Choices, Deck, CardLayout, Program, deck_named};
 ///
 /// // Something decays from 1000 with a half-life of 2, printed every half unit of time.
-/// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), Layout::Free)?;
+/// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), CardLayout::Free)?;
 /// let program = Program::new(&deck)?;
 /// assert_eq!((program.parameters(), program.columns().len()), (vec!["START", "HALF"], 3));
 /// let runs = program.runs(&deck.data_sets()?, &Choices::default())?;

@@ -1,6 +1,6 @@
 //! How cards are read into a deck.
 
-use super::card::{Fields, LONGEST, Layout, fields, is_comment};
+use super::card::{CardLayout, Fields, LONGEST, fields, is_comment};
 use super::control::reserved;
 use super::expression::{Problems, expected, expression, list};
 use super::fault::{Fault, Faults, MOST_FAULTS, Problem};
@@ -23,7 +23,7 @@ impl Deck {
     /// All that is wrong with its cards, each looked at by itself; then also names that no card defines, and names that
     /// are defined twice. Whatever else is wrong with cards that fit together badly, [`Program::new`](super::Program::new)
     /// tells.
-    pub fn read(text: &str, layout: Layout) -> Result<Self, Faults> {
+    pub fn read(text: &str, layout: CardLayout) -> Result<Self, Faults> {
         let mut reading = Reading {
             deck: Self::empty(text),
             faults: Vec::new(),
@@ -118,7 +118,7 @@ impl Reading {
     }
 
     /// Reads a card; whether it was END.
-    fn card(&mut self, number: usize, card: &[char], layout: Layout) -> bool {
+    fn card(&mut self, number: usize, card: &[char], layout: CardLayout) -> bool {
         match fields(card, layout) {
             Err(problems) => {
                 let (tokens, _) = super::token::tokens(card, 0..card.len().min(LONGEST));
@@ -278,20 +278,20 @@ impl Reading {
     }
 
     /// A comment that reads as a statement is told: a C in column 1 may be meant for a name.
-    fn note_a_hidden_statement(&mut self, number: usize, card: &[char], layout: Layout) {
+    fn note_a_hidden_statement(&mut self, number: usize, card: &[char], layout: CardLayout) {
         if !matches!(card.first(), Some('C' | 'c')) {
             return;
         }
         let hidden = match layout {
-            Layout::Free => {
+            CardLayout::Free => {
                 let (tokens, problems) = super::token::tokens(card, 1..card.len());
                 let tokens = &tokens[usize::from(tokens.first().is_some_and(|first| first.is('=')))..];
                 let is_expression = problems.is_empty() && !tokens.is_empty() && expression(tokens, card.len()).is_ok();
                 is_expression.then(|| "to define C".to_owned())
             }
             // A C with blanks behind it is a card that was taken out.
-            Layout::Columns if card.get(1).is_none_or(|next| next.is_whitespace()) => None,
-            Layout::Columns => match fields(card, layout) {
+            CardLayout::Columns if card.get(1).is_none_or(|next| next.is_whitespace()) => None,
+            CardLayout::Columns => match fields(card, layout) {
                 Ok(Fields::Control { word, .. }) => Some(format!("a {} card", word.name)),
                 Ok(Fields::Statement { control: Some(control), expression: tokens, .. }) => {
                     expression(&tokens, card.len()).is_ok().then(|| format!("to count under {}", control.name))
@@ -303,7 +303,7 @@ impl Reading {
             let note = format!(
                 "card {number} is a comment, because it has a C in column 1; if it is {meant}, begin it in column 2"
             );
-            if layout == Layout::Free {
+            if layout == CardLayout::Free {
                 self.deck.hidden_c.get_or_insert_with(|| note.clone());
             }
             self.deck.notes.push(note);

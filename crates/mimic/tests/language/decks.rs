@@ -1,7 +1,7 @@
 //! Compares the decks of this project with the same equations in Rust, to the last bit, and with other integrators.
 
 use super::own;
-use geneva_mimic::language::{Choices, DECKS, Deck, Layout, Program, Run};
+use geneva_mimic::language::{CardLayout, Choices, DECKS, Deck, Program, Run};
 use geneva_mimic::{Extrapolation, Interpolation, MinStepPolicy, Parameters, System, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use ode_solvers::dop_shared::OutputType;
@@ -200,9 +200,9 @@ fn a_switch_that_bounces_holds_the_room_where_it_switches() {
 #[test]
 fn every_deck_runs_with_the_data_behind_it_and_keeps_to_its_columns() {
     for (name, text) in DECKS {
-        assert_eq!(Layout::of(text), Layout::Columns, "{name}");
+        assert_eq!(CardLayout::detect(text), CardLayout::Columns, "{name}");
         assert!(text.lines().all(|line| line.len() <= 80), "{name}: a card has eighty columns");
-        for layout in [Layout::Columns, Layout::Free] {
+        for layout in [CardLayout::Columns, CardLayout::Free] {
             let deck = Deck::read(text, layout).unwrap_or_else(|faults| panic!("{name}: {faults}"));
             assert!(deck.notes().is_empty(), "{name}: {:?}", deck.notes());
             let program = Program::new(&deck).unwrap_or_else(|faults| panic!("{name}: {faults}"));

@@ -8,7 +8,7 @@ use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::study::by_deck;
 use geneva_ledger::meyer::runs::table::{listing, rows};
-use geneva_mimic::language::{Deck, Layout, Program, deck_named};
+use geneva_mimic::language::{CardLayout, Deck, Program, deck_named};
 
 /// The numbers of the chapter on the program.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -54,7 +54,8 @@ fn long_steps() -> anyhow::Result<String> {
 /// The names in the circle that the deck has without its delay.
 fn loop_without_delay(delay: &str) -> anyhow::Result<String> {
     let cards = deck_named("escapement").context("there is no such deck")?.replace(delay, "ACCEL");
-    let faults = Program::new(&Deck::read(&cards, Layout::of(&cards))?).err().context("the deck can be sorted")?;
+    let faults =
+        Program::new(&Deck::read(&cards, CardLayout::detect(&cards))?).err().context("the deck can be sorted")?;
     let told = faults.to_string();
     let (_, from) = told.split_once("loop: ").context("the fault is no loop")?;
     let (names, _) = from.split_once(';').context("the fault tells no names")?;

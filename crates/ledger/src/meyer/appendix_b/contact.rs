@@ -12,7 +12,7 @@ use crate::meyer::spring::constant;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, within_one};
 use geneva_dynamics::Sign;
 use geneva_dynamics::equation_proofs::InOneFormula;
-use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
+use geneva_mimic::language::{CardLayout, Choices, Deck, Program, deck_named};
 
 const PROGRAM: Place = at("Appendix B, paragraphs before the program");
 
@@ -337,7 +337,7 @@ pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
         _ => card.to_owned(),
     });
     let text = cards.collect::<Vec<_>>().join("\n");
-    let cards = Deck::read(&text, Layout::of(&text)).ok()?;
+    let cards = Deck::read(&text, CardLayout::detect(&text)).ok()?;
     let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &Choices::default()).ok()?;
     run.rows.into_iter().map(|row| row.try_into().ok()).collect()
 }
@@ -388,7 +388,7 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
         ];
         let text = deck_named("escapement")?.to_owned();
         let text = changed.iter().fold(text, |text, (old, new)| text.replace(old, new));
-        let cards = Deck::read(&text, Layout::of(&text)).ok()?;
+        let cards = Deck::read(&text, CardLayout::detect(&text)).ok()?;
         let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &Choices::default()).ok()?;
         run.rows.into_iter().map(|row| row.try_into().ok()).collect()
     };

@@ -7,7 +7,7 @@ use geneva_case1973::deck;
 use geneva_case1973::{Constants, Hypothesis, Row, weakest};
 use geneva_dynamics::steady::Printed;
 use geneva_mimic::SolverStats;
-use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
+use geneva_mimic::language::{CardLayout, Choices, Deck, Program, deck_named, print_out};
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, OnceLock};
 
@@ -188,7 +188,7 @@ fn prints_otherwise_without(kind: &str) -> Option<bool> {
     let scaled = text
         .replace(plot, &[plot, "                  SCA(.002,2.5,2.5)", "                  ZER(0.,0.,-100.)"].join("\n"));
     let run = |text: &str| {
-        let deck = Deck::read(text, Layout::of(text)).ok()?;
+        let deck = Deck::read(text, CardLayout::detect(text)).ok()?;
         let program = Program::new(&deck).ok()?;
         let run = program.run(deck.data_sets().ok()?.first()?, &Choices::default()).ok()?;
         Some((run.work, print_out(&run, "")))
