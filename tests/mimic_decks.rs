@@ -8,7 +8,7 @@ use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, d
 use geneva_ledger::meyer::runs::study::by_deck;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::printed_value;
-use geneva_mimic::language::{CardLayout, Choices, Deck, Program, RememberedPoints, deck_named};
+use geneva_mimic::language::{CardLayout, Deck, Program, RememberedPoints, RunOptions, deck_named};
 use geneva_mimic::{Interpolation, Parameters, StepSolution};
 
 /// The escapement's deck with some names set.
@@ -46,13 +46,13 @@ fn quarter_turn() -> f64 {
 
 /// A row by a program that resets the angle after a quarter of a turn.
 #[track_caller]
-fn run(program: &Program, row: &Row, choices: &Choices) -> Run {
+fn run(program: &Program, row: &Row, choices: &RunOptions) -> Run {
     deck::run(program, row, quarter_turn(), choices).unwrap_or_else(|| panic!("{}: no run", row.slug()))
 }
 
 /// All rows by a program with the angle and π of the thesis.
 fn runs(program: &Program) -> Vec<Run> {
-    rows().iter().map(|row| run(program, row, &Choices::default())).collect()
+    rows().iter().map(|row| run(program, row, &RunOptions::default())).collect()
 }
 
 /// All rows as they are run.
@@ -89,7 +89,7 @@ fn with_its_own_reset_angles_the_deck_gives_the_corrected_tables() {
     let mut otherwise = 0;
     for (row, as_run) in rows().iter().zip(as_run()) {
         let reset = 2.0 * row.mechanism.engagement_half_angle();
-        let own = deck::run(&program, row, reset, &Choices::default()).expect("a run");
+        let own = deck::run(&program, row, reset, &RunOptions::default()).expect("a run");
         let right = Hypothesis::IDEAL.run(row).expect("a steady state");
         // The printed peak may miss the true one, and the lag of the sign shifts both.
         for column in [Column::Minimum, Column::Period] {
@@ -117,8 +117,10 @@ fn the_statements_of_the_start_matter_at_the_start_alone() {
     }));
     let usual = program(&as_listed());
     let first_acceleration = |program: &Program, row: &Row| {
-        program.run(&deck::data(program, row), &Choices::default()).unwrap_or_else(|trouble| panic!("{trouble}")).rows
-            [0][3]
+        program
+            .run(&deck::data(program, row), &RunOptions::default())
+            .unwrap_or_else(|trouble| panic!("{trouble}"))
+            .rows[0][3]
     };
     assert_eq!(first_acceleration(&without, &rows()[20]), 0.0, "nothing says how it begins");
     assert!(first_acceleration(&usual, &rows()[20]) > 0.0);
@@ -143,7 +145,7 @@ fn where_the_delay_begins_with_zero_the_line_of_the_motion_needs_no_statements_o
     for row in rows() {
         let [one, other] = [&alone, &usual].map(|program| {
             program
-                .run(&deck::data(program, row), &Choices::default())
+                .run(&deck::data(program, row), &RunOptions::default())
                 .unwrap_or_else(|trouble| panic!("{trouble}"))
                 .rows
         });
@@ -173,7 +175,7 @@ fn a_tenth_of_the_print_interval_finds_the_true_peaks() {
     let mut missed = [0.0_f64; 2];
     for at in (0..rows().len()).step_by(7) {
         let right = exact.run(&rows()[at]).expect("a steady state");
-        let fine = run(&fine, &rows()[at], &Choices::default());
+        let fine = run(&fine, &rows()[at], &RunOptions::default());
         for (missed, found) in missed.iter_mut().zip([&fine, &as_run()[at]]) {
             *missed = missed.max((found.peak / right.peak - 1.0).abs());
         }
@@ -193,15 +195,15 @@ fn no_statement_is_dead_unless_nothing_printed_needs_it() {
 
 #[test]
 fn the_results_do_not_hang_on_what_is_not_known() {
-    let usual = Choices::default();
+    let usual = RunOptions::default();
     let program = program(&as_listed());
-    let with = |integrator| Choices { integrator, ..usual };
+    let with = |integrator| RunOptions { integrator, ..usual };
     let variants = [
         with(Parameters { kept: StepSolution::FullStep, ..usual.integrator }),
         with(Parameters { kept: StepSolution::Extrapolated, ..usual.integrator }),
         with(Parameters { relative_tolerance: usual.integrator.relative_tolerance / 100.0, ..usual.integrator }),
-        Choices { interpolation: Interpolation::Hold, ..usual },
-        Choices { remembered: RememberedPoints::AsAsked, ..usual },
+        RunOptions { interpolation: Interpolation::Hold, ..usual },
+        RunOptions { remembered: RememberedPoints::AsAsked, ..usual },
     ];
     for (number, choices) in variants.iter().enumerate() {
         for at in [0, 5, 20, 30, 40] {

@@ -6,7 +6,7 @@
 use crate::program::Printout;
 use crate::{Hypothesis, Listing, Reset, Row, Run};
 use geneva_dynamics::steady::Printed;
-use geneva_mimic::language::{CardLayout, Choices, DataSet, Deck, Program, deck_named};
+use geneva_mimic::language::{CardLayout, DataSet, Deck, Program, RunOptions, deck_named};
 
 /// The names of the deck with other values in the program of the thesis: the reset angle and π.
 pub const AS_LISTED: [&str; 2] = ["RESET", "PI"];
@@ -34,7 +34,7 @@ pub fn data(program: &Program, row: &Row) -> DataSet {
 ///
 /// The columns are the time, the angle through which the driver has turned, its speed and acceleration, and the
 /// follower's speed. The angle is reset after `reset` radians.
-pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Option<Run> {
+pub fn run(program: &Program, row: &Row, reset: f64, choices: &RunOptions) -> Option<Run> {
     let printed = program.run(&data(program, row), choices).ok()?;
     let half = row.mechanism.engagement_half_angle();
     let line = |row: &Vec<f64>| {
@@ -52,7 +52,7 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Optio
 pub fn longer_than_delay(rows: &[Row]) -> Option<Vec<f64>> {
     let program = Program::new(&deck(&as_listed(&rows.first()?.given.listing))?).ok()?;
     let part = |row| {
-        let run = program.run(&data(&program, row), &Choices::default()).ok()?;
+        let run = program.run(&data(&program, row), &RunOptions::default()).ok()?;
         Some(run.longer_than_delay as f64 / run.work.accepted as f64)
     };
     rows.iter().map(part).collect()
@@ -62,7 +62,7 @@ pub fn longer_than_delay(rows: &[Row]) -> Option<Vec<f64>> {
 /// some names of the deck set to other numbers. None if it never does.
 pub fn turned_when_backwards(row: &Row, set: &[(&str, f64)]) -> Option<f64> {
     let program = Program::new(&deck(set)?).ok()?;
-    let printed = program.run(&data(&program, row), &Choices::default()).ok()?.rows;
+    let printed = program.run(&data(&program, row), &RunOptions::default()).ok()?.rows;
     printed.iter().find(|line| line.last().is_some_and(|speed| *speed < 0.0))?.get(1).copied()
 }
 
@@ -79,5 +79,5 @@ pub fn runs(rows: &[Row], reset: Reset) -> Option<Vec<Run>> {
     };
     let program = Program::new(&deck(&set)?).ok()?;
     let hypothesis = Hypothesis { reset, ..Hypothesis::AS_RUN };
-    rows.iter().map(|row| run(&program, row, hypothesis.angle(row), &Choices::default())).collect()
+    rows.iter().map(|row| run(&program, row, hypothesis.angle(row), &RunOptions::default())).collect()
 }

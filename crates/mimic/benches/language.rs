@@ -5,7 +5,7 @@ mod native;
 
 use divan::{Bencher, black_box};
 use geneva_mimic::integrate;
-use geneva_mimic::language::{CardLayout, Choices, DataSet, Deck, Program, deck_named};
+use geneva_mimic::language::{CardLayout, DataSet, Deck, Program, RunOptions, deck_named};
 use nalgebra::Vector2;
 use native::{Escapement, parameters};
 use std::rc::Rc;
@@ -45,7 +45,7 @@ fn forty_nine_runs_of_the_deck(bencher: Bencher) {
     let names = ["SLOTS", "START", "MU", "TORQUE", "IFOL", "IDRV"].map(str::to_owned);
     let sets: Vec<_> =
         data().into_iter().map(|numbers| DataSet(names.iter().cloned().zip(numbers).collect())).collect();
-    bencher.bench_local(|| program.runs(black_box(&sets), &Choices::default()).expect("some runs").len());
+    bencher.bench_local(|| program.runs(black_box(&sets), &RunOptions::default()).expect("some runs").len());
 }
 
 #[divan::bench(sample_count = 20)]

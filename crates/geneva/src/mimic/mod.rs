@@ -16,8 +16,8 @@ use geneva_case1973::Hypothesis;
 use geneva_host::files;
 use geneva_ledger::meyer::runs::table::rows;
 use geneva_mimic::language::{
-    CardLayout, Choices, DECKS, DataSet, Deck, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
-    nearest_to,
+    CardLayout, DECKS, DataSet, Deck, Program, RememberedPoints, Run, RunError, RunOptions, Runs, deck_named,
+    listing_in, nearest_to,
 };
 use geneva_mimic::{Interpolation, MinStepPolicy, StepSolution};
 use rayon::prelude::*;
@@ -368,9 +368,9 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
 
 /// All runs, as many at a time as there are threads, which share the memory that one run may have. A run that needs more
 /// of it is made again by itself.
-fn runs(program: &Program, sets: &[DataSet], choices: &Choices, threads: usize) -> Result<Vec<Run>, RunError> {
+fn runs(program: &Program, sets: &[DataSet], choices: &RunOptions, threads: usize) -> Result<Vec<Run>, RunError> {
     let step = progress::bar(sets.len(), "runs", false);
-    let shared = Choices { at_once: threads.max(1), ..*choices };
+    let shared = RunOptions { at_once: threads.max(1), ..*choices };
     let mut all = Runs::default();
     for some in sets.chunks(shared.at_once) {
         let run = |set| {
@@ -411,8 +411,8 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
     Ok(sets.into_iter().map(|set| DataSet(set.0.into_iter().chain(given.iter().cloned()).collect())).collect())
 }
 
-fn choices(wanted: &RunArguments) -> Choices {
-    let usual = Choices::default();
+fn choices(wanted: &RunArguments) -> RunOptions {
+    let usual = RunOptions::default();
     let kept = match wanted.kept {
         KeptName::FullStep => StepSolution::FullStep,
         KeptName::HalfSteps => StepSolution::TwoHalfSteps,
@@ -437,5 +437,5 @@ fn choices(wanted: &RunArguments) -> Choices {
         at_smallest_step,
         ..usual.integrator
     };
-    Choices { integrator, interpolation, remembered, ..usual }
+    RunOptions { integrator, interpolation, remembered, ..usual }
 }

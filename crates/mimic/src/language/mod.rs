@@ -4,10 +4,10 @@
 //! Work::Meyer1973, Appendix B, and from one other deck, the predators and prey of an encyclopedia
 //! (<https://en.wikipedia.org/wiki/MIMIC>). Whatever goes beyond these two is assumed: the tables
 //! [`FUNCTIONS`] and [`CARDS`] say of each word where it comes from, and what is open in the running of a deck is a
-//! field of [`Choices`].
+//! field of [`RunOptions`].
 //!
 //! ```
-//! use geneva_mimic::language::{Choices, Deck, CardLayout, Program};
+//! use geneva_mimic::language::{RunOptions, Deck, CardLayout, Program};
 //!
 //! let deck = Deck::read(
 //!     "* a spring and a damper
@@ -24,7 +24,7 @@
 //!     CardLayout::Free,
 //! )?;
 //! let program = Program::new(&deck)?;
-//! let runs = program.runs(&deck.data_sets()?, &Choices::default())?;
+//! let runs = program.runs(&deck.data_sets()?, &RunOptions::default())?;
 //! assert_eq!(runs[1].columns, ["T", "X"]);
 //! let last = &runs[1].rows[4];
 //! assert!((last[1] - libm::cos(2.0 * last[0])).abs() < 1e-5);
@@ -68,7 +68,7 @@ pub use fault::{Fault, Faults, Problem, nearest_to};
 pub use function::{Evidence, FUNCTIONS, Function};
 pub use printout::{line_plot, print_out};
 pub use program::Program;
-pub use run::{Choices, Plot, RememberedPoints, Run, Runs};
+pub use run::{Plot, RememberedPoints, Run, RunOptions, Runs};
 pub use sorting::{Sorted, When};
 pub use tree::Deck;
 pub use trouble::{Origin, RunError, Trouble};

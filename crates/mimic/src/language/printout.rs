@@ -23,10 +23,10 @@ fn number(value: f64) -> String {
 /// The print-out of a run: parameters, a table for each OUT card, and the plots.
 ///
 /// ```
-/// use geneva_mimic::language::{Choices, Deck, CardLayout, Program, deck_named, print_out};
+/// use geneva_mimic::language::{RunOptions, Deck, CardLayout, Program, deck_named, print_out};
 ///
 /// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), CardLayout::Free)?;
-/// let runs = Program::new(&deck)?.runs(&deck.data_sets()?, &Choices::default())?;
+/// let runs = Program::new(&deck)?.runs(&deck.data_sets()?, &RunOptions::default())?;
 /// let page = print_out(&runs[0], "DECAY");
 /// assert!(page.starts_with("DECAY\n") && page.contains(&runs[0].columns[0]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -114,13 +114,13 @@ pub(super) struct PlotCode {
 /// A deck that is sorted and compiled: it runs as often as there are data.
 ///
 /// ```
-/// use geneva_mimic::language::{Choices, Deck, CardLayout, Program, deck_named};
+/// use geneva_mimic::language::{RunOptions, Deck, CardLayout, Program, deck_named};
 ///
 /// // Something decays from 1000 with a half-life of 2, printed every half unit of time.
 /// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), CardLayout::Free)?;
 /// let program = Program::new(&deck)?;
 /// assert_eq!((program.parameters(), program.columns().len()), (vec!["START", "HALF"], 3));
-/// let runs = program.runs(&deck.data_sets()?, &Choices::default())?;
+/// let runs = program.runs(&deck.data_sets()?, &RunOptions::default())?;
 /// assert!((runs[0].rows[4][1] - 500.0).abs() < 0.01); // what is left at the time 2
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

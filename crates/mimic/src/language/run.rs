@@ -38,7 +38,7 @@ pub enum RememberedPoints {
 
 /// Choices that the two decks and their texts leave open.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choices {
+pub struct RunOptions {
     /// Parameters of the integrator. Its print interval is DT where no DT card is; its run length and its least, greatest and
     /// first step are not used, because FIN, DTMIN and DTMAX give them.
     ///
@@ -57,7 +57,7 @@ pub struct Choices {
     pub at_once: usize,
 }
 
-impl Default for Choices {
+impl Default for RunOptions {
     fn default() -> Self {
         let at_smallest_step = crate::MinStepPolicy::Continue;
         Self {
@@ -152,7 +152,7 @@ impl Program {
     /// # Errors
     ///
     /// The first [`Trouble`], with the number of its set.
-    pub fn runs(&self, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
+    pub fn runs(&self, sets: &[DataSet], choices: &RunOptions) -> Result<Vec<Run>, RunError> {
         let mut runs = Runs::default();
         for set in sets {
             runs.add(self, self.run(set, choices))?;
@@ -182,7 +182,7 @@ impl Program {
     /// # Errors
     ///
     /// [`Trouble`] for numbers that are missing or out of their range, and for whatever stops the run.
-    pub fn run(&self, set: &DataSet, choices: &Choices) -> Result<Run, Trouble> {
+    pub fn run(&self, set: &DataSet, choices: &RunOptions) -> Result<Run, Trouble> {
         if self.delays.len() > MOST_DELAYS {
             return Err(Trouble::TooMany { what: "delays", asked: self.delays.len(), most: MOST_DELAYS });
         }
@@ -196,7 +196,7 @@ impl Program {
         }
     }
 
-    fn run_in<const D: usize>(&self, set: &DataSet, choices: &Choices) -> Result<Run, Trouble> {
+    fn run_in<const D: usize>(&self, set: &DataSet, choices: &RunOptions) -> Result<Run, Trouble> {
         let mut registers = self.begun(set, choices)?;
         let (parameters, has_end) = self.integrator(&registers, choices)?;
         let watched: Vec<u32> = self
@@ -262,7 +262,7 @@ impl Program {
     }
 
     /// The registers at the beginning of a run: data, what is known before, and what the integrals begin with.
-    fn begun(&self, set: &DataSet, choices: &Choices) -> Result<Vec<f64>, Trouble> {
+    fn begun(&self, set: &DataSet, choices: &RunOptions) -> Result<Vec<f64>, Trouble> {
         let mut registers = self.registers.clone();
         for (name, register) in &self.parameters {
             let value = set.0.iter().rev().find(|(of, _)| of == name).map(|(_, value)| *value);
@@ -290,7 +290,7 @@ impl Program {
     }
 
     /// How the integrator is to go, and whether the end of the run is known before it.
-    fn integrator(&self, registers: &[f64], choices: &Choices) -> Result<(Parameters, bool), Trouble> {
+    fn integrator(&self, registers: &[f64], choices: &RunOptions) -> Result<(Parameters, bool), Trouble> {
         let [interval, smallest, largest] = self.steps.map(|(register, _)| registers[register as usize]);
         let refused = |name, value, allowed| Err(Trouble::Step { name, value, allowed });
         for (name, value) in [("DT", interval), ("DTMIN", smallest), ("DTMAX", largest)] {
@@ -354,14 +354,14 @@ impl Program {
     }
 
     /// Why a run has fewer steps than any may have, in words; empty if it has as many.
-    fn what_steps_have(&self, choices: &Choices) -> String {
+    fn what_steps_have(&self, choices: &RunOptions) -> String {
         if MOST_WORK / self.parts_of_a_step() >= choices.integrator.most_steps {
             return String::new();
         }
         format!(" with {} and {}", counted(self.states.len(), "integral"), counted(self.delays.len(), "TDL"))
     }
 
-    fn lines(&self, registers: &[f64], choices: &Choices) -> Result<Vec<Line>, Trouble> {
+    fn lines(&self, registers: &[f64], choices: &RunOptions) -> Result<Vec<Line>, Trouble> {
         let line = |delay: &Delay| {
             let length = registers[delay.delay as usize];
             let line = DelayLine::new(length, 0.0, choices.interpolation, choices.extrapolation);

@@ -4,7 +4,7 @@
 
 use fastrand::Rng;
 use geneva_mimic::Parameters;
-use geneva_mimic::language::{CardLayout, Choices, DECKS, DataSet, Deck, FUNCTIONS, Program, print_out};
+use geneva_mimic::language::{CardLayout, DECKS, DataSet, Deck, FUNCTIONS, Program, RunOptions, print_out};
 
 /// One of several words.
 fn pick<'a>(dice: &mut Rng, all: &[&'a str]) -> &'a str {
@@ -39,9 +39,9 @@ fn assert_is_plain(told: &str) {
 }
 
 /// A run that cannot take long.
-fn short() -> Choices {
-    let usual = Choices::default();
-    Choices { integrator: Parameters { most_steps: 2000, ..usual.integrator }, ..usual }
+fn short() -> RunOptions {
+    let usual = RunOptions::default();
+    RunOptions { integrator: Parameters { most_steps: 2000, ..usual.integrator }, ..usual }
 }
 
 /// Reads, compiles and runs a text in both layouts; how far it came.

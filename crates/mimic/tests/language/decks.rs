@@ -1,7 +1,7 @@
 //! Compares the decks of this project with the same equations in Rust, to the last bit, and with other integrators.
 
 use super::own;
-use geneva_mimic::language::{CardLayout, Choices, DECKS, Deck, Program, Run};
+use geneva_mimic::language::{CardLayout, DECKS, Deck, Program, Run, RunOptions};
 use geneva_mimic::{Extrapolation, Interpolation, MinStepPolicy, Parameters, System, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use ode_solvers::dop_shared::OutputType;
@@ -15,7 +15,7 @@ fn like(print_interval: f64, run_length: f64) -> Parameters {
 #[track_caller]
 fn run(name: &str, numbers: &[f64]) -> Run {
     let (program, set) = own(name, numbers);
-    program.run(&set, &Choices::default()).unwrap_or_else(|trouble| panic!("{trouble}"))
+    program.run(&set, &RunOptions::default()).unwrap_or_else(|trouble| panic!("{trouble}"))
 }
 
 /// That printed columns are those of a native run, to the last bit.
@@ -207,7 +207,7 @@ fn every_deck_runs_with_the_data_behind_it_and_keeps_to_its_columns() {
             assert!(deck.notes().is_empty(), "{name}: {:?}", deck.notes());
             let program = Program::new(&deck).unwrap_or_else(|faults| panic!("{name}: {faults}"));
             let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{name}: {faults}"));
-            let runs = program.runs(&sets, &Choices::default()).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let runs = program.runs(&sets, &RunOptions::default()).unwrap_or_else(|error| panic!("{name}: {error}"));
             assert!(runs.iter().all(|run| run.rows.len() > 20 && run.work.forced == 0), "{name}");
         }
     }

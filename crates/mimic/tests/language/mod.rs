@@ -14,7 +14,7 @@ mod sorting;
 mod steps;
 mod tokens;
 
-use geneva_mimic::language::{CardLayout, Choices, DataSet, Deck, Program, Run, deck_named};
+use geneva_mimic::language::{CardLayout, DataSet, Deck, Program, Run, RunOptions, deck_named};
 
 /// The deck in a text without columns.
 #[track_caller]
@@ -33,7 +33,7 @@ fn runs(text: &str) -> Vec<Run> {
     let deck = deck(text);
     let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{faults}"));
     let program = Program::new(&deck).unwrap_or_else(|faults| panic!("{faults}"));
-    program.runs(&sets, &Choices::default()).unwrap_or_else(|error| panic!("{error}"))
+    program.runs(&sets, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The columns after T at the end of a run.

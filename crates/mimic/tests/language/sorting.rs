@@ -1,7 +1,7 @@
 //! The order of the statements, whatever the order of the cards, and how long it takes to find.
 
 use super::{last, program, runs, told};
-use geneva_mimic::language::{Choices, DataSet, When};
+use geneva_mimic::language::{DataSet, RunOptions, When};
 use source::{circle, components};
 
 /// The order, compiled here by itself: no deck may be so long.
@@ -98,7 +98,7 @@ fn there_are_bounds_to_integrals_and_delays() {
     let run = |card: &str, many: usize| {
         let cards: String = (0..many).map(|k| format!(" X{k} {card}\n")).collect();
         let program = program(&format!("{cards} OUT(T,X0)\n FIN(T,.2)\n END\n"));
-        program.run(&DataSet::default(), &Choices::default()).map(|run| run.rows[2][1])
+        program.run(&DataSet::default(), &RunOptions::default()).map(|run| run.rows[2][1])
     };
     for (card, most) in [("INT(1.,0.)", 1024), ("TDL(T,.1)", 256)] {
         assert!((run(card, most).expect("as many as there may be") - 0.2).abs() < 0.11, "{card}");

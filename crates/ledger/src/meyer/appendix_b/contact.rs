@@ -12,7 +12,7 @@ use crate::meyer::spring::constant;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, within_one};
 use geneva_dynamics::Sign;
 use geneva_dynamics::equation_proofs::InOneFormula;
-use geneva_mimic::language::{CardLayout, Choices, Deck, Program, deck_named};
+use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named};
 
 const PROGRAM: Place = at("Appendix B, paragraphs before the program");
 
@@ -338,7 +338,7 @@ pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
     });
     let text = cards.collect::<Vec<_>>().join("\n");
     let cards = Deck::read(&text, CardLayout::detect(&text)).ok()?;
-    let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &Choices::default()).ok()?;
+    let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &RunOptions::default()).ok()?;
     run.rows.into_iter().map(|row| row.try_into().ok()).collect()
 }
 
@@ -389,7 +389,7 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
         let text = deck_named("escapement")?.to_owned();
         let text = changed.iter().fold(text, |text, (old, new)| text.replace(old, new));
         let cards = Deck::read(&text, CardLayout::detect(&text)).ok()?;
-        let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &Choices::default()).ok()?;
+        let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &RunOptions::default()).ok()?;
         run.rows.into_iter().map(|row| row.try_into().ok()).collect()
     };
     let lines = lines().unwrap_or_default();
@@ -423,7 +423,7 @@ mod tests {
     fn most_steps_of_every_run_are_longer_than_the_delay() {
         let program = Program::new(&deck::deck(&deck::as_listed(&listing())).expect("a deck")).expect("a program");
         for row in rows() {
-            let run = program.run(&deck::data(&program, row), &Choices::default()).expect("a run");
+            let run = program.run(&deck::data(&program, row), &RunOptions::default()).expect("a run");
             let (longer, all) = (run.longer_than_delay, run.work.accepted);
             assert!(2 * longer > all && longer < all, "{}: {longer} of {all}", row.slug());
         }

@@ -7,7 +7,7 @@ use geneva_case1973::deck;
 use geneva_case1973::{Constants, Hypothesis, Row, weakest};
 use geneva_dynamics::steady::Printed;
 use geneva_mimic::SolverStats;
-use geneva_mimic::language::{CardLayout, Choices, Deck, Program, deck_named, print_out};
+use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named, print_out};
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, OnceLock};
 
@@ -161,7 +161,7 @@ fn by_deck() -> &'static [Option<Vec<Vec<f64>>>] {
     let run = |row: &Row| {
         let angle = Hypothesis::AS_RUN.angle(row);
         let program = Program::new(&deck::deck(&[(deck::AS_LISTED[0], angle)])?).ok()?;
-        Some(program.run(&deck::data(&program, row), &Choices::default()).ok()?.rows)
+        Some(program.run(&deck::data(&program, row), &RunOptions::default()).ok()?.rows)
     };
     RUNS.get_or_init(|| weakest(rows()).map(run).collect())
 }
@@ -190,7 +190,7 @@ fn prints_otherwise_without(kind: &str) -> Option<bool> {
     let run = |text: &str| {
         let deck = Deck::read(text, CardLayout::detect(text)).ok()?;
         let program = Program::new(&deck).ok()?;
-        let run = program.run(deck.data_sets().ok()?.first()?, &Choices::default()).ok()?;
+        let run = program.run(deck.data_sets().ok()?.first()?, &RunOptions::default()).ok()?;
         Some((run.work, print_out(&run, "")))
     };
     let belongs = |line: &str| {
