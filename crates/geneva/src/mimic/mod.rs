@@ -16,7 +16,7 @@ use geneva_case1973::Hypothesis;
 use geneva_host::files;
 use geneva_ledger::meyer::runs::table::rows;
 use geneva_mimic::language::{
-    CardLayout, DECKS, DataSet, Deck, Program, RememberedPoints, Run, RunError, RunOptions, Runs, deck_named,
+    CardLayout, DECKS, DataSet, Deck, DeckRun, DeckRuns, Program, RememberedPoints, RunError, RunOptions, deck_named,
     listing_in, nearest_to,
 };
 use geneva_mimic::{Interpolation, MinStepPolicy, StepSolution};
@@ -368,10 +368,10 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
 
 /// All runs, as many at a time as there are threads, which share the memory that one run may have. A run that needs more
 /// of it is made again by itself.
-fn runs(program: &Program, sets: &[DataSet], choices: &RunOptions, threads: usize) -> Result<Vec<Run>, RunError> {
+fn runs(program: &Program, sets: &[DataSet], choices: &RunOptions, threads: usize) -> Result<Vec<DeckRun>, RunError> {
     let step = progress::bar(sets.len(), "runs", false);
     let shared = RunOptions { at_once: threads.max(1), ..*choices };
-    let mut all = Runs::default();
+    let mut all = DeckRuns::default();
     for some in sets.chunks(shared.at_once) {
         let run = |set| {
             let run = program.run(set, &shared);

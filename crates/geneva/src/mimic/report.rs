@@ -2,7 +2,7 @@
 
 use crate::output::{TextLayout, count, heading};
 use anyhow::ensure;
-use geneva_mimic::language::{Deck, Program, Run, When, print_out};
+use geneva_mimic::language::{Deck, DeckRun, Program, When, print_out};
 use serde::ser::{Serialize, Serializer};
 use std::io::Write;
 
@@ -55,7 +55,7 @@ fn width<'a>(program: &'a Program, part: fn(&'a geneva_mimic::language::Sorted) 
 }
 
 /// The print-outs of all runs.
-pub fn print_outs(name: &str, runs: &[Run]) -> anyhow::Result<String> {
+pub fn print_outs(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
     let title =
         |at: usize| if runs.len() > 1 { format!("{name}, run {} of {}", at + 1, runs.len()) } else { name.to_owned() };
     let mut pages = String::new();
@@ -88,7 +88,7 @@ impl Serialize for Named<'_> {
 }
 
 /// An array of objects, with a row to a line.
-pub fn json(runs: &[Run]) -> anyhow::Result<String> {
+pub fn json(runs: &[DeckRun]) -> anyhow::Result<String> {
     // Written in one go: many rows as texts of their own would take several times the memory.
     let mut page = b"[\n".to_vec();
     for (at, run) in runs.iter().enumerate() {
@@ -114,7 +114,7 @@ pub fn json(runs: &[Run]) -> anyhow::Result<String> {
 }
 
 /// One row per printed point: the run's number and parameters, and the columns.
-pub fn csv(runs: &[Run]) -> anyhow::Result<String> {
+pub fn csv(runs: &[DeckRun]) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let Some(first) = runs.first() else { return Ok(String::new()) };
     let parameters = first.parameters.iter().map(|(name, _)| name.as_str());
@@ -130,7 +130,7 @@ pub fn csv(runs: &[Run]) -> anyhow::Result<String> {
 }
 
 /// The first plot of the first run; the columns against the first if nothing is plotted.
-pub fn svg(name: &str, runs: &[Run]) -> anyhow::Result<String> {
+pub fn svg(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
     let Some(run) = runs.first() else { anyhow::bail!("{name}: no run") };
     let (names, points) = match run.plots.first() {
         Some((plot, points)) => (&plot.names, points),

@@ -68,7 +68,7 @@ pub use fault::{Fault, Faults, Problem, nearest_to};
 pub use function::{Evidence, FUNCTIONS, Function};
 pub use printout::{line_plot, print_out};
 pub use program::Program;
-pub use run::{Plot, RememberedPoints, Run, RunOptions, Runs};
+pub use run::{DeckRun, DeckRuns, Plot, RememberedPoints, RunOptions};
 pub use sorting::{Sorted, When};
 pub use tree::Deck;
 pub use trouble::{Origin, RunError, Trouble};

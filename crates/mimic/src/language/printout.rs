@@ -1,6 +1,6 @@
 //! What the line printer wrote: tables and plots in characters.
 
-use super::run::{Plot, Run};
+use super::run::{DeckRun, Plot};
 use core::fmt::Write;
 
 /// Characters of a column of numbers, unless its heading is longer.
@@ -31,7 +31,7 @@ fn number(value: f64) -> String {
 /// assert!(page.starts_with("DECAY\n") && page.contains(&runs[0].columns[0]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn print_out(run: &Run, title: &str) -> String {
+pub fn print_out(run: &DeckRun, title: &str) -> String {
     let mut page = String::new();
     let _ = writeln!(page, "{title}");
     for (name, value) in &run.parameters {

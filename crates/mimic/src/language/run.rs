@@ -83,7 +83,7 @@ pub struct Plot {
 
 /// Printed result of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct DeckRun {
     /// The names of CON and PAR with their numbers, each in its own unit.
     pub parameters: Vec<(String, f64)>,
     /// The words of each HDR card.
@@ -104,20 +104,20 @@ pub struct Run {
 
 /// The runs of a deck one after another, and what they come to together.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Runs {
-    runs: Vec<Run>,
+pub struct DeckRuns {
+    runs: Vec<DeckRun>,
     numbers: u64,
     work: u64,
 }
 
-impl Runs {
+impl DeckRuns {
     /// Adds the next run of a program, whether it was made or not.
     ///
     /// # Errors
     ///
     /// Its [`Trouble`], or [`Trouble::TooMuch`] if with it all runs print more numbers or take more steps than can be;
     /// with its number, counted from 1. A single run has its own bounds.
-    pub fn add(&mut self, program: &Program, run: Result<Run, Trouble>) -> Result<(), RunError> {
+    pub fn add(&mut self, program: &Program, run: Result<DeckRun, Trouble>) -> Result<(), RunError> {
         let number = self.runs.len() + 1;
         let refused = |trouble| RunError { number, trouble };
         let run = run.map_err(refused)?;
@@ -141,7 +141,7 @@ impl Runs {
     }
 
     /// All runs that were added.
-    pub fn into_inner(self) -> Vec<Run> {
+    pub fn into_inner(self) -> Vec<DeckRun> {
         self.runs
     }
 }
@@ -152,8 +152,8 @@ impl Program {
     /// # Errors
     ///
     /// The first [`Trouble`], with the number of its set.
-    pub fn runs(&self, sets: &[DataSet], choices: &RunOptions) -> Result<Vec<Run>, RunError> {
-        let mut runs = Runs::default();
+    pub fn runs(&self, sets: &[DataSet], choices: &RunOptions) -> Result<Vec<DeckRun>, RunError> {
+        let mut runs = DeckRuns::default();
         for set in sets {
             runs.add(self, self.run(set, choices))?;
         }
@@ -182,7 +182,7 @@ impl Program {
     /// # Errors
     ///
     /// [`Trouble`] for numbers that are missing or out of their range, and for whatever stops the run.
-    pub fn run(&self, set: &DataSet, choices: &RunOptions) -> Result<Run, Trouble> {
+    pub fn run(&self, set: &DataSet, choices: &RunOptions) -> Result<DeckRun, Trouble> {
         if self.delays.len() > MOST_DELAYS {
             return Err(Trouble::TooMany { what: "delays", asked: self.delays.len(), most: MOST_DELAYS });
         }
@@ -196,7 +196,7 @@ impl Program {
         }
     }
 
-    fn run_in<const D: usize>(&self, set: &DataSet, choices: &RunOptions) -> Result<Run, Trouble> {
+    fn run_in<const D: usize>(&self, set: &DataSet, choices: &RunOptions) -> Result<DeckRun, Trouble> {
         let mut registers = self.begun(set, choices)?;
         let (parameters, has_end) = self.integrator(&registers, choices)?;
         let watched: Vec<u32> = self
@@ -258,7 +258,7 @@ impl Program {
                 }
             },
         }?;
-        Ok(Run { longer_than_delay: machine.longer_than_delay, ..self.result(rows, &machine.registers, work) })
+        Ok(DeckRun { longer_than_delay: machine.longer_than_delay, ..self.result(rows, &machine.registers, work) })
     }
 
     /// The registers at the beginning of a run: data, what is known before, and what the integrals begin with.
@@ -377,7 +377,7 @@ impl Program {
         self.delays.iter().map(line).collect()
     }
 
-    fn result(&self, rows: Vec<Vec<f64>>, registers: &[f64], work: SolverStats) -> Run {
+    fn result(&self, rows: Vec<Vec<f64>>, registers: &[f64], work: SolverStats) -> DeckRun {
         let columns = self.columns();
         let mut from = columns.len();
         let plots = self.plots.iter().map(|plot| {
@@ -387,7 +387,7 @@ impl Program {
         });
         let plots = plots.collect();
         let parameters = self.parameters.iter().map(|(name, register)| (name.clone(), registers[*register as usize]));
-        Run {
+        DeckRun {
             parameters: parameters.collect(),
             headings: self.headings.clone(),
             widths: self.outputs.iter().map(Vec::len).collect(),

@@ -1,7 +1,7 @@
 //! Compares the decks of this project with the same equations in Rust, to the last bit, and with other integrators.
 
 use super::own;
-use geneva_mimic::language::{CardLayout, DECKS, Deck, Program, Run, RunOptions};
+use geneva_mimic::language::{CardLayout, DECKS, Deck, DeckRun, Program, RunOptions};
 use geneva_mimic::{Extrapolation, Interpolation, MinStepPolicy, Parameters, System, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use ode_solvers::dop_shared::OutputType;
@@ -13,7 +13,7 @@ fn like(print_interval: f64, run_length: f64) -> Parameters {
 }
 
 #[track_caller]
-fn run(name: &str, numbers: &[f64]) -> Run {
+fn run(name: &str, numbers: &[f64]) -> DeckRun {
     let (program, set) = own(name, numbers);
     program.run(&set, &RunOptions::default()).unwrap_or_else(|trouble| panic!("{trouble}"))
 }
@@ -21,7 +21,7 @@ fn run(name: &str, numbers: &[f64]) -> Run {
 /// That printed columns are those of a native run, to the last bit.
 #[track_caller]
 fn same<const D: usize, S: System<D>>(
-    printed: &Run,
+    printed: &DeckRun,
     mut system: S,
     start: SVector<f64, D>,
     parameters: &Parameters,
@@ -108,7 +108,7 @@ impl<F: Fn(f64, &Vector2<f64>) -> Vector2<f64>> OtherSystem<f64, Vector2<f64>> f
 /// That the last printed row agrees with a Dormand-Prince method at a sharper tolerance.
 #[track_caller]
 fn agrees(
-    printed: &Run,
+    printed: &DeckRun,
     start: Vector2<f64>,
     end: f64,
     rate: impl Fn(f64, &Vector2<f64>) -> Vector2<f64>,

@@ -1,11 +1,11 @@
 //! Results that keep their value while none of their control variables is true: latches, and switches with a gap.
 
 use super::{own, program, runs};
-use geneva_mimic::language::{DataSet, Program, Run, RunOptions};
+use geneva_mimic::language::{DataSet, DeckRun, Program, RunOptions};
 use geneva_mimic::{Parameters, StepSolution};
 
 /// A run with each kept value and some tolerances.
-fn in_all_ways(program: &Program, set: &DataSet, mut check: impl FnMut(&Run, f64)) {
+fn in_all_ways(program: &Program, set: &DataSet, mut check: impl FnMut(&DeckRun, f64)) {
     let usual = RunOptions::default();
     for kept in [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated] {
         for relative_tolerance in [1e-4, 5e-6, 1e-8, 1e-11] {

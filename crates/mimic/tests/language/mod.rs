@@ -14,7 +14,7 @@ mod sorting;
 mod steps;
 mod tokens;
 
-use geneva_mimic::language::{CardLayout, DataSet, Deck, Program, Run, RunOptions, deck_named};
+use geneva_mimic::language::{CardLayout, DataSet, Deck, DeckRun, Program, RunOptions, deck_named};
 
 /// The deck in a text without columns.
 #[track_caller]
@@ -29,7 +29,7 @@ fn program(text: &str) -> Program {
 
 /// The runs that a text asks for.
 #[track_caller]
-fn runs(text: &str) -> Vec<Run> {
+fn runs(text: &str) -> Vec<DeckRun> {
     let deck = deck(text);
     let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{faults}"));
     let program = Program::new(&deck).unwrap_or_else(|faults| panic!("{faults}"));

@@ -2,7 +2,7 @@
 
 use super::{deck, own, program, runs};
 use geneva_mimic::language::{
-    DataSet, Plot, Program, RememberedPoints, Run, RunOptions, Trouble, line_plot, print_out,
+    DataSet, DeckRun, Plot, Program, RememberedPoints, RunOptions, Trouble, line_plot, print_out,
 };
 use geneva_mimic::{MinStepPolicy, Parameters, StepSolution};
 
@@ -21,7 +21,7 @@ fn trouble_by(choices: &RunOptions, text: &str) -> String {
         .to_string()
 }
 
-fn times(run: &Run) -> Vec<f64> {
+fn times(run: &DeckRun) -> Vec<f64> {
     run.rows.iter().map(|row| row[0]).collect()
 }
 

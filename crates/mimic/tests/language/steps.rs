@@ -1,7 +1,7 @@
 //! How many steps a run may take, and how many all runs of a deck may take together.
 
 use super::program;
-use geneva_mimic::language::{DataSet, Program, Run, RunOptions, Runs};
+use geneva_mimic::language::{DataSet, DeckRun, DeckRuns, Program, RunOptions};
 use geneva_mimic::{Parameters, SolverStats};
 
 /// Most steps of all runs, counted once for each integral and each delay.
@@ -13,9 +13,9 @@ fn all_runs_have_so_many_steps_together() {
     let program = program(" X INT(1.,0.)\n Y INT(X,0.)\n A TDL(X,.1)\n B TDL(X,.2)\n OUT(T)\n FIN(T,.1)\n END\n");
     let made = program.run(&DataSet::default(), &RunOptions::default()).expect("it runs");
     let half = SolverStats { accepted: MOST_OF_ALL / 16, rejected: MOST_OF_ALL / 16, ..made.work };
-    let mut runs = Runs::default();
+    let mut runs = DeckRuns::default();
     for _ in 0..2 {
-        runs.add(&program, Ok(Run { work: half, ..made.clone() })).expect("as many as can be");
+        runs.add(&program, Ok(DeckRun { work: half, ..made.clone() })).expect("as many as can be");
     }
     let told = runs.add(&program, Ok(made)).expect_err("more than can be").to_string();
     assert!(
