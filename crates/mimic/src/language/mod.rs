@@ -7,7 +7,7 @@
 //! field of [`RunOptions`].
 //!
 //! ```
-//! use geneva_mimic::language::{RunOptions, Deck, CardLayout, Program};
+//! use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions};
 //!
 //! let deck = Deck::read(
 //!     "* a spring and a damper
@@ -89,7 +89,7 @@ pub const DECKS: [(&str, &str); 9] = [
 /// The text of a deck of this project.
 ///
 /// ```
-/// use geneva_mimic::language::{Deck, CardLayout, deck_named};
+/// use geneva_mimic::language::{CardLayout, Deck, deck_named};
 ///
 /// let text = deck_named("decay").expect("a deck of this project");
 /// assert!(Deck::read(text, CardLayout::Free).is_ok());

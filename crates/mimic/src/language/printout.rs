@@ -23,7 +23,7 @@ fn number(value: f64) -> String {
 /// The print-out of a run: parameters, a table for each OUT card, and the plots.
 ///
 /// ```
-/// use geneva_mimic::language::{RunOptions, Deck, CardLayout, Program, deck_named, print_out};
+/// use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named, print_out};
 ///
 /// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), CardLayout::Free)?;
 /// let runs = Program::new(&deck)?.runs(&deck.data_sets()?, &RunOptions::default())?;

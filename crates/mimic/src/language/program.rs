@@ -114,7 +114,7 @@ pub(super) struct PlotCode {
 /// A deck that is sorted and compiled: it runs as often as there are data.
 ///
 /// ```
-/// use geneva_mimic::language::{RunOptions, Deck, CardLayout, Program, deck_named};
+/// use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named};
 ///
 /// // Something decays from 1000 with a half-life of 2, printed every half unit of time.
 /// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), CardLayout::Free)?;
