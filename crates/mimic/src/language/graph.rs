@@ -2,7 +2,7 @@
 
 use super::control::{GIVEN, STEPS};
 use super::fault::{Fault, MOST_FAULTS, MOST_TOLD, Problem, but_near, nearest_to};
-use super::function::{FUNCTIONS, Kind};
+use super::function::{FUNCTIONS, FunctionKind};
 use super::sorting::{circle, components};
 use super::tree::{Deck, Expression, Listed, Node, Statement};
 use super::types::Type;
@@ -26,9 +26,12 @@ pub(super) enum Region {
 fn region_of_part(node: &Node, at: usize, argument: usize, own: Region) -> Region {
     let Node::Call(function, _) = node else { return own };
     match (FUNCTIONS[*function].kind, argument) {
-        (Kind::Integral, 1) | (Kind::Limited, 1) | (Kind::Lag, 2) | (Kind::Slope, 2) => Region::Start(at),
-        (Kind::Delay, 1 | 2) | (Kind::Sample, 1) => Region::Start(at),
-        (Kind::Integral | Kind::Limited | Kind::Lag | Kind::Delay, _) => Region::Feed,
+        (FunctionKind::Integral, 1)
+        | (FunctionKind::Limited, 1)
+        | (FunctionKind::Lag, 2)
+        | (FunctionKind::Slope, 2) => Region::Start(at),
+        (FunctionKind::Delay, 1 | 2) | (FunctionKind::Sample, 1) => Region::Start(at),
+        (FunctionKind::Integral | FunctionKind::Limited | FunctionKind::Lag | FunctionKind::Delay, _) => Region::Feed,
         _ => own,
     }
 }
@@ -49,7 +52,7 @@ pub(super) fn regions(expression: &Expression) -> Vec<Region> {
 pub(super) struct Block {
     pub(super) statement: usize,
     pub(super) node: usize,
-    pub(super) kind: Kind,
+    pub(super) kind: FunctionKind,
 }
 
 /// The deck as a graph.
@@ -85,7 +88,7 @@ impl<'a> Graph<'a> {
             for (node, (part, _)) in of.expression.nodes.iter().enumerate() {
                 let Node::Call(function, _) = part else { continue };
                 let kind = FUNCTIONS[*function].kind;
-                if kind.is_memory() || matches!(kind, Kind::Sample | Kind::Slope) {
+                if kind.is_memory() || matches!(kind, FunctionKind::Sample | FunctionKind::Slope) {
                     blocks.push(Block { statement, node, kind });
                 }
             }
@@ -239,7 +242,7 @@ impl<'a> Graph<'a> {
 
     fn is_implicit(&self, statement: usize) -> bool {
         let whole = self.deck.statements[statement].expression.whole_call();
-        whole.is_some_and(|(function, _)| FUNCTIONS[function].kind == Kind::Implicit)
+        whole.is_some_and(|(function, _)| FUNCTIONS[function].kind == FunctionKind::Implicit)
     }
 
     /// Whether the result is what its expression is at any instant: it stands under no control variable, or is the only
@@ -247,7 +250,7 @@ impl<'a> Graph<'a> {
     pub(super) fn is_at_hand(&self, statement: usize) -> bool {
         let Statement { control, result, expression, .. } = &self.deck.statements[statement];
         let kind = expression.whole_call().map(|(function, _)| FUNCTIONS[function].kind);
-        let is_integral = matches!(kind, Some(Kind::Integral | Kind::Limited | Kind::Lag));
+        let is_integral = matches!(kind, Some(FunctionKind::Integral | FunctionKind::Limited | FunctionKind::Lag));
         control.is_none() || is_integral && self.definitions_of(&result.name).len() == 1
     }
 

@@ -3,7 +3,7 @@
 
 use super::control::STEPS;
 use super::fault::Problem;
-use super::function::{FUNCTIONS, Kind};
+use super::function::{FUNCTIONS, FunctionKind};
 use super::graph::{Graph, Region};
 use super::tree::Node;
 use super::types::{Type, types};
@@ -42,10 +42,14 @@ impl Graph<'_> {
                 ));
             }
         }
-        for block in self.blocks.iter().filter(|block| matches!(block.kind, Kind::Delay | Kind::Sample)) {
+        for block in self.blocks.iter().filter(|block| matches!(block.kind, FunctionKind::Delay | FunctionKind::Sample))
+        {
             let statement = &self.deck.statements[block.statement];
-            let what =
-                if block.kind == Kind::Delay { "the delay of a TDL" } else { "the time between samples of a ZOH" };
+            let what = if block.kind == FunctionKind::Delay {
+                "the delay of a TDL"
+            } else {
+                "the time between samples of a ZOH"
+            };
             found.push((
                 statement.card,
                 statement.expression.nodes[block.node].1.clone(),
@@ -117,7 +121,7 @@ impl Graph<'_> {
             }
             for (at, (node, columns)) in statement.expression.nodes.iter().enumerate() {
                 let Node::Call(function, _) = node else { continue };
-                if FUNCTIONS[*function].kind == Kind::Implicit && at != statement.expression.root() {
+                if FUNCTIONS[*function].kind == FunctionKind::Implicit && at != statement.expression.root() {
                     let problem = Problem::Misplaced("IMP must be alone in its expression; give its value a name");
                     told.push((statement.card, columns.clone(), problem));
                 }
@@ -133,7 +137,7 @@ impl Graph<'_> {
                 for (node, columns) in &expression.nodes {
                     let Node::Call(function, _) = node else { continue };
                     let kind = FUNCTIONS[*function].kind;
-                    if !matches!(kind, Kind::Plain(_) | Kind::Folded(_)) {
+                    if !matches!(kind, FunctionKind::Plain(_) | FunctionKind::Folded(_)) {
                         let problem =
                             Problem::Misplaced("a function with a memory needs a card of its own; give it a name");
                         told.push((listed.card, columns.clone(), problem));

@@ -65,7 +65,7 @@ pub use control::{CARDS, Card};
 pub use data::DataSet;
 pub use deck::listing_in;
 pub use fault::{Fault, Faults, Problem, nearest_to};
-pub use function::{Evidence, FUNCTIONS, Function};
+pub use function::{BuiltinFunction, FUNCTIONS, WordEvidence};
 pub use printout::{line_plot, print_out};
 pub use program::Program;
 pub use run::{DeckRun, DeckRuns, Plot, RememberedPoints, RunOptions};

@@ -1,7 +1,7 @@
 //! Numbers and truths: which of the two a name is, and whether it is used as that.
 
 use super::fault::Problem;
-use super::function::{FUNCTIONS, Takes};
+use super::function::{FUNCTIONS, Signature};
 use super::tree::{Expression, Node};
 use core::ops::Range;
 
@@ -59,15 +59,15 @@ pub(super) fn types(
             Node::Call(function, arguments) => {
                 let function = &FUNCTIONS[*function];
                 let first_own = match function.takes {
-                    Takes::Numbers => Type::Number,
-                    Takes::Truths => Type::Truth,
-                    Takes::NumberThenAlike | Takes::TruthThenAlike => found[arguments[1]],
+                    Signature::Numbers => Type::Number,
+                    Signature::Truths => Type::Truth,
+                    Signature::NumberThenAlike | Signature::TruthThenAlike => found[arguments[1]],
                 };
                 let letters = ["A", "B", "C", "D"];
                 for (at, argument) in arguments.iter().enumerate() {
                     let wanted = match (function.takes, at) {
-                        (Takes::NumberThenAlike, 0) => Type::Number,
-                        (Takes::TruthThenAlike, 0) => Type::Truth,
+                        (Signature::NumberThenAlike, 0) => Type::Number,
+                        (Signature::TruthThenAlike, 0) => Type::Truth,
                         _ => first_own,
                     };
                     let letter = letters.get(at).copied().unwrap_or("every argument");

@@ -5,7 +5,7 @@ mod statement;
 use crate::language::code::{Instruction, Operation};
 use crate::language::control::STEPS;
 use crate::language::fault::Faults;
-use crate::language::function::{FUNCTIONS, Kind};
+use crate::language::function::{FUNCTIONS, FunctionKind};
 use crate::language::graph::{Graph, Region};
 use crate::language::program::{
     Code, Delay, FALSE, FIRST_STEP, FREE, Finish, Memory, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
@@ -167,7 +167,7 @@ impl<'a> Compiler<'a> {
     fn implicit(&self, group: &[usize]) -> Option<usize> {
         let number = *group.last()?;
         let call = self.graph.deck.statements.get(number)?.expression.whole_call()?;
-        (FUNCTIONS[call.0].kind == Kind::Implicit).then_some(number)
+        (FUNCTIONS[call.0].kind == FunctionKind::Implicit).then_some(number)
     }
 
     /// The card of an IMP, the register that it begins with, its own and its counter, which is that of its node.
@@ -191,11 +191,12 @@ impl<'a> Compiler<'a> {
         let card = self.graph.deck.statements[of.statement].card;
         let mut code = Code::default();
         self.nodes_of(of.statement, |region| region == Region::Start(of.node), &mut code);
-        let first = self.argument(block, if of.kind == Kind::Integral || of.kind == Kind::Limited { 1 } else { 2 });
+        let first = self
+            .argument(block, if of.kind == FunctionKind::Integral || of.kind == FunctionKind::Limited { 1 } else { 2 });
         let to = self.of_block[block];
         let from = match of.kind {
-            Kind::Integral | Kind::Limited | Kind::Lag => first.unwrap_or(FALSE),
-            Kind::Slope => {
+            FunctionKind::Integral | FunctionKind::Limited | FunctionKind::Lag => first.unwrap_or(FALSE),
+            FunctionKind::Slope => {
                 self.slope_starts.insert(to, first.unwrap_or(FALSE));
                 first.unwrap_or(FALSE)
             }
@@ -272,10 +273,10 @@ impl<'a> Compiler<'a> {
             let feed = self.argument(number, 0).unwrap_or(FALSE);
             let of = |argument| self.argument(number, argument).unwrap_or(FALSE);
             let more = match block.kind {
-                Kind::Integral => More::Nothing,
-                Kind::Limited => More::Limits([of(2), of(3)]),
-                Kind::Lag => More::TimeConstant(of(1)),
-                Kind::Delay => {
+                FunctionKind::Integral => More::Nothing,
+                FunctionKind::Limited => More::Limits([of(2), of(3)]),
+                FunctionKind::Lag => More::TimeConstant(of(1)),
+                FunctionKind::Delay => {
                     let points = self.argument(number, 2);
                     delays.push(Delay { card: statement.card, register, feed, delay: of(1), points });
                     continue;
@@ -292,7 +293,7 @@ impl<'a> Compiler<'a> {
         }
         let mut held: Vec<u32> = self.gates.keys().map(|name| self.named(name).1).collect();
         held.extend(
-            graph.blocks.iter().zip(&self.of_block).filter(|(of, _)| of.kind == Kind::Slope).map(|(_, of)| *of),
+            graph.blocks.iter().zip(&self.of_block).filter(|(of, _)| of.kind == FunctionKind::Slope).map(|(_, of)| *of),
         );
         held.sort_unstable();
         held.dedup();

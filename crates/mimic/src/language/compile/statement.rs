@@ -86,16 +86,16 @@ impl Compiler<'_> {
             Node::Negative(_) => Operation::Negate,
             Node::Binary(operation, _) => *operation,
             Node::Call(function, arguments) => match FUNCTIONS[*function].kind {
-                Kind::Plain(operation) => {
+                FunctionKind::Plain(operation) => {
                     if operation == Operation::ArcTangent {
                         from[1] = TRUE;
                     }
                     operation
                 }
-                Kind::Folded(operation) => return self.folded(operation, arguments, card, parts, code),
-                Kind::Sample => return self.sample(block, arguments, card, parts, code),
-                Kind::Slope => return self.slope(block, arguments, card, parts, code),
-                Kind::Implicit => return self.register(),
+                FunctionKind::Folded(operation) => return self.folded(operation, arguments, card, parts, code),
+                FunctionKind::Sample => return self.sample(block, arguments, card, parts, code),
+                FunctionKind::Slope => return self.slope(block, arguments, card, parts, code),
+                FunctionKind::Implicit => return self.register(),
                 _ => return block.map_or(TIME, |block| self.of_block[block]),
             },
         };
