@@ -3,7 +3,7 @@
 use super::code::execute;
 use super::digits::eight_digits;
 use super::program::{Memory, More, Program, State, TIME};
-use super::trouble::{Origin, Trouble};
+use super::trouble::{FaultOrigin, Trouble};
 use crate::step::Attempt;
 use crate::{Cause, DelayError, DelayLine, Parameters, System};
 use core::cell::Cell;
@@ -275,12 +275,12 @@ impl Machine<'_> {
         state: &SVector<f64, D>,
         steps: u64,
         parameters: &Parameters,
-    ) -> Origin {
+    ) -> FaultOrigin {
         let program = self.program;
         let longest = parameters.largest_step;
         if longest < parameters.print_interval && 2.0 * time > longest * steps as f64 {
             let reason = format!("most are as long as DTMAX, {}, allows", eight_digits(longest));
-            return Origin { card: 0, text: String::new(), reason };
+            return FaultOrigin { card: 0, text: String::new(), reason };
         }
         // To locate a change takes less than a hundred steps.
         let memory = self.changed.filter(|_| self.changes >= steps / 100).and_then(|at| program.memories.get(at));
@@ -294,7 +294,7 @@ impl Machine<'_> {
                 })
             }
         };
-        Origin { card, text: program.card_text(card), reason }
+        FaultOrigin { card, text: program.card_text(card), reason }
     }
 
     /// The integral with the largest error in a step.
@@ -330,7 +330,11 @@ impl Machine<'_> {
         let program = self.program;
         let Some((odd_time, state)) = self.odd.take() else {
             let reason = "an integral has grown without bound".to_owned();
-            return Trouble::NonFinite { time, origin: Origin { card: 0, text: String::new(), reason }, forced: 0 };
+            return Trouble::NonFinite {
+                time,
+                origin: FaultOrigin { card: 0, text: String::new(), reason },
+                forced: 0,
+            };
         };
         let registers = &mut self.registers;
         registers[TIME as usize] = odd_time;
@@ -347,7 +351,7 @@ impl Machine<'_> {
             _ => of.feed,
         });
         let origin = match odd {
-            Some(of) if registers[register as usize].is_finite() => Origin {
+            Some(of) if registers[register as usize].is_finite() => FaultOrigin {
                 card: of.card,
                 text: program.card_text(of.card),
                 reason: match of.more {

@@ -71,7 +71,7 @@ pub use program::Program;
 pub use run::{DeckRun, DeckRuns, Plot, RememberedPoints, RunOptions};
 pub use sorting::{Sorted, When};
 pub use tree::Deck;
-pub use trouble::{Origin, RunError, Trouble};
+pub use trouble::{FaultOrigin, RunError, Trouble};
 
 /// The decks of this project, each under its name.
 pub const DECKS: [(&str, &str); 9] = [

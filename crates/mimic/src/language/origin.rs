@@ -3,7 +3,7 @@
 use super::code::Operation;
 use super::digits::eight_digits;
 use super::program::{Code, Program, TIME};
-use super::trouble::Origin;
+use super::trouble::FaultOrigin;
 
 impl Program {
     /// The text of a card.
@@ -13,7 +13,7 @@ impl Program {
     }
 
     /// Where what stands in a register came from, which is no number.
-    pub(super) fn origin(&self, registers: &[f64], register: u32) -> Origin {
+    pub(super) fn origin(&self, registers: &[f64], register: u32) -> FaultOrigin {
         let codes = [&self.each, &self.initial];
         let executed = codes.map(|code| executed(code, registers));
         let mut register = register;
@@ -32,19 +32,19 @@ impl Program {
             let grown = next.filter(|_| registers[TIME as usize] > 0.0);
             if let Some(state) = self.states.iter().find(|state| Some(state.register) == grown) {
                 let reason = format!("{} has grown without bound", state.name);
-                return Origin { card: state.card, text: self.card_text(state.card), reason };
+                return FaultOrigin { card: state.card, text: self.card_text(state.card), reason };
             }
             match next.filter(|_| limit > 0) {
                 Some(next) => register = next,
                 None => {
                     let card = codes[which].cards[at] as usize;
-                    return Origin { card, text: self.card_text(card), reason: instruction.reason(registers) };
+                    return FaultOrigin { card, text: self.card_text(card), reason: instruction.reason(registers) };
                 }
             }
         }
         let value = registers[register as usize];
         let name = self.names.iter().find(|(_, of)| *of == register).map_or("a value", |(name, _)| name.as_str());
-        Origin { card: 0, text: String::new(), reason: format!("{name} is {}", eight_digits(value)) }
+        FaultOrigin { card: 0, text: String::new(), reason: format!("{name} is {}", eight_digits(value)) }
     }
 }
 

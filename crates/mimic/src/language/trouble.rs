@@ -7,7 +7,7 @@ use thiserror::Error;
 
 /// Where a number that is none came from: the instruction that made it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Origin {
+pub struct FaultOrigin {
     /// Its card, counted from 1; 0 if it came with the data.
     pub card: usize,
     /// The text of the card.
@@ -16,7 +16,7 @@ pub struct Origin {
     pub reason: String,
 }
 
-impl fmt::Display for Origin {
+impl fmt::Display for FaultOrigin {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.card == 0 {
             return write!(f, "{}", self.reason);
@@ -78,7 +78,7 @@ pub enum Trouble {
         /// When, in the unit of T.
         time: f64,
         /// Where it came from.
-        origin: Origin,
+        origin: FaultOrigin,
         /// Steps before it that were as short as DTMIN allows and missed the tolerance.
         forced: u64,
     },
@@ -115,7 +115,7 @@ pub enum Trouble {
         /// The bound.
         steps: u64,
         /// What makes the steps short.
-        origin: Origin,
+        origin: FaultOrigin,
     },
     /// The limit of printed rows is reached.
     #[error(
@@ -212,7 +212,7 @@ impl Trouble {
 }
 
 /// What to do about a value that is no number, where its origin does not say.
-fn way_out(time: f64, origin: &Origin) -> &'static str {
+fn way_out(time: f64, origin: &FaultOrigin) -> &'static str {
     match time {
         _ if origin.reason.contains("; ") => "",
         0.0 => "; give other numbers on the cards or as data",
