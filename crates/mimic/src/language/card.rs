@@ -1,8 +1,8 @@
 //! Cards: which lines are comments, and where the fields of the others are.
 
 use super::control::{STEPS, WORDS};
+use super::diagnostic::{Problem, is_unprintable, nearest_to};
 use super::expression::{Problems, expected};
-use super::fault::{Problem, is_unprintable, nearest_to};
 use super::function::function_named;
 use super::token::{Placed, Token, tokens};
 use super::tree::Word;

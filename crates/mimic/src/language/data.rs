@@ -1,6 +1,6 @@
 //! Data cards: the numbers of the constants and parameters.
 
-use super::fault::{Fault, Faults, Problem};
+use super::diagnostic::{Diagnostic, Diagnostics, Problem};
 use super::tree::{DataCard, DataFile, Deck, Group, Word};
 use core::ops::Range;
 
@@ -93,7 +93,7 @@ impl Deck {
     /// # Errors
     ///
     /// A number that is none, too few or too many of them.
-    pub fn data_sets(&self) -> Result<Vec<DataSet>, Faults> {
+    pub fn data_sets(&self) -> Result<Vec<DataSet>, Diagnostics> {
         let (constants, parameters): (Vec<_>, Vec<_>) = self.groups.iter().partition(|group| !group.each_run);
         let mut reader = Reader { deck: self, next: 0 };
         if self.data.iter().map(DataCard::weight).sum::<usize>() > MOST_NUMBERS {
@@ -143,7 +143,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     /// The numbers of some groups of names.
-    fn read(&mut self, groups: &[&Group]) -> Result<Vec<(String, f64)>, Faults> {
+    fn read(&mut self, groups: &[&Group]) -> Result<Vec<(String, f64)>, Diagnostics> {
         let mut found = Vec::new();
         for group in groups {
             let mut names = group.names.iter();
@@ -160,7 +160,7 @@ impl Reader<'_> {
         group: &Group,
         names: &mut core::slice::Iter<'_, Word>,
         found: &mut Vec<(String, f64)>,
-    ) -> Result<(), Faults> {
+    ) -> Result<(), Diagnostics> {
         let Some(card) = self.deck.data.get(self.next) else {
             let name = names.as_slice().first().map_or("", |word| word.name.as_str());
             let count = match group.names.len() {
@@ -172,7 +172,7 @@ impl Reader<'_> {
                     let words = format!(
                         "no number is left for {name}: the card has {count}, and as many numbers must follow END"
                     );
-                    Faults(vec![self.deck.fault(group.card, 0..1, Problem::Data(words))])
+                    Diagnostics(vec![self.deck.fault(group.card, 0..1, Problem::Data(words))])
                 }
                 Some(file) => {
                     let words = format!(
@@ -206,18 +206,18 @@ impl Reader<'_> {
     }
 
     /// A fault on the data card of this number.
-    fn refuse(&self, number: usize, columns: Range<usize>, words: String) -> Faults {
+    fn refuse(&self, number: usize, columns: Range<usize>, words: String) -> Diagnostics {
         self.fault(self.deck.data.get(number).map_or(0, |card| card.card), columns, words)
     }
 
     /// A fault on a line of the data.
-    fn fault(&self, card: usize, columns: Range<usize>, words: String) -> Faults {
+    fn fault(&self, card: usize, columns: Range<usize>, words: String) -> Diagnostics {
         let problem = Problem::Data(words);
-        Faults(vec![match &self.deck.data_file {
+        Diagnostics(vec![match &self.deck.data_file {
             None => self.deck.fault(card, columns, problem),
             Some(file) => {
                 let text = card.checked_sub(1).and_then(|at| file.text.lines().nth(at)).unwrap_or_default().to_owned();
-                Fault { file: Some(file.name.clone()), card, columns, text, problem }
+                Diagnostic { file: Some(file.name.clone()), card, columns, text, problem }
             }
         }])
     }

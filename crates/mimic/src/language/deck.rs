@@ -1,7 +1,7 @@
 //! What can be asked of a deck, and changed in it, between reading and compiling.
 
 use super::control::STEPS;
-use super::fault::{Fault, Problem};
+use super::diagnostic::{Diagnostic, Problem};
 use super::sorting::Sorted;
 use super::tree::{Deck, Expression, Node, Statement, Word};
 use core::ops::Range;
@@ -64,9 +64,9 @@ impl Deck {
     }
 
     /// A fault at some columns of a card.
-    pub(super) fn fault(&self, card: usize, columns: Range<usize>, problem: Problem) -> Fault {
+    pub(super) fn fault(&self, card: usize, columns: Range<usize>, problem: Problem) -> Diagnostic {
         let text = card.checked_sub(1).and_then(|at| self.cards.get(at)).cloned().unwrap_or_default();
-        Fault { file: None, card, columns, text, problem }
+        Diagnostic { file: None, card, columns, text, problem }
     }
 }
 

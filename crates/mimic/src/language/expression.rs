@@ -6,7 +6,7 @@
 
 use super::code::Operation;
 use super::control::WORDS;
-use super::fault::Problem;
+use super::diagnostic::Problem;
 use super::function::{FUNCTIONS, function_named};
 use super::token::{Placed, Token};
 use super::tree::{Expression, Node};
@@ -217,7 +217,7 @@ impl<'a> Parser<'a> {
                 return Ok(self.add(Node::Number(1.0), whole));
             }
             let known = FUNCTIONS.iter().map(|function| function.name);
-            let nearest = super::fault::nearest_to(name, known);
+            let nearest = super::diagnostic::nearest_to(name, known);
             self.problems.push((at, Problem::UnknownFunction { name: name.to_owned(), nearest }));
             return Ok(self.add(Node::Number(1.0), whole));
         };

@@ -1,7 +1,7 @@
 //! What needs what: names, definitions, loops, and what is known before the run.
 
 use super::control::{GIVEN, STEPS};
-use super::fault::{Fault, MOST_FAULTS, MOST_TOLD, Problem, but_near, nearest_to};
+use super::diagnostic::{Diagnostic, MOST_FAULTS, MOST_TOLD, Problem, but_near, nearest_to};
 use super::function::{FUNCTIONS, FunctionKind};
 use super::sorting::{circle, components};
 use super::tree::{Deck, Expression, Listed, Node, Statement};
@@ -76,7 +76,7 @@ pub(super) struct Graph<'a> {
     pub(super) starting: Vec<Vec<usize>>,
     pub(super) is_constant: Vec<bool>,
     pub(super) types: HashMap<&'a str, Type>,
-    pub(super) faults: Vec<Fault>,
+    pub(super) faults: Vec<Diagnostic>,
 }
 
 impl<'a> Graph<'a> {

@@ -2,7 +2,7 @@
 //! nothing needs.
 
 use super::control::STEPS;
-use super::fault::Problem;
+use super::diagnostic::Problem;
 use super::function::{FUNCTIONS, FunctionKind};
 use super::graph::{Graph, Region};
 use super::tree::Node;

@@ -2,8 +2,8 @@
 
 use super::card::{CardLayout, Fields, LONGEST, fields, is_comment};
 use super::control::reserved;
+use super::diagnostic::{Diagnostic, Diagnostics, MOST_FAULTS, Problem};
 use super::expression::{Problems, expected, expression, list};
-use super::fault::{Fault, Faults, MOST_FAULTS, Problem};
 use super::graph::Graph;
 use super::token::Placed;
 use super::tree::{DataCard, Deck, Expression, Group, Listed, Node, PlotCards, Statement, Word};
@@ -23,7 +23,7 @@ impl Deck {
     /// All that is wrong with its cards, each looked at by itself; then also names that no card defines, and names that
     /// are defined twice. Whatever else is wrong with cards that fit together badly, [`Program::new`](super::Program::new)
     /// tells.
-    pub fn read(text: &str, layout: CardLayout) -> Result<Self, Faults> {
+    pub fn read(text: &str, layout: CardLayout) -> Result<Self, Diagnostics> {
         let mut reading = Reading {
             deck: Self::empty(text),
             faults: Vec::new(),
@@ -46,7 +46,7 @@ impl Deck {
             };
             if let Some(problem) = too_large {
                 let fault = reading.deck.fault(number, 0..1, problem);
-                return Err(Faults(reading.faults.into_iter().chain([fault]).collect()));
+                return Err(Diagnostics(reading.faults.into_iter().chain([fault]).collect()));
             }
             if is_comment(&card, layout) {
                 reading.note_a_hidden_statement(number, &card, layout);
@@ -59,7 +59,7 @@ impl Deck {
         if !reading.faults.is_empty() {
             reading.add_what_else_is_wrong();
         }
-        Faults::among(reading.faults)?;
+        Diagnostics::check(reading.faults)?;
         Ok(reading.deck)
     }
 
@@ -97,7 +97,7 @@ fn words_on(card: &[char]) -> usize {
 /// A deck while it is read.
 struct Reading {
     deck: Deck,
-    faults: Vec<Fault>,
+    faults: Vec<Diagnostic>,
     /// Whether there is a FIN card, and an OUT or PLO card, be it one that cannot be read.
     has_end_card: bool,
     has_print_card: bool,
@@ -313,7 +313,7 @@ impl Reading {
     /// Faults that are no consequence of those that were found: so that all can be mended at once.
     fn add_what_else_is_wrong(&mut self) {
         let graph = Graph::new(&self.deck);
-        let is_another = |fault: &Fault| match &fault.problem {
+        let is_another = |fault: &Diagnostic| match &fault.problem {
             Problem::UnknownName { name, .. } => !self.lost.contains(name),
             Problem::DefinedTwice { .. } => true,
             _ => false,
@@ -326,7 +326,7 @@ impl Reading {
         let (has_end_card, has_print_card) = (self.has_end_card, self.has_print_card);
         let mut missing = |card, why| {
             let problem = Problem::Missing { card, why };
-            self.faults.push(Fault { file: None, card: 0, columns: 0..0, text: String::new(), problem });
+            self.faults.push(Diagnostic { file: None, card: 0, columns: 0..0, text: String::new(), problem });
         };
         if !ended {
             missing("END", "put one after the last card, and data cards after it");

@@ -1,6 +1,6 @@
 //! What stands on a card: names, numbers and signs, each with its columns.
 
-use super::fault::{Problem, is_unprintable};
+use super::diagnostic::{Problem, is_unprintable};
 use core::ops::Range;
 
 /// A name, a number or a sign.

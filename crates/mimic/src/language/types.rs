@@ -1,6 +1,6 @@
 //! Numbers and truths: which of the two a name is, and whether it is used as that.
 
-use super::fault::Problem;
+use super::diagnostic::Problem;
 use super::function::{FUNCTIONS, Signature};
 use super::tree::{Expression, Node};
 use core::ops::Range;

@@ -4,7 +4,7 @@ mod statement;
 
 use crate::language::code::{Instruction, Operation};
 use crate::language::control::STEPS;
-use crate::language::fault::Faults;
+use crate::language::diagnostic::Diagnostics;
 use crate::language::function::{FUNCTIONS, FunctionKind};
 use crate::language::graph::{Graph, Region};
 use crate::language::program::{
@@ -20,9 +20,9 @@ impl Program {
     /// # Errors
     ///
     /// All that does not fit together: names that no card defines, definitions that clash, loops, truths for numbers.
-    pub fn new(deck: &Deck) -> Result<Self, Faults> {
+    pub fn new(deck: &Deck) -> Result<Self, Diagnostics> {
         let mut graph = Graph::new(deck);
-        Faults::among(core::mem::take(&mut graph.faults))?;
+        Diagnostics::check(core::mem::take(&mut graph.faults))?;
         Ok(Compiler::new(&graph).program())
     }
 }
