@@ -186,10 +186,10 @@ fn a_tenth_of_the_print_interval_finds_the_true_peaks() {
 
 #[test]
 fn no_statement_is_dead_unless_nothing_printed_needs_it() {
-    assert!(program(&[]).sorted().iter().all(|of| !of.is_dead));
+    assert!(program(&[]).execution_order().iter().all(|of| !of.is_dead));
     let more = changed(|text| text.replace("         FOLLOW =", "         DEGREE = ANGLE*180./PI\n         FOLLOW ="));
     let program = compiled(&more);
-    let dead: Vec<_> = program.sorted().iter().filter(|of| of.is_dead).map(|of| of.result.as_str()).collect();
+    let dead: Vec<_> = program.execution_order().iter().filter(|of| of.is_dead).map(|of| of.result.as_str()).collect();
     assert_eq!(dead, ["DEGREE"]);
 }
 

@@ -2,7 +2,7 @@
 
 use super::control::STEPS;
 use super::diagnostic::{Diagnostic, Problem};
-use super::sorting::Sorted;
+use super::sorting::SortedStatement;
 use super::tree::{Deck, Expression, Node, Statement, Word};
 use core::ops::Range;
 
@@ -24,7 +24,7 @@ impl Deck {
     }
 
     /// The expression of a statement as its card has it; the number alone if it has been [`set`](Self::set).
-    pub fn expression_of(&self, sorted: &Sorted) -> String {
+    pub fn expression_of(&self, sorted: &SortedStatement) -> String {
         let own = self.statements.get(sorted.statement);
         let Some(own) = own.filter(|of| of.result.name == sorted.result) else { return String::new() };
         if let [(Node::Number(number), _)] = own.expression.nodes[..] {

@@ -69,7 +69,7 @@ pub use function::{BuiltinFunction, FUNCTIONS, WordEvidence};
 pub use printout::{line_plot, print_out};
 pub use program::Program;
 pub use run::{DeckRun, DeckRuns, Plot, RememberedPoints, RunOptions};
-pub use sorting::{Sorted, When};
+pub use sorting::{Schedule, SortedStatement};
 pub use tree::Deck;
 pub use trouble::{FaultOrigin, RunError, Trouble};
 

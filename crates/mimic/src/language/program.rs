@@ -1,7 +1,7 @@
 //! A program: flat code, and what stands in which register.
 
 use super::code::Instruction;
-use super::sorting::Sorted;
+use super::sorting::SortedStatement;
 
 /// Registers with a fixed place: time, the two truths and the steps.
 pub(super) const TIME: u32 = 0;
@@ -148,7 +148,7 @@ pub struct Program {
     pub(super) headings: Vec<Vec<String>>,
     pub(super) outputs: Vec<Vec<(String, u32)>>,
     pub(super) plots: Vec<PlotCode>,
-    pub(super) sorted: Vec<Sorted>,
+    pub(super) sorted: Vec<SortedStatement>,
 }
 
 impl Program {
@@ -164,7 +164,7 @@ impl Program {
     }
 
     /// The statements in the order in which they are computed.
-    pub fn sorted(&self) -> &[Sorted] {
+    pub fn execution_order(&self) -> &[SortedStatement] {
         &self.sorted
     }
 

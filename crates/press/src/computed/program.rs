@@ -12,8 +12,10 @@ use geneva_mimic::language::{CardLayout, Deck, Program, deck_named};
 
 /// The numbers of the chapter on the program.
 pub const NUMBERS: &[(&str, Number)] = &[
-    ("program.statements", || Ok(own()?.sorted().len().to_string())),
-    ("program.needless", || Ok(own()?.sorted().iter().filter(|statement| statement.is_dead).count().to_string())),
+    ("program.statements", || Ok(own()?.execution_order().len().to_string())),
+    ("program.needless", || {
+        Ok(own()?.execution_order().iter().filter(|statement| statement.is_dead).count().to_string())
+    }),
     ("program.loop", || loop_without_delay(OLD_ACCELERATION)),
     ("program.four-pin.runs", || Ok(rows_with(true).count().to_string())),
     ("program.four-pin.minima", || of_own_reset(true, Column::Minimum)),

@@ -10,7 +10,7 @@ use crate::language::graph::{Graph, Region};
 use crate::language::program::{
     Code, Delay, FALSE, FIRST_STEP, FREE, Finish, Memory, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
 };
-use crate::language::sorting::{Sorted, When};
+use crate::language::sorting::{Schedule, SortedStatement};
 use crate::language::tree::{Deck, Expression, Listed, Node};
 use std::collections::HashMap;
 
@@ -304,12 +304,12 @@ impl<'a> Compiler<'a> {
         let live = graph.live();
         let sorted = graph.order.iter().flatten().map(|number| {
             let statement = &deck.statements[*number];
-            Sorted {
+            SortedStatement {
                 card: statement.card,
                 statement: *number,
                 result: statement.result.name.clone(),
                 control: statement.control.as_ref().map(|word| word.name.clone()),
-                when: if graph.is_constant[*number] { When::Once } else { When::Always },
+                when: if graph.is_constant[*number] { Schedule::Once } else { Schedule::Always },
                 is_dead: !live[*number],
             }
         });
