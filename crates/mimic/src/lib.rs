@@ -50,7 +50,7 @@ mod step;
 mod system;
 
 pub use delay::{DelayError, DelayLine, Extrapolation, Interpolation};
-pub use error::{Allowed, Cause, IntegrationError, ParameterError, SolverQuantity, Stopped};
+pub use error::{AllowedRange, Cause, EarlyStop, IntegrationError, ParameterError, SolverQuantity};
 pub use parameters::{MOST_STEPS, MinStepPolicy, Parameters, StepSolution};
 pub use run::{Point, Solution, SolverStats, integrate};
 pub use step::runge_kutta_step;

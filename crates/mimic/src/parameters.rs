@@ -1,6 +1,6 @@
 //! Parameters of a run, and their defaults.
 
-use crate::{Allowed, ParameterError};
+use crate::{AllowedRange, ParameterError};
 
 /// The most that [`Parameters::most_steps`] may be: up to here the multiples of the print interval are well apart.
 pub const MOST_STEPS: u64 = 1_000_000_000_000;
@@ -155,17 +155,17 @@ impl Parameters {
     /// [`ParameterError::Range`], [`ParameterError::MostSteps`], and [`ParameterError::PrintedPoints`] for more printed
     /// points than steps.
     pub fn check(&self) -> Result<(), ParameterError> {
-        let steps = Allowed::FromTo(self.smallest_step, self.largest_step);
+        let steps = AllowedRange::FromTo(self.smallest_step, self.largest_step);
         let asked = [
-            ("print_interval", self.print_interval, Allowed::Positive),
-            ("run_length", self.run_length, Allowed::Positive),
-            ("relative_tolerance", self.relative_tolerance, Allowed::Between(0.0, 1.0)),
-            ("absolute_floor", self.absolute_floor, Allowed::FromTo(0.0, f64::MAX)),
-            ("growth_below", self.growth_below, Allowed::FromTo(0.0, 1.0)),
-            ("growth_factor", self.growth_factor, Allowed::FromTo(1.0, f64::MAX)),
-            ("shrink_factor", self.shrink_factor, Allowed::Between(0.0, 1.0)),
-            ("smallest_step", self.smallest_step, Allowed::Positive),
-            ("largest_step", self.largest_step, Allowed::FromTo(self.smallest_step, f64::MAX)),
+            ("print_interval", self.print_interval, AllowedRange::Positive),
+            ("run_length", self.run_length, AllowedRange::Positive),
+            ("relative_tolerance", self.relative_tolerance, AllowedRange::Between(0.0, 1.0)),
+            ("absolute_floor", self.absolute_floor, AllowedRange::FromTo(0.0, f64::MAX)),
+            ("growth_below", self.growth_below, AllowedRange::FromTo(0.0, 1.0)),
+            ("growth_factor", self.growth_factor, AllowedRange::FromTo(1.0, f64::MAX)),
+            ("shrink_factor", self.shrink_factor, AllowedRange::Between(0.0, 1.0)),
+            ("smallest_step", self.smallest_step, AllowedRange::Positive),
+            ("largest_step", self.largest_step, AllowedRange::FromTo(self.smallest_step, f64::MAX)),
             ("initial_step", self.initial_step, steps),
         ];
         if let Some(&(name, asked, allowed)) = asked.iter().find(|(_, asked, allowed)| !allowed.includes(*asked)) {

@@ -2,7 +2,7 @@
 
 use crate::grid::{Grid, SLIVER};
 use crate::step::{Attempt, non_finite};
-use crate::{Cause, IntegrationError, MinStepPolicy, Parameters, SolverQuantity, Stopped, System};
+use crate::{Cause, EarlyStop, IntegrationError, MinStepPolicy, Parameters, SolverQuantity, System};
 use nalgebra::SVector;
 
 /// A printed point.
@@ -68,7 +68,7 @@ pub struct Solution<const D: usize> {
 ///
 /// # Errors
 ///
-/// [`IntegrationError::Parameter`] for a parameter outside its range; [`IntegrationError::Stopped`] for a start, or a
+/// [`IntegrationError::Parameter`] for a parameter outside its range; [`IntegrationError::EarlyStop`] for a start, or a
 /// derivative at a kept point, that is not finite, a step that would have to be smaller than allowed, too many steps,
 /// or a fault of the system.
 pub fn integrate<S, const D: usize>(
@@ -120,7 +120,7 @@ struct Integration<'a, S, const D: usize> {
 
 impl<S: System<D>, const D: usize> Integration<'_, S, D> {
     /// Steps to a printed point.
-    fn reach(&mut self, target: f64) -> Result<(), Stopped<D, S::Fault>> {
+    fn reach(&mut self, target: f64) -> Result<(), EarlyStop<D, S::Fault>> {
         let parameters = self.parameters;
         // Error of the attempt before, for the case that no other can be made.
         let mut excess = 0.0;
@@ -177,7 +177,7 @@ impl<S: System<D>, const D: usize> Integration<'_, S, D> {
     }
 
     /// Both results of a step to this time.
-    fn attempt(&mut self, end: f64) -> Result<Attempt<D>, Stopped<D, S::Fault>> {
+    fn attempt(&mut self, end: f64) -> Result<Attempt<D>, EarlyStop<D, S::Fault>> {
         let Self { system, work, time, state, derivative, .. } = self;
         let rate = |time: f64, state: &SVector<f64, D>| {
             work.evaluations += 1;
@@ -187,12 +187,12 @@ impl<S: System<D>, const D: usize> Integration<'_, S, D> {
         attempt.map_err(|fault| self.stopped(Cause::System(fault)))
     }
 
-    fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, Stopped<D, S::Fault>> {
+    fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, EarlyStop<D, S::Fault>> {
         self.system.switches(time, state).map_err(|fault| self.stopped(Cause::System(fault)))
     }
 
     /// Goes on from this point: its derivative is the first of the steps that start here.
-    fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
+    fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), EarlyStop<D, S::Fault>> {
         self.finite(SolverQuantity::State, &state)?;
         (self.time, self.state) = (time, state);
         self.largest = self.largest.max(state.amax());
@@ -209,15 +209,15 @@ impl<S: System<D>, const D: usize> Integration<'_, S, D> {
         self.parameters.absolute_floor.min(self.largest.max(attempt.largest()))
     }
 
-    fn finite(&self, quantity: SolverQuantity, vector: &SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
+    fn finite(&self, quantity: SolverQuantity, vector: &SVector<f64, D>) -> Result<(), EarlyStop<D, S::Fault>> {
         match non_finite(vector) {
             Some((component, value)) => Err(self.stopped(Cause::NonFinite { quantity, component, value })),
             None => Ok(()),
         }
     }
 
-    fn stopped(&self, cause: Cause<S::Fault>) -> Stopped<D, S::Fault> {
-        Stopped { time: self.time, state: self.state, work: self.work, cause }
+    fn stopped(&self, cause: Cause<S::Fault>) -> EarlyStop<D, S::Fault> {
+        EarlyStop { time: self.time, state: self.state, work: self.work, cause }
     }
 
     fn point(&self, index: u64) -> Point<D> {

@@ -205,7 +205,7 @@ fn the_error_test_does_not_see_how_the_past_is_read() {
 fn a_line_without_room_stops_the_run_where_it_is_full() {
     let parameters = Parameters::with_fixed_step(1.0 / 128.0, 1.0, 2.0);
     let error = integrate(&mut Memory::<100>::new(Interpolation::Linear), Vector1::new(1.0), &parameters, |_| ());
-    let Err(IntegrationError::Stopped(stopped)) = error else { panic!("{error:?}") };
+    let Err(IntegrationError::EarlyStop(stopped)) = error else { panic!("{error:?}") };
     assert_eq!(stopped.time, 100.0 / 128.0);
     let Cause::System(DelayError::Full { time, capacity: 100, .. }) = stopped.cause else { panic!("{stopped}") };
     assert_eq!(time, stopped.time);

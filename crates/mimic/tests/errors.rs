@@ -1,8 +1,8 @@
 //! What cannot be integrated: is it reported, with the place, and without a panic?
 
 use geneva_mimic::{
-    Allowed, Cause, IntegrationError, MOST_STEPS, MinStepPolicy, ParameterError, Parameters, Solution, SolverQuantity,
-    Stopped, integrate,
+    AllowedRange, Cause, EarlyStop, IntegrationError, MOST_STEPS, MinStepPolicy, ParameterError, Parameters, Solution,
+    SolverQuantity, integrate,
 };
 use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
@@ -15,9 +15,9 @@ fn run(mut rate: impl FnMut(f64, f64) -> f64, start: f64, parameters: &Parameter
 }
 
 #[track_caller]
-fn stopped(rate: impl FnMut(f64, f64) -> f64, start: f64, parameters: &Parameters) -> Stopped<1, Infallible> {
+fn stopped(rate: impl FnMut(f64, f64) -> f64, start: f64, parameters: &Parameters) -> EarlyStop<1, Infallible> {
     match run(rate, start, parameters) {
-        Err(IntegrationError::Stopped(stopped)) => stopped,
+        Err(IntegrationError::EarlyStop(stopped)) => stopped,
         other => panic!("{other:?}"),
     }
 }
@@ -57,7 +57,7 @@ fn what_is_no_number_is_named_where_it_is() {
     }
     let mut rate = |_: f64, state: &Vector2<f64>| *state;
     let ended = integrate(&mut rate, Vector2::new(0.0, f64::INFINITY), &Parameters::new(1.0, 1.0), |_| ());
-    let Err(IntegrationError::Stopped(stop)) = ended else { panic!("{ended:?}") };
+    let Err(IntegrationError::EarlyStop(stop)) = ended else { panic!("{ended:?}") };
     let infinite = f64::INFINITY;
     assert_eq!(stop.cause, Cause::NonFinite { quantity: SolverQuantity::Start, component: 1, value: infinite });
     assert_eq!(stop.work.evaluations, 0);
@@ -124,7 +124,7 @@ fn each_parameter_outside_its_range_is_named_with_the_range() {
         assert_eq!(error, Err(ParameterError::MostSteps(most_steps)));
     }
     assert!(Parameters { most_steps: MOST_STEPS, ..Parameters::new(0.25, 1.0) }.check().is_ok());
-    assert!(!Allowed::Positive.includes(f64::INFINITY));
+    assert!(!AllowedRange::Positive.includes(f64::INFINITY));
 }
 
 #[test]

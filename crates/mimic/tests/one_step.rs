@@ -1,7 +1,7 @@
 //! Is one step the classical one, when does it ask the system, and what does a run make of its two results?
 
 use geneva_mimic::{
-    Cause, IntegrationError, MinStepPolicy, Parameters, Solution, StepSolution, Stopped, System, integrate,
+    Cause, EarlyStop, IntegrationError, MinStepPolicy, Parameters, Solution, StepSolution, System, integrate,
     runge_kutta_step,
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector3};
@@ -57,7 +57,7 @@ fn an_attempt_asks_at_the_quarters_and_hands_on_a_fault() {
     assert_eq!(asked.times[10..], [6.0, 6.0, 8.0, 5.0, 5.0, 6.0, 6.0, 7.0, 7.0, 8.0]);
     let mut faulty = Asked { rate: |x: &Vector1<f64>| *x, times: Vec::new(), fails_beyond: 1.7 };
     let ended = integrate(&mut faulty, Vector1::new(1.0), &Parameters::with_fixed_step(1.0, 1.0, 2.0), |_| ());
-    let Err(IntegrationError::Stopped(stopped)) = ended else { panic!("{ended:?}") };
+    let Err(IntegrationError::EarlyStop(stopped)) = ended else { panic!("{ended:?}") };
     assert_eq!((stopped.time, stopped.cause), (1.0, Cause::System(2.0)));
 }
 
@@ -91,12 +91,12 @@ fn scripted<const D: usize>(
     full: SVector<f64, D>,
     halves: SVector<f64, D>,
     change: impl FnOnce(&mut Parameters),
-) -> Result<Solution<D>, Stopped<D, Infallible>> {
+) -> Result<Solution<D>, EarlyStop<D, Infallible>> {
     let mut parameters = Parameters::with_fixed_step(12.0, 12.0, 12.0);
     change(&mut parameters);
     let ended = integrate(&mut Scripted { full, halves, asked: 0 }, SVector::zeros(), &parameters, |_| ());
     ended.map_err(|error| match error {
-        IntegrationError::Stopped(stopped) => stopped,
+        IntegrationError::EarlyStop(stopped) => stopped,
         IntegrationError::Parameter(error) => panic!("{error}"),
     })
 }
@@ -110,7 +110,7 @@ fn excess<const D: usize>(full: SVector<f64, D>, halves: SVector<f64, D>, tolera
     });
     match ended {
         Ok(_) => None,
-        Err(Stopped { cause: Cause::StepUnderflow { excess, .. }, .. }) => Some(excess),
+        Err(EarlyStop { cause: Cause::StepUnderflow { excess, .. }, .. }) => Some(excess),
         Err(stopped) => panic!("{stopped}"),
     }
 }

@@ -244,7 +244,7 @@ impl Program {
             Ok(_) if has_end => Ok(outcome.map_or(SolverStats::default(), |outcome| outcome.work)),
             Ok(outcome) => Err(Trouble::TooManyRows { time: outcome.last.time, rows: outcome.last.index }),
             Err(IntegrationError::Parameter(error)) => Err(Trouble::Integrator(error)),
-            Err(IntegrationError::Stopped(stopped)) => match stopped.cause {
+            Err(IntegrationError::EarlyStop(stopped)) => match stopped.cause {
                 Cause::System(Stop::Finished) => {
                     // The end is printed, though it is no multiple of DT.
                     if rows.is_empty() || latest_time.get() > last_time {
