@@ -42,9 +42,9 @@
 
 mod delay;
 mod error;
-mod grid;
 pub mod language;
 mod parameters;
+mod print_times;
 mod run;
 mod step;
 mod system;

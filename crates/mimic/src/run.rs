@@ -1,6 +1,6 @@
 //! A run: which steps are tried, which are kept, and what is printed.
 
-use crate::grid::{Grid, SLIVER};
+use crate::print_times::{PrintTimes, SLIVER};
 use crate::step::{Attempt, non_finite};
 use crate::{Cause, EarlyStop, IntegrationError, MinStepPolicy, Parameters, SolverQuantity, System};
 use nalgebra::SVector;
@@ -81,7 +81,7 @@ where
     S: System<D>,
 {
     parameters.check()?;
-    let grid = Grid::new(parameters.print_interval, parameters.run_length);
+    let grid = PrintTimes::new(parameters.print_interval, parameters.run_length);
     let mut run = Integration {
         system,
         parameters,

@@ -4,7 +4,7 @@ use super::control::{STEPS, WORDS};
 use super::diagnostic::{Problem, is_unprintable, nearest_to};
 use super::expression::{Problems, expected};
 use super::function::function_named;
-use super::token::{Placed, Token, tokens};
+use super::token::{CardToken, PlacedToken, tokens};
 use super::tree::Word;
 use core::ops::Range;
 
@@ -69,9 +69,9 @@ pub(super) fn is_comment(card: &[char], layout: CardLayout) -> bool {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Fields {
     /// A result and its expression, perhaps under a control variable.
-    Statement { control: Option<Word>, result: Word, expression: Vec<Placed> },
+    Statement { control: Option<Word>, result: Word, expression: Vec<PlacedToken> },
     /// A control card: its word, and the tokens behind its opening parenthesis.
-    Control { word: Word, rest: Vec<Placed> },
+    Control { word: Word, rest: Vec<PlacedToken> },
 }
 
 /// The fields of a card that is no comment.
@@ -82,7 +82,7 @@ pub(super) fn fields(card: &[char], layout: CardLayout) -> Result<Fields, Proble
     }
     let (found, problems) = tokens(card, all);
     // A heading may have any signs that can be printed.
-    let is_heading = found.first().and_then(Placed::name) == Some("HDR");
+    let is_heading = found.first().and_then(PlacedToken::name) == Some("HDR");
     let unprintable = || card.iter().enumerate().filter(|(_, sign)| is_unprintable(**sign));
     if is_heading {
         let problems: Vec<_> = unprintable().map(|(at, sign)| (at..at + 1, Problem::Sign(*sign))).collect();
@@ -102,7 +102,7 @@ pub(super) fn fields(card: &[char], layout: CardLayout) -> Result<Fields, Proble
 }
 
 /// A control card, if its first word is one, or if it can be nothing else.
-fn control_card(found: &[Placed]) -> Option<Result<Fields, Problems>> {
+fn control_card(found: &[PlacedToken]) -> Option<Result<Fields, Problems>> {
     let word = Word { name: found.first()?.name()?.to_owned(), at: found[0].at.clone() };
     let opens = found.get(1).is_some_and(|next| next.is('('));
     if WORDS.contains(&word.name.as_str()) {
@@ -128,7 +128,7 @@ fn control_card(found: &[Placed]) -> Option<Result<Fields, Problems>> {
 }
 
 /// The only name in a field, if there is something in it.
-fn only(field: &[Placed], what: &'static str) -> Result<Option<Word>, Problems> {
+fn only(field: &[PlacedToken], what: &'static str) -> Result<Option<Word>, Problems> {
     match field {
         [] => Ok(None),
         [one] => match one.name() {
@@ -139,7 +139,7 @@ fn only(field: &[Placed], what: &'static str) -> Result<Option<Word>, Problems> 
     }
 }
 
-fn in_columns(mut found: Vec<Placed>, end: usize) -> Result<Fields, Problems> {
+fn in_columns(mut found: Vec<PlacedToken>, end: usize) -> Result<Fields, Problems> {
     if let Some(across) =
         found.iter().find(|of| [RESULT, EXPRESSION].iter().any(|edge| of.at.start < *edge && of.at.end > *edge))
     {
@@ -160,7 +160,7 @@ fn in_columns(mut found: Vec<Placed>, end: usize) -> Result<Fields, Problems> {
 }
 
 /// The fields of a card without columns: what is the result is told by what stands behind it.
-fn free(mut found: Vec<Placed>, end: usize) -> Result<Fields, Problems> {
+fn free(mut found: Vec<PlacedToken>, end: usize) -> Result<Fields, Problems> {
     let result_at = match found.iter().position(|of| of.is('=')) {
         Some(equals) if equals <= 2 => {
             let expression = found.split_off(equals + 1);
@@ -177,7 +177,7 @@ fn free(mut found: Vec<Placed>, end: usize) -> Result<Fields, Problems> {
     statement(found, expression, end)
 }
 
-fn statement(mut before: Vec<Placed>, expression: Vec<Placed>, end: usize) -> Result<Fields, Problems> {
+fn statement(mut before: Vec<PlacedToken>, expression: Vec<PlacedToken>, end: usize) -> Result<Fields, Problems> {
     let result = before.pop();
     let result = only(result.as_slice(), "the name of a result")?;
     let control = only(&before, "the name of a control variable")?;
@@ -189,7 +189,7 @@ fn statement(mut before: Vec<Placed>, expression: Vec<Placed>, end: usize) -> Re
 }
 
 /// How many of the first tokens are control and result.
-fn fields_before_expression(found: &[Placed], end: usize) -> Result<usize, Problems> {
+fn fields_before_expression(found: &[PlacedToken], end: usize) -> Result<usize, Problems> {
     let Some(first) = found.first() else { return Ok(0) };
     let Some(first_name) = first.name() else {
         return Err(vec![(first.at.clone(), expected("the name of a result, or a control card", Some(first)))]);
@@ -201,7 +201,7 @@ fn fields_before_expression(found: &[Placed], end: usize) -> Result<usize, Probl
         let gap_before = second.at.start > first.at.end;
         let gap_after = found.get(2).is_some_and(|third| third.at.start > second.at.end);
         let begins = match second.token {
-            Token::Number(_) => true,
+            CardToken::Number(_) => true,
             _ => second.is('(') || (second.is_one_of(&['-', '+']) && gap_before && !gap_after),
         };
         return if begins { Ok(1) } else { Err(vec![(second.at.clone(), expected("an expression", Some(second)))]) };
@@ -210,12 +210,12 @@ fn fields_before_expression(found: &[Placed], end: usize) -> Result<usize, Probl
     let gap_before = third.at.start > second.at.end;
     let gap_after = found.get(3).is_some_and(|fourth| fourth.at.start > third.at.end);
     match third.token {
-        Token::Name(_) | Token::Number(_) => Ok(2),
-        Token::Sign('(') if gap_before && function_named(second_name).is_none() => Ok(2),
-        Token::Sign(sign @ ('-' | '+')) if gap_before && !gap_after => {
+        CardToken::Name(_) | CardToken::Number(_) => Ok(2),
+        CardToken::Sign('(') if gap_before && function_named(second_name).is_none() => Ok(2),
+        CardToken::Sign(sign @ ('-' | '+')) if gap_before && !gap_after => {
             let (first, second) = (first_name.to_owned(), second_name.to_owned());
             Err(vec![(third.at.clone(), Problem::Ambiguous { first, second, sign })])
         }
-        Token::Sign(_) => Ok(1),
+        CardToken::Sign(_) => Ok(1),
     }
 }

@@ -1,7 +1,7 @@
 //! Data cards: the numbers of the constants and parameters.
 
 use super::diagnostic::{Diagnostic, Diagnostics, Problem};
-use super::tree::{DataCard, DataFile, Deck, Group, Word};
+use super::tree::{DataCard, DataFile, Deck, NameCard, Word};
 use core::ops::Range;
 
 /// Most runs of one deck.
@@ -95,7 +95,7 @@ impl Deck {
     /// A number that is none, too few or too many of them.
     pub fn data_sets(&self) -> Result<Vec<DataSet>, Diagnostics> {
         let (constants, parameters): (Vec<_>, Vec<_>) = self.groups.iter().partition(|group| !group.each_run);
-        let mut reader = Reader { deck: self, next: 0 };
+        let mut reader = DataReader { deck: self, next: 0 };
         if self.data.iter().map(DataCard::weight).sum::<usize>() > MOST_NUMBERS {
             let words =
                 format!("the data have more than {MOST_NUMBERS} numbers up to here, the most that is read; split them");
@@ -136,14 +136,14 @@ impl Deck {
 }
 
 /// Data cards as they are read, one behind another.
-struct Reader<'a> {
+struct DataReader<'a> {
     deck: &'a Deck,
     next: usize,
 }
 
-impl Reader<'_> {
+impl DataReader<'_> {
     /// The numbers of some groups of names.
-    fn read(&mut self, groups: &[&Group]) -> Result<Vec<(String, f64)>, Diagnostics> {
+    fn read(&mut self, groups: &[&NameCard]) -> Result<Vec<(String, f64)>, Diagnostics> {
         let mut found = Vec::new();
         for group in groups {
             let mut names = group.names.iter();
@@ -157,7 +157,7 @@ impl Reader<'_> {
     /// The numbers of the next card, each for the next name.
     fn card(
         &mut self,
-        group: &Group,
+        group: &NameCard,
         names: &mut core::slice::Iter<'_, Word>,
         found: &mut Vec<(String, f64)>,
     ) -> Result<(), Diagnostics> {

@@ -3,7 +3,7 @@
 use super::control::STEPS;
 use super::diagnostic::{Diagnostic, Problem};
 use super::sorting::SortedStatement;
-use super::tree::{Deck, Expression, Node, Statement, Word};
+use super::tree::{CardExpression, Deck, ExpressionNode, Statement, Word};
 use core::ops::Range;
 
 impl Deck {
@@ -27,7 +27,7 @@ impl Deck {
     pub fn expression_of(&self, sorted: &SortedStatement) -> String {
         let own = self.statements.get(sorted.statement);
         let Some(own) = own.filter(|of| of.result.name == sorted.result) else { return String::new() };
-        if let [(Node::Number(number), _)] = own.expression.nodes[..] {
+        if let [(ExpressionNode::Number(number), _)] = own.expression.nodes[..] {
             return number.to_string();
         }
         let text = own.card.checked_sub(1).and_then(|at| self.cards.get(at)).map_or("", String::as_str);
@@ -48,7 +48,7 @@ impl Deck {
         if statement.control.is_some() {
             return false;
         }
-        statement.expression = Expression::number(value, statement.expression.columns());
+        statement.expression = CardExpression::number(value, statement.expression.columns());
         true
     }
 
@@ -57,7 +57,7 @@ impl Deck {
         let free = STEPS.contains(&name) && !self.statements.iter().any(|statement| statement.result.name == name);
         if free {
             let result = Word { name: name.to_owned(), at: 0..0 };
-            let expression = Expression::number(value, 0..0);
+            let expression = CardExpression::number(value, 0..0);
             self.statements.push(Statement { card: 0, control: None, result, expression });
         }
         free

@@ -8,8 +8,8 @@ use super::code::Operation;
 use super::control::WORDS;
 use super::diagnostic::Problem;
 use super::function::{FUNCTIONS, function_named};
-use super::token::{Placed, Token};
-use super::tree::{Expression, Node};
+use super::token::{CardToken, PlacedToken};
+use super::tree::{CardExpression, ExpressionNode};
 use core::ops::Range;
 
 /// How deep parentheses may stand in one another.
@@ -19,7 +19,7 @@ const DEEPEST: usize = 64;
 pub(super) type Problems = Vec<(Range<usize>, Problem)>;
 
 /// Reads an expression that takes all these tokens; `end` is the column behind the last one.
-pub(super) fn expression(tokens: &[Placed], end: usize) -> Result<Expression, Problems> {
+pub(super) fn expression(tokens: &[PlacedToken], end: usize) -> Result<CardExpression, Problems> {
     let mut parser = Parser::new(tokens, end);
     let found = parser.sum();
     let rest = parser.peek().map(|placed| (placed.at.clone(), expected("an arithmetic sign or the end", Some(placed))));
@@ -28,7 +28,7 @@ pub(super) fn expression(tokens: &[Placed], end: usize) -> Result<Expression, Pr
 
 /// Reads expressions with commas between them, behind an opening parenthesis and up to the closing one, which is the
 /// last token.
-pub(super) fn list(tokens: &[Placed], end: usize) -> Result<Vec<Expression>, Problems> {
+pub(super) fn list(tokens: &[PlacedToken], end: usize) -> Result<Vec<CardExpression>, Problems> {
     let (mut found, mut problems, mut at) = (Vec::new(), Vec::new(), 0);
     loop {
         let mut parser = Parser::new(&tokens[at..], end);
@@ -62,45 +62,45 @@ pub(super) fn list(tokens: &[Placed], end: usize) -> Result<Vec<Expression>, Pro
 }
 
 /// What was due, and what stands there instead.
-pub(super) fn expected(expected: &'static str, found: Option<&Placed>) -> Problem {
-    Problem::Expected { expected, found: found.map_or_else(|| "nothing".to_owned(), Placed::words) }
+pub(super) fn expected(expected: &'static str, found: Option<&PlacedToken>) -> Problem {
+    Problem::Expected { expected, found: found.map_or_else(|| "nothing".to_owned(), PlacedToken::words) }
 }
 
 struct Parser<'a> {
-    tokens: &'a [Placed],
+    tokens: &'a [PlacedToken],
     at: usize,
     end: usize,
     depth: usize,
-    nodes: Vec<(Node, Range<usize>)>,
+    nodes: Vec<(ExpressionNode, Range<usize>)>,
     problems: Problems,
 }
 
 type Read<T> = Result<T, (Range<usize>, Problem)>;
 
 impl<'a> Parser<'a> {
-    fn new(tokens: &'a [Placed], end: usize) -> Self {
+    fn new(tokens: &'a [PlacedToken], end: usize) -> Self {
         Self { tokens, at: 0, end, depth: 0, nodes: Vec::new(), problems: Vec::new() }
     }
 
-    fn result(mut self, read: Read<()>) -> Result<Expression, Problems> {
+    fn result(mut self, read: Read<()>) -> Result<CardExpression, Problems> {
         if let Err(problem) = read {
             self.problems.push(problem);
         }
-        if self.problems.is_empty() { Ok(Expression { nodes: self.nodes }) } else { Err(self.problems) }
+        if self.problems.is_empty() { Ok(CardExpression { nodes: self.nodes }) } else { Err(self.problems) }
     }
 
-    fn peek(&self) -> Option<&'a Placed> {
+    fn peek(&self) -> Option<&'a PlacedToken> {
         self.tokens.get(self.at)
     }
 
     /// The next token if it is one of these signs, which is then passed.
-    fn pass(&mut self, signs: &[char]) -> Option<&'a Placed> {
+    fn pass(&mut self, signs: &[char]) -> Option<&'a PlacedToken> {
         let next = self.peek().filter(|next| next.is_one_of(signs))?;
         self.at += 1;
         Some(next)
     }
 
-    fn add(&mut self, node: Node, at: Range<usize>) -> usize {
+    fn add(&mut self, node: ExpressionNode, at: Range<usize>) -> usize {
         self.nodes.push((node, at));
         self.nodes.len() - 1
     }
@@ -115,18 +115,18 @@ impl<'a> Parser<'a> {
         if let Some(sign) = sign.filter(|sign| sign.is('-')) {
             let at = sign.at.start..self.nodes[left].1.end;
             // A number with its sign is a number.
-            left = if let Node::Number(number) = self.nodes[left].0 {
-                self.nodes[left] = (Node::Number(-number), at);
+            left = if let ExpressionNode::Number(number) = self.nodes[left].0 {
+                self.nodes[left] = (ExpressionNode::Number(-number), at);
                 left
             } else {
-                self.add(Node::Negative(left), at)
+                self.add(ExpressionNode::Negative(left), at)
             };
         }
         while let Some(sign) = self.pass(&['+', '-']) {
             let right = self.product()?;
             let operation = if sign.is('+') { Operation::Add } else { Operation::Subtract };
             let at = self.span(left, right);
-            left = self.add(Node::Binary(operation, [left, right]), at);
+            left = self.add(ExpressionNode::Binary(operation, [left, right]), at);
         }
         Ok(left)
     }
@@ -137,7 +137,7 @@ impl<'a> Parser<'a> {
             let right = self.power()?;
             let operation = if sign.is('*') { Operation::Multiply } else { Operation::Divide };
             let at = self.span(left, right);
-            left = self.add(Node::Binary(operation, [left, right]), at);
+            left = self.add(ExpressionNode::Binary(operation, [left, right]), at);
         }
         Ok(left)
     }
@@ -151,7 +151,7 @@ impl<'a> Parser<'a> {
         let mut right = parts.pop().unwrap_or_default();
         while let Some(left) = parts.pop() {
             let at = self.nodes[left].1.start..self.nodes[right].1.end;
-            right = self.add(Node::Binary(Operation::Power, [left, right]), at);
+            right = self.add(ExpressionNode::Binary(Operation::Power, [left, right]), at);
         }
         Ok(right)
     }
@@ -165,22 +165,22 @@ impl<'a> Parser<'a> {
             return Err((at, Problem::TwoSigns));
         }
         let node = match &placed.token {
-            Token::Number(number) => Node::Number(*number),
-            Token::Name(name) => {
+            CardToken::Number(number) => ExpressionNode::Number(*number),
+            CardToken::Name(name) => {
                 self.at += 1;
                 return match self.pass(&['(']) {
                     Some(_) => self.call(name, at),
-                    None => Ok(self.add(Node::Name(name.clone()), at)),
+                    None => Ok(self.add(ExpressionNode::Name(name.clone()), at)),
                 };
             }
-            Token::Sign('(') => {
+            CardToken::Sign('(') => {
                 self.at += 1;
                 self.deeper(&at)?;
                 let inside = self.sum()?;
                 self.close()?;
                 return Ok(inside);
             }
-            Token::Sign(_) => return Err((at, expected("a name, a number or a parenthesis", Some(placed)))),
+            CardToken::Sign(_) => return Err((at, expected("a name, a number or a parenthesis", Some(placed)))),
         };
         self.at += 1;
         Ok(self.add(node, at))
@@ -214,12 +214,12 @@ impl<'a> Parser<'a> {
         let Some(function) = function_named(name) else {
             if WORDS.contains(&name) {
                 self.problems.push((at, Problem::CardInExpression(name.to_owned())));
-                return Ok(self.add(Node::Number(1.0), whole));
+                return Ok(self.add(ExpressionNode::Number(1.0), whole));
             }
             let known = FUNCTIONS.iter().map(|function| function.name);
             let nearest = super::diagnostic::nearest_to(name, known);
             self.problems.push((at, Problem::UnknownFunction { name: name.to_owned(), nearest }));
-            return Ok(self.add(Node::Number(1.0), whole));
+            return Ok(self.add(ExpressionNode::Number(1.0), whole));
         };
         let known = &FUNCTIONS[function];
         let given = arguments.len();
@@ -227,8 +227,8 @@ impl<'a> Parser<'a> {
             let given = format!("{given} argument{}", if given == 1 { "" } else { "s" });
             let problem = Problem::Arguments { name: name.to_owned(), given, allowed: known.allowed() };
             self.problems.push((whole, problem));
-            return Ok(self.add(Node::Number(1.0), at));
+            return Ok(self.add(ExpressionNode::Number(1.0), at));
         }
-        Ok(self.add(Node::Call(function, arguments), whole))
+        Ok(self.add(ExpressionNode::Call(function, arguments), whole))
     }
 }

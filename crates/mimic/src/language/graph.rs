@@ -4,7 +4,7 @@ use super::control::{GIVEN, STEPS};
 use super::diagnostic::{Diagnostic, MOST_FAULTS, MOST_TOLD, Problem, but_near, nearest_to};
 use super::function::{FUNCTIONS, FunctionKind};
 use super::sorting::{circle, components};
-use super::tree::{Deck, Expression, Listed, Node, Statement};
+use super::tree::{CardExpression, Deck, ExpressionCard, ExpressionNode, Statement};
 use super::types::Type;
 use std::collections::{HashMap, HashSet};
 
@@ -23,8 +23,8 @@ pub(super) enum Region {
 }
 
 /// Where the arguments of a node belong.
-fn region_of_part(node: &Node, at: usize, argument: usize, own: Region) -> Region {
-    let Node::Call(function, _) = node else { return own };
+fn region_of_part(node: &ExpressionNode, at: usize, argument: usize, own: Region) -> Region {
+    let ExpressionNode::Call(function, _) = node else { return own };
     match (FUNCTIONS[*function].kind, argument) {
         (FunctionKind::Integral, 1)
         | (FunctionKind::Limited, 1)
@@ -37,7 +37,7 @@ fn region_of_part(node: &Node, at: usize, argument: usize, own: Region) -> Regio
 }
 
 /// The region of each node.
-pub(super) fn regions(expression: &Expression) -> Vec<Region> {
+pub(super) fn regions(expression: &CardExpression) -> Vec<Region> {
     let mut found = vec![Region::Now; expression.nodes.len()];
     for (at, (node, _)) in expression.nodes.iter().enumerate().rev() {
         for (argument, part) in node.parts().iter().enumerate() {
@@ -86,7 +86,7 @@ impl<'a> Graph<'a> {
         for (statement, of) in deck.statements.iter().enumerate() {
             let first = blocks.len();
             for (node, (part, _)) in of.expression.nodes.iter().enumerate() {
-                let Node::Call(function, _) = part else { continue };
+                let ExpressionNode::Call(function, _) = part else { continue };
                 let kind = FUNCTIONS[*function].kind;
                 if kind.is_memory() || matches!(kind, FunctionKind::Sample | FunctionKind::Slope) {
                     blocks.push(Block { statement, node, kind });
@@ -170,9 +170,9 @@ impl<'a> Graph<'a> {
             }
         };
         let in_expression =
-            |card: usize, expression: &Expression, check: &mut dyn FnMut(usize, &str, &core::ops::Range<usize>)| {
+            |card: usize, expression: &CardExpression, check: &mut dyn FnMut(usize, &str, &core::ops::Range<usize>)| {
                 for (node, columns) in &expression.nodes {
-                    if let Node::Name(name) = node {
+                    if let ExpressionNode::Name(name) = node {
                         check(card, name, columns);
                     }
                 }
@@ -189,7 +189,7 @@ impl<'a> Graph<'a> {
         for plot in &self.deck.plots {
             plot.names.iter().for_each(|word| check(plot.card, &word.name, &word.at));
         }
-        for listed in self.listed() {
+        for listed in self.expression_cards() {
             listed.expressions.iter().for_each(|expression| in_expression(listed.card, expression, &mut check));
         }
         unknown.sort_by_key(|(card, _, columns)| (*card, columns.start));
@@ -221,7 +221,7 @@ impl<'a> Graph<'a> {
     }
 
     /// All cards with expressions that are no statements.
-    pub(super) fn listed(&self) -> impl Iterator<Item = &'a Listed> + use<'a> {
+    pub(super) fn expression_cards(&self) -> impl Iterator<Item = &'a ExpressionCard> + use<'a> {
         let plots = self.deck.plots.iter().flat_map(|plot| plot.scale.iter().chain(&plot.zero));
         self.deck.finishes.iter().chain(plots)
     }
@@ -236,7 +236,7 @@ impl<'a> Graph<'a> {
         let regions = &self.regions[statement];
         let named = nodes.iter().zip(regions).filter(|(_, region)| wanted(**region));
         named
-            .filter_map(|((node, _), _)| if let Node::Name(name) = node { Some(name.as_str()) } else { None })
+            .filter_map(|((node, _), _)| if let ExpressionNode::Name(name) = node { Some(name.as_str()) } else { None })
             .collect()
     }
 
@@ -312,8 +312,8 @@ impl<'a> Graph<'a> {
         let Statement { card, expression, control, .. } = &self.deck.statements[implicit];
         let guess = expression.whole_call().and_then(|(_, arguments)| arguments.first().copied()).unwrap_or(0);
         let begins_free = match &expression.nodes[guess].0 {
-            Node::Number(_) => true,
-            Node::Name(name) => !self.definitions_of(name).iter().any(|of| group.contains(of)),
+            ExpressionNode::Number(_) => true,
+            ExpressionNode::Name(name) => !self.definitions_of(name).iter().any(|of| group.contains(of)),
             _ => false,
         };
         if !begins_free || control.is_some() {

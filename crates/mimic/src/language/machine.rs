@@ -2,7 +2,7 @@
 
 use super::code::execute;
 use super::digits::eight_digits;
-use super::program::{Memory, More, Program, State, TIME};
+use super::program::{Memory, Program, State, StateRule, TIME};
 use super::trouble::{FaultOrigin, Trouble};
 use crate::step::Attempt;
 use crate::{Cause, DelayError, DelayLine, Parameters, System};
@@ -13,7 +13,7 @@ use nalgebra::SVector;
 const KEPT: usize = 1 << 20;
 
 /// A delay line, how far apart its entries are at least, and when the last was made.
-pub(super) struct Line {
+pub(super) struct RecordedDelay {
     pub(super) line: DelayLine<KEPT>,
     pub(super) apart: f64,
     pub(super) last: f64,
@@ -23,7 +23,7 @@ pub(super) struct Line {
 pub(super) struct Machine<'a> {
     pub(super) program: &'a Program,
     pub(super) registers: Vec<f64>,
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<RecordedDelay>,
     /// Most entries that all lines may have memory for.
     pub(super) room: usize,
     /// What the held registers had at the last point that was kept.
@@ -182,10 +182,10 @@ impl State {
         }
         let (feed, own) = (of(self.feed), of(self.register));
         match self.more {
-            More::Nothing => feed,
-            More::TimeConstant(constant) => (feed - own) / of(constant),
-            More::Limits([low, high]) if (own <= of(low) && feed < 0.0) || (own >= of(high) && feed > 0.0) => 0.0,
-            More::Limits(_) => feed,
+            StateRule::Nothing => feed,
+            StateRule::TimeConstant(constant) => (feed - own) / of(constant),
+            StateRule::Limits([low, high]) if (own <= of(low) && feed < 0.0) || (own >= of(high) && feed > 0.0) => 0.0,
+            StateRule::Limits(_) => feed,
         }
     }
 }
@@ -347,7 +347,7 @@ impl Machine<'_> {
         execute(&program.each.instructions, registers);
         let odd = program.states.iter().find(|of| !of.rate(registers).is_finite());
         let register = odd.map_or(TIME, |of| match of.more {
-            More::TimeConstant(constant) if registers[of.feed as usize].is_finite() => constant,
+            StateRule::TimeConstant(constant) if registers[of.feed as usize].is_finite() => constant,
             _ => of.feed,
         });
         let origin = match odd {
@@ -355,7 +355,7 @@ impl Machine<'_> {
                 card: of.card,
                 text: program.card_text(of.card),
                 reason: match of.more {
-                    More::TimeConstant(_) => format!("{} has a time constant of zero", of.name),
+                    StateRule::TimeConstant(_) => format!("{} has a time constant of zero", of.name),
                     _ => format!("the rate of {} is not a number", of.name),
                 },
             },

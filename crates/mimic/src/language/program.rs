@@ -40,13 +40,13 @@ pub(super) struct State {
     /// What is integrated; for a lag, what is followed.
     pub(super) feed: u32,
     /// Of a lag, its time constant; of a limited integral, its limits.
-    pub(super) more: More,
+    pub(super) more: StateRule,
     pub(super) control: Option<u32>,
 }
 
 /// What an integral has beside its integrand.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum More {
+pub(super) enum StateRule {
     Nothing,
     TimeConstant(u32),
     Limits([u32; 2]),
@@ -74,7 +74,7 @@ pub(super) struct Sample {
 
 /// A difference quotient: the two values now, and the two at the point before.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Slope {
+pub(super) struct DifferenceQuotient {
     pub(super) now: [u32; 2],
     pub(super) before: [u32; 2],
 }
@@ -138,7 +138,7 @@ pub struct Program {
     pub(super) states: Vec<State>,
     pub(super) delays: Vec<Delay>,
     pub(super) samples: Vec<Sample>,
-    pub(super) slopes: Vec<Slope>,
+    pub(super) slopes: Vec<DifferenceQuotient>,
     /// Registers that keep their value while no statement sets them.
     pub(super) held: Vec<u32>,
     pub(super) memories: Vec<Memory>,
@@ -155,7 +155,7 @@ impl Program {
     /// The registers that decide what counts, and when a run ends: control variables, limits, both sides of FIN.
     pub(super) fn deciding(&self) -> impl Iterator<Item = u32> {
         let limits = self.states.iter().filter_map(|state| match state.more {
-            More::Limits(limits) => Some(limits),
+            StateRule::Limits(limits) => Some(limits),
             _ => None,
         });
         let controls = self.memories.iter().flat_map(|memory| memory.controls.iter().copied());

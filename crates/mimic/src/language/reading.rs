@@ -5,8 +5,10 @@ use super::control::reserved;
 use super::diagnostic::{Diagnostic, Diagnostics, MOST_FAULTS, Problem};
 use super::expression::{Problems, expected, expression, list};
 use super::graph::Graph;
-use super::token::Placed;
-use super::tree::{DataCard, Deck, Expression, Group, Listed, Node, PlotCards, Statement, Word};
+use super::token::PlacedToken;
+use super::tree::{
+    CardExpression, DataCard, Deck, ExpressionCard, ExpressionNode, NameCard, PlotCards, Statement, Word,
+};
 use std::collections::HashSet;
 
 /// Most lines of a deck up to its END, and most names, numbers and signs on them.
@@ -24,7 +26,7 @@ impl Deck {
     /// are defined twice. Whatever else is wrong with cards that fit together badly, [`Program::new`](super::Program::new)
     /// tells.
     pub fn read(text: &str, layout: CardLayout) -> Result<Self, Diagnostics> {
-        let mut reading = Reading {
+        let mut reading = DeckReader {
             deck: Self::empty(text),
             faults: Vec::new(),
             lost: HashSet::new(),
@@ -95,7 +97,7 @@ fn words_on(card: &[char]) -> usize {
 }
 
 /// A deck while it is read.
-struct Reading {
+struct DeckReader {
     deck: Deck,
     faults: Vec<Diagnostic>,
     /// Whether there is a FIN card, and an OUT or PLO card, be it one that cannot be read.
@@ -108,7 +110,7 @@ struct Reading {
     has_lost_output: bool,
 }
 
-impl Reading {
+impl DeckReader {
     fn all(&mut self, card: usize, problems: Problems) {
         let room = MOST_FAULTS.saturating_sub(self.faults.len());
         for (columns, problem) in problems.into_iter().take(room) {
@@ -122,10 +124,10 @@ impl Reading {
         match fields(card, layout) {
             Err(problems) => {
                 let (tokens, _) = super::token::tokens(card, 0..card.len().min(LONGEST));
-                let first = tokens.first().and_then(Placed::name).unwrap_or("");
+                let first = tokens.first().and_then(PlacedToken::name).unwrap_or("");
                 self.seen(first);
                 self.has_lost_output |= first == "OUT";
-                self.lost.extend(tokens.iter().filter_map(Placed::name).map(str::to_owned));
+                self.lost.extend(tokens.iter().filter_map(PlacedToken::name).map(str::to_owned));
                 self.all(number, problems);
             }
             Ok(Fields::Statement { control, result, expression: tokens }) => {
@@ -139,7 +141,7 @@ impl Reading {
                     }
                     Err(problems) => {
                         // The name is defined all the same: those who use it are not to blame.
-                        let expression = Expression::number(1.0, 0..0);
+                        let expression = CardExpression::number(1.0, 0..0);
                         self.deck.statements.push(Statement { card: number, control, result, expression });
                         for (_, problem) in &problems {
                             if let Problem::CardInExpression(word) = problem {
@@ -160,7 +162,7 @@ impl Reading {
         self.has_print_card |= word == "OUT" || word == "PLO";
     }
 
-    fn control(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char]) -> bool {
+    fn control(&mut self, card: usize, word: &Word, rest: &[PlacedToken], text: &[char]) -> bool {
         self.seen(&word.name);
         match word.name.as_str() {
             "END" => return true,
@@ -172,7 +174,7 @@ impl Reading {
                             self.all(card, vec![(name.at.clone(), problem)]);
                         }
                     }
-                    self.deck.groups.push(Group { card, each_run: word.name == "PAR", names });
+                    self.deck.groups.push(NameCard { card, each_run: word.name == "PAR", names });
                 }
             }
             "OUT" => match self.names(card, word, rest, text, 1) {
@@ -197,18 +199,25 @@ impl Reading {
     }
 
     /// The names between parentheses.
-    fn names(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char], least: usize) -> Option<Vec<Word>> {
+    fn names(
+        &mut self,
+        card: usize,
+        word: &Word,
+        rest: &[PlacedToken],
+        text: &[char],
+        least: usize,
+    ) -> Option<Vec<Word>> {
         let read = list(rest, text.len());
         let expressions = read
             .map_err(|problems| {
-                self.lost.extend(rest.iter().filter_map(Placed::name).map(str::to_owned));
+                self.lost.extend(rest.iter().filter_map(PlacedToken::name).map(str::to_owned));
                 self.all(card, problems);
             })
             .ok()?;
         let mut names = Vec::new();
         for expression in &expressions {
             match &expression.nodes[..] {
-                [(Node::Name(name), at)] => names.push(Word { name: name.clone(), at: at.clone() }),
+                [(ExpressionNode::Name(name), at)] => names.push(Word { name: name.clone(), at: at.clone() }),
                 _ => {
                     let found = "an expression".to_owned();
                     let problem = Problem::Expected { expected: "a name", found };
@@ -247,9 +256,9 @@ impl Reading {
     }
 
     /// FIN, SCA and ZER.
-    fn listed(&mut self, card: usize, word: &Word, expressions: Vec<Expression>) {
+    fn listed(&mut self, card: usize, word: &Word, expressions: Vec<CardExpression>) {
         let given = expressions.len();
-        let listed = Listed { card, expressions };
+        let listed = ExpressionCard { card, expressions };
         if word.name == "FIN" {
             if given != 2 {
                 return self.count(

@@ -3,7 +3,7 @@
 use super::code::execute;
 use super::data::DataSet;
 use super::digits::eight_digits;
-use super::machine::{Line, Machine, Stop};
+use super::machine::{Machine, RecordedDelay, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
 use super::trouble::{RunError, Trouble};
 use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, SolverStats};
@@ -361,7 +361,7 @@ impl Program {
         format!(" with {} and {}", counted(self.states.len(), "integral"), counted(self.delays.len(), "TDL"))
     }
 
-    fn lines(&self, registers: &[f64], choices: &RunOptions) -> Result<Vec<Line>, Trouble> {
+    fn lines(&self, registers: &[f64], choices: &RunOptions) -> Result<Vec<RecordedDelay>, Trouble> {
         let line = |delay: &Delay| {
             let length = registers[delay.delay as usize];
             let line = DelayLine::new(length, 0.0, choices.interpolation, choices.extrapolation);
@@ -372,7 +372,7 @@ impl Program {
                 RememberedPoints::AsAsked if points >= 1.0 => length / points,
                 _ => 0.0,
             };
-            Ok(Line { line, apart, last: f64::NEG_INFINITY })
+            Ok(RecordedDelay { line, apart, last: f64::NEG_INFINITY })
         };
         self.delays.iter().map(line).collect()
     }

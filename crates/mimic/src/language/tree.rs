@@ -8,8 +8,8 @@ use core::ops::Range;
 pub struct Deck {
     pub(super) cards: Vec<String>,
     pub(super) statements: Vec<Statement>,
-    pub(super) groups: Vec<Group>,
-    pub(super) finishes: Vec<Listed>,
+    pub(super) groups: Vec<NameCard>,
+    pub(super) finishes: Vec<ExpressionCard>,
     pub(super) headings: Vec<Vec<String>>,
     pub(super) outputs: Vec<Vec<Word>>,
     pub(super) output_cards: Vec<usize>,
@@ -28,12 +28,12 @@ pub(super) struct Statement {
     pub(super) card: usize,
     pub(super) control: Option<Word>,
     pub(super) result: Word,
-    pub(super) expression: Expression,
+    pub(super) expression: CardExpression,
 }
 
 /// The names of one CON or PAR card.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Group {
+pub(super) struct NameCard {
     pub(super) card: usize,
     /// Whether they are read for each run.
     pub(super) each_run: bool,
@@ -42,9 +42,9 @@ pub(super) struct Group {
 
 /// A card with expressions.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Listed {
+pub(super) struct ExpressionCard {
     pub(super) card: usize,
-    pub(super) expressions: Vec<Expression>,
+    pub(super) expressions: Vec<CardExpression>,
 }
 
 /// A PLO card, and the SCA and ZER cards behind it.
@@ -52,8 +52,8 @@ pub(super) struct Listed {
 pub(super) struct PlotCards {
     pub(super) card: usize,
     pub(super) names: Vec<Word>,
-    pub(super) scale: Option<Listed>,
-    pub(super) zero: Option<Listed>,
+    pub(super) scale: Option<ExpressionCard>,
+    pub(super) zero: Option<ExpressionCard>,
 }
 
 /// A name and its columns.
@@ -65,7 +65,7 @@ pub(super) struct Word {
 
 /// A part of an expression; numbers of nodes are those of earlier ones.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Node {
+pub(super) enum ExpressionNode {
     /// A number.
     Number(f64),
     /// A name.
@@ -78,7 +78,7 @@ pub(super) enum Node {
     Call(usize, Vec<usize>),
 }
 
-impl Node {
+impl ExpressionNode {
     /// The nodes that it needs.
     pub(super) fn parts(&self) -> &[usize] {
         match self {
@@ -92,14 +92,14 @@ impl Node {
 
 /// An expression: the last node is the whole. It is never empty.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Expression {
-    pub(super) nodes: Vec<(Node, Range<usize>)>,
+pub(super) struct CardExpression {
+    pub(super) nodes: Vec<(ExpressionNode, Range<usize>)>,
 }
 
-impl Expression {
+impl CardExpression {
     /// A number that stands alone.
     pub(super) fn number(value: f64, at: Range<usize>) -> Self {
-        Self { nodes: vec![(Node::Number(value), at)] }
+        Self { nodes: vec![(ExpressionNode::Number(value), at)] }
     }
 
     /// The node of the whole.
@@ -116,7 +116,7 @@ impl Expression {
     /// The function that the whole is, if it is one.
     pub(super) fn whole_call(&self) -> Option<(usize, &[usize])> {
         match self.nodes.last() {
-            Some((Node::Call(function, arguments), _)) => Some((*function, arguments)),
+            Some((ExpressionNode::Call(function, arguments), _)) => Some((*function, arguments)),
             _ => None,
         }
     }

@@ -8,10 +8,11 @@ use crate::language::diagnostic::Diagnostics;
 use crate::language::function::{FUNCTIONS, FunctionKind};
 use crate::language::graph::{Graph, Region};
 use crate::language::program::{
-    Code, Delay, FALSE, FIRST_STEP, FREE, Finish, Memory, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
+    Code, Delay, DifferenceQuotient, FALSE, FIRST_STEP, FREE, Finish, Memory, PlotCode, Program, Sample, State,
+    StateRule, TIME, TRUE,
 };
 use crate::language::sorting::{Schedule, SortedStatement};
-use crate::language::tree::{Deck, Expression, Listed, Node};
+use crate::language::tree::{CardExpression, Deck, ExpressionCard, ExpressionNode};
 use std::collections::HashMap;
 
 impl Program {
@@ -42,7 +43,7 @@ struct Compiler<'a> {
     start: Vec<Code>,
     feed: Code,
     samples: Vec<Sample>,
-    slopes: Vec<Slope>,
+    slopes: Vec<DifferenceQuotient>,
     /// The gate of each name that has a memory.
     gates: HashMap<&'a str, u32>,
     /// Of each block that is a difference quotient, the register of its first value.
@@ -218,7 +219,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// Code for expressions that are no statements, and the register of each.
-    fn listed(&mut self, listed: &Listed, code: &mut Code) -> Vec<u32> {
+    fn listed(&mut self, listed: &ExpressionCard, code: &mut Code) -> Vec<u32> {
         let mut roots = Vec::new();
         for expression in &listed.expressions {
             let mut parts = vec![0; expression.nodes.len()];
@@ -252,7 +253,7 @@ impl<'a> Compiler<'a> {
             each.extend(&code);
             let is_time = registers[0] == TIME;
             let names = listed.expressions[1].nodes.iter().filter_map(|(node, _)| match node {
-                Node::Name(name) => Some(name.as_str()),
+                ExpressionNode::Name(name) => Some(name.as_str()),
                 _ => None,
             });
             let is_run_length = is_time && names.into_iter().all(|name| graph.is_known_before(name));
@@ -273,9 +274,9 @@ impl<'a> Compiler<'a> {
             let feed = self.argument(number, 0).unwrap_or(FALSE);
             let of = |argument| self.argument(number, argument).unwrap_or(FALSE);
             let more = match block.kind {
-                FunctionKind::Integral => More::Nothing,
-                FunctionKind::Limited => More::Limits([of(2), of(3)]),
-                FunctionKind::Lag => More::TimeConstant(of(1)),
+                FunctionKind::Integral => StateRule::Nothing,
+                FunctionKind::Limited => StateRule::Limits([of(2), of(3)]),
+                FunctionKind::Lag => StateRule::TimeConstant(of(1)),
                 FunctionKind::Delay => {
                     let points = self.argument(number, 2);
                     delays.push(Delay { card: statement.card, register, feed, delay: of(1), points });

@@ -6,10 +6,10 @@ use nalgebra::Vector2;
 
 /// The grid, compiled here by itself: a run of so many points would take too long.
 #[allow(dead_code)]
-#[path = "../src/grid.rs"]
+#[path = "../src/print_times.rs"]
 mod source;
 
-use source::Grid;
+use source::PrintTimes;
 
 /// Times of the printed points of the spring.
 #[track_caller]
@@ -92,14 +92,14 @@ fn the_right_hand_side_is_never_asked_beyond_the_next_printed_point() {
 
 /// Times of the points of a grid, without a run.
 fn times_of_grid(interval: f64, end: f64) -> Vec<f64> {
-    let grid = Grid::new(interval, end);
+    let grid = PrintTimes::new(interval, end);
     (0..=grid.last).map(|index| grid.time(index)).collect()
 }
 
 #[test]
 fn a_run_length_within_rounding_of_a_multiple_is_that_multiple() {
     assert_eq!(times_of_grid(0.1, 0.3 + 1e-7).last(), Some(&(0.3 + 1e-7)));
-    assert_eq!(Grid::new(5e-4, 0.2).last, 400);
+    assert_eq!(PrintTimes::new(5e-4, 0.2).last, 400);
 }
 
 #[test]
@@ -107,5 +107,5 @@ fn extreme_sizes_give_a_grid_too() {
     assert_eq!(times_of_grid(f64::MAX, f64::MAX), [0.0, f64::MAX]);
     assert_eq!(times_of_grid(f64::MAX * 0.7, f64::MAX).last(), Some(&f64::MAX));
     assert_eq!(times_of_grid(f64::MAX, f64::MIN_POSITIVE), [0.0, f64::MIN_POSITIVE]);
-    assert_eq!(Grid::new(1e-12, 1.0).last, 1_000_000_000_000);
+    assert_eq!(PrintTimes::new(1e-12, 1.0).last, 1_000_000_000_000);
 }
