@@ -148,7 +148,7 @@ impl<S: System<D>, const D: usize> Integration<'_, S, D> {
             let smallest = asked <= smallest_step * (1.0 + SLIVER);
             let forced = smallest && infinite.is_none() && parameters.at_smallest_step == MinStepPolicy::Continue;
             if excess <= 1.0 || forced {
-                let kept = attempt.kept(parameters.kept);
+                let kept = attempt.solution(parameters.kept);
                 let switch_step = parameters.switch_step();
                 if asked > switch_step * (1.0 + SLIVER) && self.switches(end, &kept)? {
                     self.work.rejected += 1;

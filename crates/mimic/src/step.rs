@@ -95,7 +95,7 @@ impl<const D: usize> Attempt<D> {
     }
 
     /// The state that the run goes on with.
-    pub(crate) fn kept(&self, kept: StepSolution) -> SVector<f64, D> {
+    pub(crate) fn solution(&self, kept: StepSolution) -> SVector<f64, D> {
         match kept {
             StepSolution::FullStep => self.full,
             StepSolution::TwoHalfSteps => self.halves,

@@ -2,7 +2,7 @@
 
 use super::control::{STEPS, WORDS};
 use super::diagnostic::{Problem, is_unprintable, nearest_to};
-use super::expression::{Problems, expected};
+use super::expression::{Problems, mismatch};
 use super::function::function_named;
 use super::token::{CardToken, PlacedToken, tokens};
 use super::tree::Word;
@@ -107,19 +107,19 @@ fn control_card(found: &[PlacedToken]) -> Option<Result<Fields, Problems>> {
     let opens = found.get(1).is_some_and(|next| next.is('('));
     if WORDS.contains(&word.name.as_str()) {
         if word.name == "END" {
-            let rest = found.get(1).map(|more| vec![(more.at.clone(), expected("the end of the card", Some(more)))]);
+            let rest = found.get(1).map(|more| vec![(more.at.clone(), mismatch("the end of the card", Some(more)))]);
             return Some(rest.map_or(Ok(Fields::Control { word, rest: Vec::new() }), Err));
         }
         if !opens {
             let at = found.get(1).map_or(word.at.end..word.at.end + 1, |next| next.at.clone());
-            return Some(Err(vec![(at, expected("an opening parenthesis", found.get(1)))]));
+            return Some(Err(vec![(at, mismatch("an opening parenthesis", found.get(1)))]));
         }
         return Some(Ok(Fields::Control { word, rest: found[2..].to_vec() }));
     }
     let adjoins = opens && found[1].at.start == word.at.end;
     if adjoins && !STEPS.contains(&word.name.as_str()) {
         if function_named(&word.name).is_some() {
-            return Some(Err(vec![(word.at, expected("the name of a result before the function", found.first()))]));
+            return Some(Err(vec![(word.at, mismatch("the name of a result before the function", found.first()))]));
         }
         let nearest = nearest_to(&word.name, WORDS);
         return Some(Err(vec![(word.at, Problem::UnknownCard { name: word.name, nearest })]));
@@ -133,9 +133,9 @@ fn only(field: &[PlacedToken], what: &'static str) -> Result<Option<Word>, Probl
         [] => Ok(None),
         [one] => match one.name() {
             Some(name) => Ok(Some(Word { name: name.to_owned(), at: one.at.clone() })),
-            None => Err(vec![(one.at.clone(), expected(what, Some(one)))]),
+            None => Err(vec![(one.at.clone(), mismatch(what, Some(one)))]),
         },
-        [_, more, ..] => Err(vec![(more.at.clone(), expected("one name in the field", Some(more)))]),
+        [_, more, ..] => Err(vec![(more.at.clone(), mismatch("one name in the field", Some(more)))]),
     }
 }
 
@@ -154,7 +154,7 @@ fn in_columns(mut found: Vec<PlacedToken>, end: usize) -> Result<Fields, Problem
     let control = only(&found, "the name of a control variable")?;
     let Some(result) = only(&result, "the name of a result")? else {
         let at = expression.first().map_or(end..end + 1, |first| first.at.clone());
-        return Err(vec![(at, expected("a result in columns 10 to 16, or a control card", expression.first()))]);
+        return Err(vec![(at, mismatch("a result in columns 10 to 16, or a control card", expression.first()))]);
     };
     Ok(Fields::Statement { control, result, expression })
 }
@@ -169,7 +169,7 @@ fn free(mut found: Vec<PlacedToken>, end: usize) -> Result<Fields, Problems> {
         }
         Some(equals) => {
             let found = &found[equals];
-            return Err(vec![(found.at.clone(), expected("an arithmetic sign", Some(found)))]);
+            return Err(vec![(found.at.clone(), mismatch("an arithmetic sign", Some(found)))]);
         }
         None => fields_before_expression(&found, end)?,
     };
@@ -183,7 +183,7 @@ fn statement(mut before: Vec<PlacedToken>, expression: Vec<PlacedToken>, end: us
     let control = only(&before, "the name of a control variable")?;
     let Some(result) = result else {
         let at = expression.first().map_or(end..end + 1, |first| first.at.clone());
-        return Err(vec![(at, expected("the name of a result", expression.first()))]);
+        return Err(vec![(at, mismatch("the name of a result", expression.first()))]);
     };
     Ok(Fields::Statement { control, result, expression })
 }
@@ -192,10 +192,10 @@ fn statement(mut before: Vec<PlacedToken>, expression: Vec<PlacedToken>, end: us
 fn fields_before_expression(found: &[PlacedToken], end: usize) -> Result<usize, Problems> {
     let Some(first) = found.first() else { return Ok(0) };
     let Some(first_name) = first.name() else {
-        return Err(vec![(first.at.clone(), expected("the name of a result, or a control card", Some(first)))]);
+        return Err(vec![(first.at.clone(), mismatch("the name of a result, or a control card", Some(first)))]);
     };
     let Some(second) = found.get(1) else {
-        return Err(vec![(end..end + 1, expected("an expression after the name", None))]);
+        return Err(vec![(end..end + 1, mismatch("an expression after the name", None))]);
     };
     let Some(second_name) = second.name() else {
         let gap_before = second.at.start > first.at.end;
@@ -204,7 +204,7 @@ fn fields_before_expression(found: &[PlacedToken], end: usize) -> Result<usize, 
             CardToken::Number(_) => true,
             _ => second.is('(') || (second.is_one_of(&['-', '+']) && gap_before && !gap_after),
         };
-        return if begins { Ok(1) } else { Err(vec![(second.at.clone(), expected("an expression", Some(second)))]) };
+        return if begins { Ok(1) } else { Err(vec![(second.at.clone(), mismatch("an expression", Some(second)))]) };
     };
     let Some(third) = found.get(2) else { return Ok(1) };
     let gap_before = third.at.start > second.at.end;

@@ -160,7 +160,7 @@ fn slope(last: f64, [a, b]: [f64; 2], [old_a, old_b]: [f64; 2]) -> f64 {
 
 impl Instruction {
     /// The registers that decide the value: of a switch, only those of the branch that is taken.
-    pub(super) fn used(&self, registers: &[f64]) -> Vec<u32> {
+    pub(super) fn operands_in_use(&self, registers: &[f64]) -> Vec<u32> {
         let [a, b, c, d] = self.from;
         let value = registers[a as usize];
         match self.operation {

@@ -85,7 +85,7 @@ pub(super) const GIVEN: [&str; 3] = ["T", "TRUE", "FALSE"];
 pub(super) const STEPS: [&str; 3] = ["DT", "DTMIN", "DTMAX"];
 
 /// What a reserved name is, if it is one.
-pub(super) fn reserved(name: &str) -> Option<&'static str> {
+pub(super) fn reserved_meaning(name: &str) -> Option<&'static str> {
     if name == "T" {
         Some("time")
     } else if GIVEN.contains(&name) {

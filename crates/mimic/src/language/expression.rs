@@ -22,7 +22,7 @@ pub(super) type Problems = Vec<(Range<usize>, Problem)>;
 pub(super) fn expression(tokens: &[PlacedToken], end: usize) -> Result<CardExpression, Problems> {
     let mut parser = Parser::new(tokens, end);
     let found = parser.sum();
-    let rest = parser.peek().map(|placed| (placed.at.clone(), expected("an arithmetic sign or the end", Some(placed))));
+    let rest = parser.peek().map(|placed| (placed.at.clone(), mismatch("an arithmetic sign or the end", Some(placed))));
     parser.result(found.and_then(|_| rest.map_or(Ok(()), Err)))
 }
 
@@ -47,13 +47,13 @@ pub(super) fn list(tokens: &[PlacedToken], end: usize) -> Result<Vec<CardExpress
             Some(sign) if sign.is(',') => {}
             Some(sign) if sign.is(')') => {
                 if let Some(more) = tokens.get(at) {
-                    problems.push((more.at.clone(), expected("the end of the card", Some(more))));
+                    problems.push((more.at.clone(), mismatch("the end of the card", Some(more))));
                 }
                 break;
             }
             other => {
                 let columns = other.as_ref().map_or(end..end + 1, |placed| placed.at.clone());
-                problems.push((columns, expected("a comma or a closing parenthesis", other.as_ref())));
+                problems.push((columns, mismatch("a comma or a closing parenthesis", other.as_ref())));
                 break;
             }
         }
@@ -62,7 +62,7 @@ pub(super) fn list(tokens: &[PlacedToken], end: usize) -> Result<Vec<CardExpress
 }
 
 /// What was due, and what stands there instead.
-pub(super) fn expected(expected: &'static str, found: Option<&PlacedToken>) -> Problem {
+pub(super) fn mismatch(expected: &'static str, found: Option<&PlacedToken>) -> Problem {
     Problem::Expected { expected, found: found.map_or_else(|| "nothing".to_owned(), PlacedToken::words) }
 }
 
@@ -158,7 +158,7 @@ impl<'a> Parser<'a> {
 
     fn atom(&mut self) -> Read<usize> {
         let Some(placed) = self.peek() else {
-            return Err((self.end..self.end + 1, expected("a name, a number or a parenthesis", None)));
+            return Err((self.end..self.end + 1, mismatch("a name, a number or a parenthesis", None)));
         };
         let at = placed.at.clone();
         if placed.is_one_of(&['+', '-']) {
@@ -180,7 +180,7 @@ impl<'a> Parser<'a> {
                 self.close()?;
                 return Ok(inside);
             }
-            CardToken::Sign(_) => return Err((at, expected("a name, a number or a parenthesis", Some(placed)))),
+            CardToken::Sign(_) => return Err((at, mismatch("a name, a number or a parenthesis", Some(placed)))),
         };
         self.at += 1;
         Ok(self.add(node, at))
@@ -194,7 +194,7 @@ impl<'a> Parser<'a> {
     fn close(&mut self) -> Read<usize> {
         let Some(sign) = self.pass(&[')']) else {
             let at = self.peek().map_or(self.end..self.end + 1, |placed| placed.at.clone());
-            return Err((at, expected("a closing parenthesis", self.peek())));
+            return Err((at, mismatch("a closing parenthesis", self.peek())));
         };
         self.depth = self.depth.saturating_sub(1);
         Ok(sign.at.end)
@@ -225,7 +225,7 @@ impl<'a> Parser<'a> {
         let given = arguments.len();
         if !(known.least..=known.most).contains(&given) {
             let given = format!("{given} argument{}", if given == 1 { "" } else { "s" });
-            let problem = Problem::Arguments { name: name.to_owned(), given, allowed: known.allowed() };
+            let problem = Problem::Arguments { name: name.to_owned(), given, allowed: known.arity() };
             self.problems.push((whole, problem));
             return Ok(self.add(ExpressionNode::Number(1.0), at));
         }

@@ -89,7 +89,7 @@ pub struct BuiltinFunction {
 
 impl BuiltinFunction {
     /// How many arguments it takes, in words.
-    pub(super) fn allowed(&self) -> String {
+    pub(super) fn arity(&self) -> String {
         let plural = if self.most == 1 { "" } else { "s" };
         let count = match (self.least, self.most) {
             (least, usize::MAX) => format!("{least} or more"),

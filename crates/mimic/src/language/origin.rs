@@ -25,7 +25,7 @@ impl Program {
             });
             let Some((which, at)) = place else { break };
             let instruction = &codes[which].instructions[at];
-            let used = instruction.used(registers);
+            let used = instruction.operands_in_use(registers);
             let next = used.into_iter().find(|of| !registers[*of as usize].is_finite() && *of != register);
             limit = limit.saturating_sub(1);
             // Behind the start an integral has its value from its rate: what it began with is not to blame.

@@ -1,9 +1,9 @@
 //! How cards are read into a deck.
 
 use super::card::{CardLayout, Fields, LONGEST, fields, is_comment};
-use super::control::reserved;
+use super::control::reserved_meaning;
 use super::diagnostic::{Diagnostic, Diagnostics, MOST_FAULTS, Problem};
-use super::expression::{Problems, expected, expression, list};
+use super::expression::{Problems, expression, list, mismatch};
 use super::graph::Graph;
 use super::token::PlacedToken;
 use super::tree::{
@@ -131,7 +131,7 @@ impl DeckReader {
                 self.all(number, problems);
             }
             Ok(Fields::Statement { control, result, expression: tokens }) => {
-                if let Some(what) = reserved(&result.name) {
+                if let Some(what) = reserved_meaning(&result.name) {
                     let problem = Problem::Reserved { name: result.name.clone(), what };
                     self.all(number, vec![(result.at.clone(), problem)]);
                 }
@@ -169,7 +169,7 @@ impl DeckReader {
             "CON" | "PAR" => {
                 if let Some(names) = self.names(card, word, rest, text, 1) {
                     for name in &names {
-                        if let Some(what) = reserved(&name.name) {
+                        if let Some(what) = reserved_meaning(&name.name) {
                             let problem = Problem::Reserved { name: name.name.clone(), what };
                             self.all(card, vec![(name.at.clone(), problem)]);
                         }
@@ -250,7 +250,7 @@ impl DeckReader {
             }
             None => {
                 let end = word.at.end + text.chars().count();
-                self.all(card, vec![(end..end + 1, expected("a closing parenthesis", None))]);
+                self.all(card, vec![(end..end + 1, mismatch("a closing parenthesis", None))]);
             }
         }
     }

@@ -197,7 +197,7 @@ impl Program {
     }
 
     fn run_in<const D: usize>(&self, set: &DataSet, choices: &RunOptions) -> Result<DeckRun, Trouble> {
-        let mut registers = self.begun(set, choices)?;
+        let mut registers = self.initial_registers(set, choices)?;
         let (parameters, has_end) = self.integrator(&registers, choices)?;
         let watched: Vec<u32> = self
             .outputs
@@ -254,7 +254,7 @@ impl Program {
                 }
                 cause => {
                     let trouble = machine.trouble(stopped.time, &stopped.state, cause, &parameters);
-                    Err(trouble.after_forced_steps(stopped.work.forced))
+                    Err(trouble.with_forced_steps(stopped.work.forced))
                 }
             },
         }?;
@@ -262,7 +262,7 @@ impl Program {
     }
 
     /// The registers at the beginning of a run: data, what is known before, and what the integrals begin with.
-    fn begun(&self, set: &DataSet, choices: &RunOptions) -> Result<Vec<f64>, Trouble> {
+    fn initial_registers(&self, set: &DataSet, choices: &RunOptions) -> Result<Vec<f64>, Trouble> {
         let mut registers = self.registers.clone();
         for (name, register) in &self.parameters {
             let value = set.0.iter().rev().find(|(of, _)| of == name).map(|(_, value)| *value);
@@ -335,7 +335,7 @@ impl Program {
                 "to the end at T = {} there would be more than {most_steps} steps, which is the most{}; give a \
                  longer {name} or an earlier FIN",
                 eight_digits(end),
-                self.what_steps_have(choices)
+                self.load_of_a_step(choices)
             );
             return refused(name, longest, allowed);
         }
@@ -354,11 +354,15 @@ impl Program {
     }
 
     /// Why a run has fewer steps than any may have, in words; empty if it has as many.
-    fn what_steps_have(&self, choices: &RunOptions) -> String {
+    fn load_of_a_step(&self, choices: &RunOptions) -> String {
         if MOST_WORK / self.parts_of_a_step() >= choices.integrator.most_steps {
             return String::new();
         }
-        format!(" with {} and {}", counted(self.states.len(), "integral"), counted(self.delays.len(), "TDL"))
+        format!(
+            " with {} and {}",
+            count_with_noun(self.states.len(), "integral"),
+            count_with_noun(self.delays.len(), "TDL")
+        )
     }
 
     fn lines(&self, registers: &[f64], choices: &RunOptions) -> Result<Vec<RecordedDelay>, Trouble> {
@@ -407,7 +411,7 @@ impl Program {
 }
 
 /// "1 integral", "2 integrals".
-fn counted(number: usize, thing: &str) -> String {
+fn count_with_noun(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 || thing == "TDL" { "" } else { "s" })
 }
 

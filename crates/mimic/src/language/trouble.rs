@@ -203,7 +203,7 @@ pub enum Trouble {
 
 impl Trouble {
     /// Adds the number of steps before it that missed the tolerance.
-    pub(super) fn after_forced_steps(self, steps: u64) -> Self {
+    pub(super) fn with_forced_steps(self, steps: u64) -> Self {
         match self {
             Self::NonFinite { time, origin, .. } => Self::NonFinite { time, origin, forced: steps },
             other => other,
