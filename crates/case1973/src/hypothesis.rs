@@ -3,7 +3,7 @@
 //! This is the one place where a row is run: by the solution over the angle, or by the program if it is to have its own
 //! faults. Every score, table, figure and page asks here.
 
-use crate::program::{Contact, Printout, Program};
+use crate::program::{Contact, Printout, Program1973};
 use crate::{Row, Run};
 use geneva_dynamics::steady::{Engagement, Rise};
 use geneva_dynamics::{Inertias, Parameters};
@@ -177,8 +177,8 @@ impl Hypothesis {
     }
 
     /// The program of the thesis with a row's cards.
-    pub fn program(&self, row: &Row) -> Option<Program> {
-        let exact = Program::of(&self.parameters(row)?);
+    pub fn program(&self, row: &Row) -> Option<Program1973> {
+        let exact = Program1973::ideal(&self.parameters(row)?);
         let ratio = match self.constants {
             Constants::Exact => exact.ratio,
             Constants::AsListed => 1.0 / libm::sin(row.given.listing.pi / f64::from(row.mechanism.slots())),
@@ -188,7 +188,7 @@ impl Hypothesis {
             Lag::AsListed => Contact::Delayed(row.given.listing.delay),
             Lag::Of(delay) => Contact::Delayed(delay),
         };
-        Some(Program { reset: self.angle(row), ratio, contact, ..exact })
+        Some(Program1973 { reset: self.angle(row), ratio, contact, ..exact })
     }
 
     /// The numbers of a row's run in the order of the program's parameters: slots, crank angle at the start in radians,

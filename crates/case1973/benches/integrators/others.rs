@@ -1,7 +1,7 @@
 //! The solver over the angle, and the program of 1973 on its integrator.
 
 use crate::race::{Answer, Row, numbers};
-use geneva_case1973::program::Program;
+use geneva_case1973::program::Program1973;
 use geneva_dynamics::steady::Engagement;
 use geneva_mimic::MinStepPolicy;
 
@@ -31,7 +31,7 @@ pub fn program(row: &Row, tolerance: f64) -> Option<Answer> {
         at_smallest_step: MinStepPolicy::Continue,
         ..geneva_mimic::Parameters::new(row.interval, row.duration)
     };
-    let printout = Program::of(&row.escapement).run(&integrator).ok()?;
+    let printout = Program1973::ideal(&row.escapement).run(&integrator).ok()?;
     let numbers = printout.lines.iter().skip(1).map(|line| line.speed).collect();
     Some(Answer { numbers, evaluations: Some(printout.work.evaluations) })
 }

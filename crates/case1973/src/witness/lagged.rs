@@ -3,7 +3,7 @@
 //! Forces and accelerations are vectors, lengths are in crank radii. Steps are equal; a step is cut short where the pin
 //! changes over to the other flank in the program's belief, and where the driver's angle is reset.
 
-use crate::program::Program;
+use crate::program::Program1973;
 use crate::{Hypothesis, Row, Run};
 use nalgebra::Vector2;
 
@@ -65,7 +65,7 @@ impl Pin {
 
 impl Card {
     /// What a program reads, with the lag of its sign.
-    fn of(program: &Program, delay: f64) -> Self {
+    fn of(program: &Program1973, delay: f64) -> Self {
         Self {
             ratio: program.ratio,
             start: program.start,
@@ -155,7 +155,7 @@ pub fn lagged(row: &Row) -> Option<Run> {
 
 /// A run of a program with its sign late by `delay` instead of what the program says, printed at every `interval` until
 /// `duration`, all in units of time. None if it has no two engagements.
-pub fn lagged_by(program: &Program, delay: f64, interval: f64, duration: f64) -> Option<Run> {
+pub fn lagged_by(program: &Program1973, delay: f64, interval: f64, duration: f64) -> Option<Run> {
     let card = Card::of(program, delay);
     let step = interval / f64::from(STEPS);
     let mut state = State { time: 0.0, angle: card.start, speed: 0.0 };

@@ -11,7 +11,7 @@ use crate::meyer::appendix_d::{
     OTHER_ANGLE, WITHOUT_THE_MINUS, along_the_slots, before_the_line, coming_in, of_the_pins,
 };
 use crate::meyer::runs::table::{listing, rows};
-use geneva_case1973::program::Program;
+use geneva_case1973::program::Program1973;
 use geneva_case1973::witness::steps::Course;
 use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::steady::Engagement;
@@ -128,7 +128,10 @@ fn angle() -> Vec<Claim> {
             .by(Evidence::RungeKutta, |stated| {
                 static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
                 grows(stated, &GROWING, |hypothesis, row| {
-                    let program = Program { reset: hypothesis.angle(row), ..Program::of(&hypothesis.parameters(row)?) };
+                    let program = Program1973 {
+                        reset: hypothesis.angle(row),
+                        ..Program1973::ideal(&hypothesis.parameters(row)?)
+                    };
                     let integrator = geneva_mimic::Parameters::new(listing().interval, listing().duration);
                     let lines = program.run(&integrator).ok()?.lines;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
