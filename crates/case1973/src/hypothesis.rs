@@ -3,7 +3,7 @@
 //! This is the one place where a row is run: by the solution over the angle, or by the program if it is to have its own
 //! faults. Every score, table, figure and page asks here.
 
-use crate::program::{Contact, Printout, Program1973};
+use crate::program::{Printout, Program1973, SignRule};
 use crate::{Row, Run};
 use geneva_dynamics::steady::{Engagement, Rise};
 use geneva_dynamics::{Inertias, Parameters};
@@ -183,12 +183,12 @@ impl Hypothesis {
             Constants::Exact => exact.ratio,
             Constants::AsListed => 1.0 / libm::sin(row.given.listing.pi / f64::from(row.mechanism.slots())),
         };
-        let contact = match self.lag {
-            Lag::None => Contact::Exact,
-            Lag::AsListed => Contact::Delayed(row.given.listing.delay),
-            Lag::Of(delay) => Contact::Delayed(delay),
+        let sign_rule = match self.lag {
+            Lag::None => SignRule::Exact,
+            Lag::AsListed => SignRule::Delayed(row.given.listing.delay),
+            Lag::Of(delay) => SignRule::Delayed(delay),
         };
-        Some(Program1973 { reset: self.angle(row), ratio, contact, ..exact })
+        Some(Program1973 { reset: self.angle(row), ratio, sign_rule, ..exact })
     }
 
     /// The numbers of a row's run in the order of the program's parameters: slots, crank angle at the start in radians,

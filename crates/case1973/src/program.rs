@@ -29,7 +29,7 @@ pub enum ProgramError {
 
 /// Rule by which the program chooses between the two signs of C θ'² + D θ''.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Contact {
+pub enum SignRule {
     /// The one sign that agrees with itself.
     Exact,
     /// By the acceleration of so long ago, in units of time.
@@ -56,7 +56,7 @@ pub struct Program1973 {
     /// Angle in radians after which the driver's angle is reset to the start.
     pub reset: f64,
     /// How the sign of the friction term is chosen.
-    pub contact: Contact,
+    pub sign_rule: SignRule,
 }
 
 /// What can go wrong at an instant of a run.
@@ -90,7 +90,7 @@ impl Program1973 {
             ratio: mechanism.centre_distance_ratio(),
             start: -half,
             reset: 2.0 * half,
-            contact: Contact::Exact,
+            sign_rule: SignRule::Exact,
         }
     }
 
@@ -112,7 +112,7 @@ impl Program1973 {
         }
         // Checks the ranges of torque and friction; the friction's limit is that of the mechanism as it is.
         Parameters::new(self.mechanism, self.inertias, self.torque, self.friction)?;
-        let sign_source = SignSource::new(&self.contact).map_err(|error| ProgramError::Stopped(error.to_string()))?;
+        let sign_source = SignSource::new(&self.sign_rule).map_err(|error| ProgramError::Stopped(error.to_string()))?;
         let mut motion = ProgramMotion { program: *self, sign_source, acceleration: 0.0 };
         let mut lines = Vec::new();
         let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
@@ -169,10 +169,10 @@ enum SignSource {
 
 impl SignSource {
     /// A source for this rule, with no accelerations kept yet.
-    fn new(contact: &Contact) -> Result<Self, DelayError> {
-        Ok(match contact {
-            Contact::Exact => Self::Exact,
-            Contact::Delayed(delay) => {
+    fn new(sign_rule: &SignRule) -> Result<Self, DelayError> {
+        Ok(match sign_rule {
+            SignRule::Exact => Self::Exact,
+            SignRule::Delayed(delay) => {
                 Self::Delayed(Box::new(DelayLine::new(*delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?))
             }
         })

@@ -1,6 +1,6 @@
 //! Compares the program with itself and with the mechanism.
 
-use geneva_case1973::program::{Contact, Program1973, ProgramError};
+use geneva_case1973::program::{Program1973, ProgramError, SignRule};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -35,8 +35,8 @@ fn a_driver_without_friction_gains_what_the_torque_gives() {
 fn a_short_delay_changes_little_and_a_long_one_more() {
     let exact = Program1973::ideal(&parameters(Mechanism::FOUR_PIN, 0.06, 0.3));
     let integrator = geneva_mimic::Parameters { largest_step: 1e-3, initial_step: 1e-3, ..tight(8.0) };
-    let at = |contact| Program1973 { contact, ..exact }.run(&integrator).unwrap().largest();
-    let apart = |delay: f64| (at(Contact::Delayed(delay)) - at(Contact::Exact)).abs();
+    let at = |sign_rule| Program1973 { sign_rule, ..exact }.run(&integrator).unwrap().largest();
+    let apart = |delay: f64| (at(SignRule::Delayed(delay)) - at(SignRule::Exact)).abs();
     let (short, long) = (apart(2e-3), apart(4e-2));
     assert!(short < long && short > 0.0, "{short} {long}");
 }
@@ -55,5 +55,5 @@ fn a_fold_that_is_none_and_a_friction_that_is_too_much_are_refused() {
     assert!(matches!(refused, ProgramError::Escapement(geneva_dynamics::Error::TooMuchFriction { .. })), "{refused}");
     let refused = Program1973 { start: f64::NAN, ..program }.run(&tight(1.0)).unwrap_err();
     assert!(refused.to_string().contains("give a number"), "{refused}");
-    assert!(Program1973 { contact: Contact::Delayed(-1.0), ..program }.run(&tight(1.0)).is_err());
+    assert!(Program1973 { sign_rule: SignRule::Delayed(-1.0), ..program }.run(&tight(1.0)).is_err());
 }
