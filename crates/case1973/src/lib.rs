@@ -21,7 +21,7 @@
 //! // All three results are explained by what was run, and with four pins by the mechanism as well.
 //! assert_eq!(Score::of(Hypothesis::AS_RUN, &rows).within_one(), 3);
 //! assert_eq!(Score::of(Hypothesis::IDEAL, &rows).within_one(), 3);
-//! # Ok::<(), geneva_case1973::Unreadable>(())
+//! # Ok::<(), geneva_case1973::UnreadableRow>(())
 //! ```
 //!
 //! - [`Row`]: a printed run, and what is given for it besides; [`series`], [`weakest`] and others: which rows stand for others.
@@ -54,7 +54,7 @@ pub use hypothesis::{Constants, Hypothesis, Lag, Reading, Reset, SixPin, fitting
 pub use run::Run;
 pub use scores::{Cell, Fit, Score, compared, delays, within_one};
 pub use tables::{
-    Column, EXPLAINED, Given, Listing, Row, Trend, Unreadable, least_braked, obeys, pairs_by_friction, pairs_by_torque,
-    rows_of, series, slug, strongest, weakest, with_friction,
+    Column, EXPLAINED, Given, Listing, Row, Trend, UnreadableRow, least_braked, obeys, pairs_by_friction,
+    pairs_by_torque, rows_of, series, slug, strongest, weakest, with_friction,
 };
 pub use weighing::Weighing;

@@ -92,7 +92,7 @@ pub struct Given {
 /// A row that cannot be read, and what is wrong with it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the row `{row}`: give friction, torque, peak, minimum, rise time and period, {wrong}")]
-pub struct Unreadable {
+pub struct UnreadableRow {
     row: String,
     wrong: &'static str,
 }
@@ -115,8 +115,8 @@ impl Row {
     /// # Errors
     ///
     /// More or fewer than six numbers, or a cell that is no finite number.
-    pub fn read(mechanism: Mechanism, text: &str, given: Given) -> Result<Self, Unreadable> {
-        let unreadable = |wrong| Unreadable { row: text.chars().take(80).collect(), wrong };
+    pub fn read(mechanism: Mechanism, text: &str, given: Given) -> Result<Self, UnreadableRow> {
+        let unreadable = |wrong| UnreadableRow { row: text.chars().take(80).collect(), wrong };
         let is_between = |sign: char| sign == ',' || sign.is_whitespace();
         let cells: Vec<String> = text.split(is_between).filter(|cell| !cell.is_empty()).map(str::to_owned).collect();
         let cells: [String; 6] = cells.try_into().map_err(|_| unreadable("six numbers in all"))?;
