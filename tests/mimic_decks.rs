@@ -4,7 +4,7 @@
 //! With the angle, π and the inertias of the thesis it must give what the thesis prints, and what the program that was
 //! translated by hand gives.
 
-use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, deck, within_one};
+use geneva_case1973::{Column, EXPLAINED, Hypothesis, PeakReading, Reset, Row, Run, deck, within_one};
 use geneva_ledger::meyer::runs::study::by_deck;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::printed_value;
@@ -171,7 +171,7 @@ fn another_print_interval_explains_fewer_of_the_printed_peaks() {
 fn a_tenth_of_the_print_interval_finds_the_true_peaks() {
     let interval = printed_value("meyer.listing.print-interval").expect("a number");
     let fine = program(&[&as_listed()[..], &[("DT", interval / 10.0)]].concat());
-    let exact = Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
+    let exact = Hypothesis { reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG };
     let mut missed = [0.0_f64; 2];
     for at in (0..rows().len()).step_by(7) {
         let right = exact.run(&rows()[at]).expect("a steady state");

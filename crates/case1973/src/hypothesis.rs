@@ -30,7 +30,7 @@ pub enum SixPin {
 
 /// Which speed is the greatest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum PeakReading {
     /// The greatest in the steady cycle.
     True,
     /// The greatest of the printed ones.
@@ -65,7 +65,7 @@ pub struct Hypothesis {
     /// The inertias of the six-pin runs.
     pub six_pin: SixPin,
     /// The reading of the peaks.
-    pub reading: Reading,
+    pub reading: PeakReading,
     /// The constants.
     pub constants: Constants,
     /// The lag of the sign.
@@ -86,13 +86,13 @@ impl Hypothesis {
     pub const WITHOUT_LAG: Self = Self {
         reset: Reset::QuarterTurn,
         six_pin: SixPin::AsDrawn,
-        reading: Reading::OnTheGrid,
+        reading: PeakReading::OnTheGrid,
         constants: Constants::Exact,
         lag: Lag::None,
     };
 
     /// The mechanism as it is.
-    pub const IDEAL: Self = Self { reset: Reset::OfTheMechanism, reading: Reading::True, ..Self::WITHOUT_LAG };
+    pub const IDEAL: Self = Self { reset: Reset::OfTheMechanism, reading: PeakReading::True, ..Self::WITHOUT_LAG };
 
     /// The hypothesis of what was run: [`WITHOUT_LAG`](Self::WITHOUT_LAG) with the listing's constants and lagged sign.
     pub const AS_RUN: Self = Self { constants: Constants::AsListed, lag: Lag::AsListed, ..Self::WITHOUT_LAG };
@@ -152,8 +152,8 @@ impl Hypothesis {
         let engagement = self.engagement(row)?;
         let steady = engagement.steady_state().ok()?;
         let peak = match self.reading {
-            Reading::True => steady.peak.speed,
-            Reading::OnTheGrid => {
+            PeakReading::True => steady.peak.speed,
+            PeakReading::OnTheGrid => {
                 engagement.largest_printed(listing.interval, listing.first_line, listing.duration).ok()?
             }
         };
@@ -212,8 +212,8 @@ impl Hypothesis {
             SixPin::AsDrawn => "as in Fig. 11",
         };
         let reading = match self.reading {
-            Reading::True => "true peaks",
-            Reading::OnTheGrid => "printed peaks",
+            PeakReading::True => "true peaks",
+            PeakReading::OnTheGrid => "printed peaks",
         };
         let constants = (self.constants == Constants::AsListed).then_some("listed π");
         let sign = (self.lag != Lag::None).then_some("lagged sign");

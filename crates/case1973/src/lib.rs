@@ -50,7 +50,7 @@ mod tables;
 pub mod weighing;
 pub mod witness;
 
-pub use hypothesis::{Constants, Hypothesis, Lag, Reading, Reset, SixPin, fitting_interval};
+pub use hypothesis::{Constants, Hypothesis, Lag, PeakReading, Reset, SixPin, fitting_interval};
 pub use run::Run;
 pub use scores::{Cell, Fit, Score, compared, delays, within_one};
 pub use tables::{

@@ -1,6 +1,6 @@
 //! How well each hypothesis about the runs explains the printed cells.
 
-use crate::hypothesis::{Constants, Hypothesis, Lag, Reading, Reset, SixPin};
+use crate::hypothesis::{Constants, Hypothesis, Lag, PeakReading, Reset, SixPin};
 use crate::likelihood::{Law, Likelihood};
 use crate::{Column, EXPLAINED, Row, Run};
 use geneva_kinematics::Mechanism;
@@ -137,7 +137,7 @@ pub fn compared() -> Vec<Hypothesis> {
     let mut all = Vec::new();
     for reset in [Reset::OfTheMechanism, Reset::QuarterTurn] {
         for six_pin in [SixPin::AsHeaded, SixPin::AsDrawn] {
-            for reading in [Reading::True, Reading::OnTheGrid] {
+            for reading in [PeakReading::True, PeakReading::OnTheGrid] {
                 all.push(Hypothesis { reset, six_pin, reading, ..Hypothesis::WITHOUT_LAG });
             }
         }

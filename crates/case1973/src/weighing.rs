@@ -2,7 +2,7 @@
 
 use crate::likelihood::{LEAST_SPREAD, Law};
 use crate::scores::Score;
-use crate::{EXPLAINED, Hypothesis, Reading, Row, series};
+use crate::{EXPLAINED, Hypothesis, PeakReading, Row, series};
 use geneva_kinematics::Mechanism;
 
 /// How the errors of the printed numbers are taken, and which rows count.
@@ -36,7 +36,7 @@ impl Others {
         match self {
             Self::AnotherReset => other.reset != own.reset,
             Self::AnotherResetOrInertias => (other.reset, other.six_pin) != (own.reset, own.six_pin),
-            Self::TruePeaks => *other == Hypothesis { reading: Reading::True, ..own },
+            Self::TruePeaks => *other == Hypothesis { reading: PeakReading::True, ..own },
         }
     }
 }

@@ -6,7 +6,7 @@ use geneva_case1973::rise_times::parts;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::densities;
 use geneva_case1973::{
-    Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin, Weighing, compared,
+    Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, PeakReading, Reset, Row, Score, SixPin, Weighing, compared,
     delays, fitting_interval,
 };
 use geneva_dynamics::steady::Engagement;
@@ -106,14 +106,14 @@ fn each_choice_of_a_hypothesis_changes_the_run_of_six_pins() {
     for changed in [
         Hypothesis { reset: Reset::OfTheMechanism, ..Hypothesis::WITHOUT_LAG },
         Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG },
-        Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG },
+        Hypothesis { reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG },
         Hypothesis { constants: Constants::AsListed, ..Hypothesis::WITHOUT_LAG },
         Hypothesis { lag: Lag::AsListed, ..Hypothesis::WITHOUT_LAG },
     ] {
         assert_ne!(run(changed), usual, "{}", changed.brief_words());
         assert_ne!(changed.brief_words(), Hypothesis::WITHOUT_LAG.brief_words());
     }
-    assert!(run(Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG }).peak > usual.peak);
+    assert!(run(Hypothesis { reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG }).peak > usual.peak);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::answer::{Answer, Number, Progress};
 use crate::arguments::number;
 use crate::control::{Control, Live, Preset, Quantity, Settings};
-use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin};
+use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, PeakReading, Reset, Row, Score, SixPin};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_figures::runs::{Compared, one_agreement};
 use geneva_kinematics::Mechanism;
@@ -149,8 +149,8 @@ fn hypothesis(settings: &Settings) -> Result<Hypothesis, String> {
     }
     // A mechanism has its true peak; a print-out has the largest line.
     let (reset, reading) = match settings.choice("own")? {
-        0 => (Reset::After(reset.to_radians()), Reading::OnTheGrid),
-        _ => (Reset::OfTheMechanism, Reading::True),
+        0 => (Reset::After(reset.to_radians()), PeakReading::OnTheGrid),
+        _ => (Reset::OfTheMechanism, PeakReading::True),
     };
     let six_pin = if settings.choice("six")? == 0 { SixPin::AsHeaded } else { SixPin::AsDrawn };
     let (constants, lag) = match settings.choice("late")? {

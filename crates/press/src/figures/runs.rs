@@ -6,7 +6,7 @@ use crate::numbers::fixed;
 use crate::rows::{self, NONE, number, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
-use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Score, least_braked, rows_of};
+use geneva_case1973::{Column, EXPLAINED, Hypothesis, PeakReading, Reset, Row, Score, least_braked, rows_of};
 use geneva_figures::Figure;
 use geneva_figures::runs::{self, Compared, Count, Group, Lag, Scan};
 use geneva_figures::steady::{self, Measurement};
@@ -42,7 +42,7 @@ pub fn reset_angle() -> anyhow::Result<Figure> {
         let count = |half_degrees: u32| {
             let angle = f64::from(half_degrees) / 2.0;
             let reset = Reset::After(angle.to_radians());
-            let of = Hypothesis { reset, reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
+            let of = Hypothesis { reset, reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG };
             (angle, rows.iter().map(|row| of.results(row).map_or(0, |results| row.explained_by(&results))).sum())
         };
         Scan { mechanism, cells: EXPLAINED.len() * rows.len(), counts: HALF_DEGREES.map(count).collect() }

@@ -10,7 +10,7 @@ use geneva_case1973::integrator as integrators;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::Others;
 use geneva_case1973::{
-    Column, Constants, Fit, Hypothesis, Lag, Reading, Reset, Row, Score, SixPin, Weighing, rows_of, series, slug,
+    Column, Constants, Fit, Hypothesis, Lag, PeakReading, Reset, Row, Score, SixPin, Weighing, rows_of, series, slug,
 };
 use geneva_kinematics::Mechanism;
 use geneva_ledger::Verdict;
@@ -31,7 +31,7 @@ pub fn hypotheses() -> anyhow::Result<Table> {
         let said = [
             if reset == Reset::QuarterTurn { "90°" } else { "360°/m" },
             if six_pin == SixPin::AsDrawn { "Fig. 11" } else { "heading" },
-            if reading == Reading::OnTheGrid { "largest printed" } else { "true" },
+            if reading == PeakReading::OnTheGrid { "largest printed" } else { "true" },
             besides,
         ];
         let mut row = vec![number.to_string()];
