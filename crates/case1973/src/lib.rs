@@ -52,7 +52,7 @@ pub mod witness;
 
 pub use hypothesis::{Constants, Hypothesis, Lag, PeakReading, Reset, SixPin, fitting_interval};
 pub use run::Run;
-pub use scores::{Cell, Fit, Score, compared, delays, within_one};
+pub use scores::{ColumnFit, ComparedCell, Score, compared, delays, within_one};
 pub use tables::{
     Column, EXPLAINED, Given, Listing, Row, Trend, UnreadableRow, least_braked, obeys, pairs_by_friction,
     pairs_by_torque, rows_of, series, slug, strongest, weakest, with_friction,

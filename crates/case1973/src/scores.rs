@@ -7,7 +7,7 @@ use geneva_kinematics::Mechanism;
 
 /// How a set of runs does on one column of the tables. The mean and the worst are over the runs that came to an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fit {
+pub struct ColumnFit {
     /// Cells that the computed number rounds to.
     pub exact: usize,
     /// Cells within one unit of the last place.
@@ -20,7 +20,7 @@ pub struct Fit {
     pub likelihoods: [Likelihood; 2],
 }
 
-impl Fit {
+impl ColumnFit {
     /// How well computed numbers explain the printed ones of a column, row by row; a run that came to nothing explains
     /// nothing.
     ///
@@ -56,7 +56,7 @@ pub struct Score<'a> {
     /// end.
     pub results: Vec<Option<[f64; 3]>>,
     /// The hypothesis's fit to peak, minimum and period.
-    pub fits: [Fit; 3],
+    pub fits: [ColumnFit; 3],
 }
 
 impl<'a> Score<'a> {
@@ -69,13 +69,13 @@ impl<'a> Score<'a> {
     pub fn of_results(hypothesis: Hypothesis, rows: &'a [Row], results: Vec<Option<[f64; 3]>>) -> Self {
         let fits = [0, 1, 2].map(|at| {
             let computed: Vec<_> = results.iter().map(|of| of.map(|numbers| numbers[at])).collect();
-            Fit::new(EXPLAINED[at], rows, &computed)
+            ColumnFit::new(EXPLAINED[at], rows, &computed)
         });
         Self { hypothesis, rows, results, fits }
     }
 
     /// The fit to a column; none for a column that is not to be explained.
-    pub fn on(&self, column: Column) -> Option<&Fit> {
+    pub fn on(&self, column: Column) -> Option<&ColumnFit> {
         self.fits.iter().zip(EXPLAINED).find(|(_, of)| *of == column).map(|(fit, _)| fit)
     }
 
@@ -96,10 +96,10 @@ impl<'a> Score<'a> {
     }
 
     /// The printed cells and the computed numbers, row by row; not a number where a run came to no end.
-    pub fn cells(&self) -> impl Iterator<Item = Cell> + '_ {
+    pub fn cells(&self) -> impl Iterator<Item = ComparedCell> + '_ {
         self.rows.iter().zip(&self.results).flat_map(|(row, results)| {
             let computed = results.unwrap_or([f64::NAN; 3]);
-            [0, 1, 2].map(|at| Cell {
+            [0, 1, 2].map(|at| ComparedCell {
                 mechanism: row.mechanism,
                 printed: row.number(EXPLAINED[at]) / EXPLAINED[at].unit(),
                 computed: computed[at] / EXPLAINED[at].unit(),
@@ -110,7 +110,7 @@ impl<'a> Score<'a> {
 
 /// One printed number and the computed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
+pub struct ComparedCell {
     /// The mechanism whose table contains the number.
     pub mechanism: Mechanism,
     /// As printed, in units of the last printed place.
@@ -119,7 +119,7 @@ pub struct Cell {
     pub computed: f64,
 }
 
-impl Cell {
+impl ComparedCell {
     /// Whether the two are no more than a unit apart.
     pub fn is_within_one(&self) -> bool {
         (self.printed - self.computed).abs() <= 1.0 + 1e-9

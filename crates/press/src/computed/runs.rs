@@ -11,7 +11,8 @@ use geneva_case1973::fitted::Freed;
 use geneva_case1973::rise_times::{Group, OF_A_PART, Tried, groups};
 use geneva_case1973::weighing::{Others, margins};
 use geneva_case1973::{
-    Column, EXPLAINED, Fit, Hypothesis, Reset, Row, Score, Trend, pairs_by_friction, pairs_by_torque, rows_of, series,
+    Column, ColumnFit, EXPLAINED, Hypothesis, Reset, Row, Score, Trend, pairs_by_friction, pairs_by_torque, rows_of,
+    series,
 };
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::statistics::{LITTLE, shuffled, statistic};
@@ -189,7 +190,7 @@ fn greatest(counts: &[usize]) -> anyhow::Result<String> {
 
 /// The smallest of all the spreads that suit a hypothesis best, in units of the last place.
 fn least_spread() -> f64 {
-    let spreads = |fit: &Fit| fit.likelihoods.map(|likelihood| likelihood.spread);
+    let spreads = |fit: &ColumnFit| fit.likelihoods.map(|likelihood| likelihood.spread);
     scores().iter().flat_map(|score| &score.fits).flat_map(spreads).fold(f64::INFINITY, f64::min)
 }
 

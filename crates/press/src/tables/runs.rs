@@ -10,7 +10,8 @@ use geneva_case1973::integrator as integrators;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::Others;
 use geneva_case1973::{
-    Column, Constants, Fit, Hypothesis, Lag, PeakReading, Reset, Row, Score, SixPin, Weighing, rows_of, series, slug,
+    Column, ColumnFit, Constants, Hypothesis, Lag, PeakReading, Reset, Row, Score, SixPin, Weighing, rows_of, series,
+    slug,
 };
 use geneva_kinematics::Mechanism;
 use geneva_ledger::Verdict;
@@ -228,7 +229,7 @@ pub fn integrator() -> anyhow::Result<Table> {
 }
 
 /// Cells to the printed digit, and within one unit.
-fn counts(fit: &Fit) -> String {
+fn counts(fit: &ColumnFit) -> String {
     format!("{} / {}", fit.exact, fit.within_one)
 }
 
