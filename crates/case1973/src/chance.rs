@@ -17,7 +17,7 @@ pub enum Shuffled {
 }
 
 /// For the printed number of each row, of which rows the computed numbers are within a unit.
-type Near = Vec<Vec<bool>>;
+type Agreements = Vec<Vec<bool>>;
 
 /// Cells of these mechanisms' peaks, minima and periods within one unit of the last place, if the computed numbers of each
 /// column of each table are dealt out at random: how many are to be expected. None if a run came to no end.
@@ -32,7 +32,7 @@ pub(crate) fn expected_rises(rows: &[Row], times: &[f64]) -> f64 {
 }
 
 /// Each computed number comes to each row of its table equally often.
-fn expected(near: &Near, rows: &[Row], mechanisms: &[Mechanism]) -> f64 {
+fn expected(near: &Agreements, rows: &[Row], mechanisms: &[Mechanism]) -> f64 {
     let of = |mechanism: &Mechanism| {
         let own = places(rows, &[*mechanism]);
         let pairs: usize = own.iter().map(|at| own.iter().filter(|of| near[*at][**of]).count()).sum();
@@ -58,7 +58,7 @@ pub(crate) fn shuffles_of_rises<'a>(
     shuffled: Shuffled,
     shuffles: usize,
 ) -> Vec<usize> {
-    let agreements: Vec<Near> = times.map(|times| rises(rows, times)).collect();
+    let agreements: Vec<Agreements> = times.map(|times| rises(rows, times)).collect();
     let all: Vec<usize> = (0..rows.len()).collect();
     let mut dealer = Dealer::new(rows, shuffled);
     let mut one = || {
@@ -69,7 +69,7 @@ pub(crate) fn shuffles_of_rises<'a>(
 }
 
 /// Peaks, minima and periods: which computed numbers are near which printed ones.
-fn columns(score: &Score) -> Option<Vec<Near>> {
+fn columns(score: &Score) -> Option<Vec<Agreements>> {
     let of = |(at, column)| {
         let computed = score.results.iter().map(|results| Some(results.as_ref()?[at]));
         Some(near(column, score.rows, &computed.collect::<Option<Vec<_>>>()?))
@@ -78,17 +78,17 @@ fn columns(score: &Score) -> Option<Vec<Near>> {
 }
 
 /// Rise times: which computed ones are near which printed ones.
-fn rises(rows: &[Row], times: &[f64]) -> Near {
+fn rises(rows: &[Row], times: &[f64]) -> Agreements {
     near(Column::Rise, rows, times)
 }
 
-fn near(column: Column, rows: &[Row], computed: &[f64]) -> Near {
+fn near(column: Column, rows: &[Row], computed: &[f64]) -> Agreements {
     let of = |row: &Row| computed.iter().map(|computed| column.is_within_one(row.number(column), *computed)).collect();
     rows.iter().map(of).collect()
 }
 
 /// How many of these rows have a computed number near the printed one, if each has the number of the row dealt to it.
-fn explained_by(near: &Near, dealt: &[usize], own: &[usize]) -> usize {
+fn explained_by(near: &Agreements, dealt: &[usize], own: &[usize]) -> usize {
     own.iter().filter(|at| near[**at][dealt[**at]]).count()
 }
 

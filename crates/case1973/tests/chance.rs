@@ -2,8 +2,7 @@
 
 use crate::tables::tables;
 use geneva_case1973::chance::{Shuffled, expected_cells, shuffles_of_cells};
-use geneva_case1973::rise_times::shuffles_of_definitions;
-use geneva_case1973::rise_times::{explained, groups};
+use geneva_case1973::rise_times::{groups, shuffles_of_definitions, try_definitions};
 use geneva_case1973::witness::sampling;
 use geneva_case1973::{Column, Hypothesis, Score, Trend, pairs_by_torque};
 use geneva_kinematics::Mechanism;
@@ -31,7 +30,7 @@ fn counting_pairs_and_sampling_expect_as_much_of_chance() {
 
 #[test]
 fn counting_pairs_and_sampling_expect_as_much_of_each_definition_and_the_best_of_all_explains_more() {
-    let tried = explained(tables(), 0.01);
+    let tried = try_definitions(tables(), 0.01);
     for of in tried.iter().flat_map(|tried| [&tried.as_run, &tried.ideal]) {
         assert_mean(&sampling::rises(tables(), &[&of.times], false, 1000), of.by_chance);
     }

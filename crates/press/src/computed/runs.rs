@@ -8,7 +8,7 @@ use anyhow::Context;
 use geneva_ask::written::no_greater;
 use geneva_case1973::chance::Shuffled;
 use geneva_case1973::fitted::Freed;
-use geneva_case1973::rise_times::{Group, OF_A_PART, Tried, groups};
+use geneva_case1973::rise_times::{DefinitionTrial, OF_A_PART, TorqueGroup, groups};
 use geneva_case1973::weighing::{Others, margins};
 use geneva_case1973::{
     Column, ColumnFit, EXPLAINED, Hypothesis, Reset, Row, Score, Trend, pairs_by_friction, pairs_by_torque, rows_of,
@@ -133,20 +133,21 @@ fn with_more_friction() -> Trend {
     Trend::of(Column::Rise, pairs_by_friction(rows()))
 }
 
-fn most_explained(wanted: fn(&Tried) -> bool) -> usize {
+fn most_explained(wanted: fn(&DefinitionTrial) -> bool) -> usize {
     let own = explained().iter().filter(|tried| wanted(tried));
     own.map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max().unwrap_or(0)
 }
 
 /// Whether a definition lets the thesis's own part be missing, of its own quantity or of the average terminal velocity.
-fn is_to_one_per_cent(tried: &Tried) -> bool {
+fn is_to_one_per_cent(tried: &DefinitionTrial) -> bool {
     tried.near.is_some_and(|near| near.is_part_of_a_velocity(MISSING))
 }
 
 /// A reading of the thesis's own definition of the rise: until the velocity is steady at every angle, or the average of peak
 /// and minimum.
-pub(super) fn own_reading(reading: usize) -> anyhow::Result<&'static Tried> {
-    let is_it = |tried: &&Tried| tried.name == OF_A_PART[reading].name && tried.is_to_a_part_of_itself(MISSING);
+pub(super) fn own_reading(reading: usize) -> anyhow::Result<&'static DefinitionTrial> {
+    let is_it =
+        |tried: &&DefinitionTrial| tried.name == OF_A_PART[reading].name && tried.is_to_a_part_of_itself(MISSING);
     explained().iter().find(is_it).context("a definition that was not tried")
 }
 
@@ -207,7 +208,7 @@ fn odds(difference: f64) -> String {
 }
 
 /// Whether a group has one number for its rows, if need be without one of them.
-fn bears_one_number(group: &Group) -> bool {
+fn bears_one_number(group: &TorqueGroup) -> bool {
     group.possible || !group.misread.is_empty()
 }
 

@@ -2,7 +2,7 @@
 
 use super::table::rows;
 use crate::meyer::terms::MISSING;
-use geneva_case1973::rise_times::Tried;
+use geneva_case1973::rise_times::DefinitionTrial;
 use geneva_case1973::{Reset, Run, Score, compared, deck, rise_times};
 use std::sync::OnceLock;
 
@@ -26,9 +26,9 @@ pub fn fitting_interval(by_steps: bool) -> f64 {
 }
 
 /// Each definition of a rise time with each part of the velocity that may be missing, then other events of a start.
-pub fn explained() -> &'static [Tried] {
-    static TRIED: OnceLock<Vec<Tried>> = OnceLock::new();
-    TRIED.get_or_init(|| rise_times::explained(rows(), MISSING))
+pub fn explained() -> &'static [DefinitionTrial] {
+    static TRIED: OnceLock<Vec<DefinitionTrial>> = OnceLock::new();
+    TRIED.get_or_init(|| rise_times::try_definitions(rows(), MISSING))
 }
 
 /// The names of the deck with other values in the program of the thesis, each with the claim that has the program's
