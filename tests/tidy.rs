@@ -245,7 +245,7 @@ fn a_witness_shares_no_code_with_what_it_vouches_for() {
         "expected_cells",
         "Dealer",
         "golden_section",
-        "Freed",
+        "InertiaFit",
     ];
     let code = |text: &str| {
         let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));

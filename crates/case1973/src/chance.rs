@@ -9,7 +9,7 @@ use geneva_kinematics::Mechanism;
 
 /// Which printed numbers may trade places in a shuffle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shuffled {
+pub enum ShuffleScope {
     /// All numbers of a column of a table.
     InTables,
     /// Only the numbers of a column of a table whose rows have the same torque.
@@ -45,7 +45,7 @@ fn expected(near: &Agreements, rows: &[Row], mechanisms: &[Mechanism]) -> f64 {
 pub fn shuffles_of_cells(score: &Score, mechanisms: &[Mechanism], shuffles: usize) -> Option<Vec<usize>> {
     let columns = columns(score)?;
     let own = places(score.rows, mechanisms);
-    let mut dealer = Dealer::new(score.rows, Shuffled::InTables);
+    let mut dealer = Dealer::new(score.rows, ShuffleScope::InTables);
     let mut one = || -> usize { columns.iter().map(|near| explained_by(near, dealer.deal(), &own)).sum() };
     Some((0..shuffles).map(|_| one()).collect())
 }
@@ -55,7 +55,7 @@ pub fn shuffles_of_cells(score: &Score, mechanisms: &[Mechanism], shuffles: usiz
 pub(crate) fn shuffles_of_rises<'a>(
     rows: &[Row],
     times: impl Iterator<Item = &'a [f64]>,
-    shuffled: Shuffled,
+    shuffled: ShuffleScope,
     shuffles: usize,
 ) -> Vec<usize> {
     let agreements: Vec<Agreements> = times.map(|times| rises(rows, times)).collect();
@@ -108,13 +108,13 @@ struct Dealer {
 
 impl Dealer {
     /// A dealer of these rows, of which only some may trade places.
-    fn new(rows: &[Row], shuffled: Shuffled) -> Self {
+    fn new(rows: &[Row], shuffled: ShuffleScope) -> Self {
         let mut hands: Vec<Vec<usize>> = Vec::new();
         for (at, row) in rows.iter().enumerate() {
             let alike = |hand: &&mut Vec<usize>| {
                 let other = &rows[hand[0]];
                 let torque = || other.printed(Column::Torque) == row.printed(Column::Torque);
-                other.mechanism == row.mechanism && (shuffled == Shuffled::InTables || torque())
+                other.mechanism == row.mechanism && (shuffled == ShuffleScope::InTables || torque())
             };
             match hands.iter_mut().find(alike) {
                 Some(hand) => hand.push(at),

@@ -1,6 +1,6 @@
 //! Which definition of a rise time the tables could use, and how the tables agree with the thesis's own words.
 
-use crate::chance::{Shuffled, expected_rises, shuffles_of_rises};
+use crate::chance::{ShuffleScope, expected_rises, shuffles_of_rises};
 use crate::{Column, Hypothesis, Row, series};
 use geneva_dynamics::steady::{Cycle, Engagement, Extreme, Printed, Rise};
 use geneva_dynamics::{Inertias, Parameters};
@@ -336,7 +336,7 @@ pub fn try_definitions(rows: &[Row], missing: f64) -> Vec<DefinitionTrial> {
 pub fn shuffles_of_definitions(
     rows: &[Row],
     tried: &[DefinitionTrial],
-    shuffled: Shuffled,
+    shuffled: ShuffleScope,
     shuffles: usize,
 ) -> Vec<usize> {
     let times = tried.iter().flat_map(|tried| [&*tried.as_run.times, &*tried.ideal.times]);

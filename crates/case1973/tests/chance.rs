@@ -1,7 +1,7 @@
 //! What chance is expected to explain is the mean of what it explains.
 
 use crate::tables::tables;
-use geneva_case1973::chance::{Shuffled, expected_cells, shuffles_of_cells};
+use geneva_case1973::chance::{ShuffleScope, expected_cells, shuffles_of_cells};
 use geneva_case1973::rise_times::{groups, shuffles_of_definitions, try_definitions};
 use geneva_case1973::witness::sampling;
 use geneva_case1973::{Column, Hypothesis, Score, Trend, pairs_by_torque};
@@ -36,9 +36,9 @@ fn counting_pairs_and_sampling_expect_as_much_of_each_definition_and_the_best_of
     }
     let mean = |counts: &[usize]| counts.iter().sum::<usize>() as f64 / counts.len() as f64;
     let times: Vec<&[f64]> = tried.iter().flat_map(|tried| [&tried.as_run.times[..], &tried.ideal.times]).collect();
-    let [anywhere, alike] = [Shuffled::InTables, Shuffled::AmongEqualTorques].map(|of| {
+    let [anywhere, alike] = [ShuffleScope::InTables, ShuffleScope::AmongEqualTorques].map(|of| {
         let found = mean(&shuffles_of_definitions(tables(), &tried, of, 1000));
-        let again = mean(&sampling::rises(tables(), &times, of == Shuffled::AmongEqualTorques, 1000));
+        let again = mean(&sampling::rises(tables(), &times, of == ShuffleScope::AmongEqualTorques, 1000));
         assert!((found - again).abs() < 0.4, "{of:?}: {found} {again}");
         found
     });

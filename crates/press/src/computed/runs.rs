@@ -6,8 +6,8 @@ use crate::numbers::{fixed, significant};
 use crate::rows::score;
 use anyhow::Context;
 use geneva_ask::written::no_greater;
-use geneva_case1973::chance::Shuffled;
-use geneva_case1973::fitted::Freed;
+use geneva_case1973::chance::ShuffleScope;
+use geneva_case1973::fitted::InertiaFit;
 use geneva_case1973::rise_times::{DefinitionTrial, OF_A_PART, TorqueGroup, groups};
 use geneva_case1973::weighing::{Others, margins};
 use geneva_case1973::{
@@ -54,7 +54,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("freed.three.quarter", || rounded("freed.three.quarter")),
     ("freed.six.less-friction", || rounded("freed.six.less-friction")),
     ("freed.three.less-friction", || {
-        let freed = Freed::with_friction(rows_of(rows(), Mechanism::THREE_PIN), Reset::OfTheMechanism, LITTLE);
+        let freed = InertiaFit::with_friction(rows_of(rows(), Mechanism::THREE_PIN), Reset::OfTheMechanism, LITTLE);
         Ok(freed.context("no inertias give a table a motion")?.within_one().to_string())
     }),
     ("runs.least-spread", || Ok(format!("{:.2}", least_spread()))),
@@ -84,10 +84,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.most", || Ok(most_explained(|_| true).to_string())),
     ("rise.most.own-part", || Ok(most_explained(is_to_one_per_cent).to_string())),
     ("rise.chance", || rounded("rise.chance")),
-    ("rise.by-chance.most", || greatest(shuffled(Shuffled::InTables))),
+    ("rise.by-chance.most", || greatest(shuffled(ShuffleScope::InTables))),
     ("rise.by-chance.usual", || rounded("rise.by-chance.usual")),
     ("rise.by-chance.equal-torques", || rounded("rise.by-chance.equal-torques")),
-    ("rise.by-chance.equal-torques.most", || greatest(shuffled(Shuffled::AmongEqualTorques))),
+    ("rise.by-chance.equal-torques.most", || greatest(shuffled(ShuffleScope::AmongEqualTorques))),
     ("rise.profile", || own_meaning(0)),
     ("rise.average", || own_meaning(1)),
     ("rise.torque.pairs", || Ok(with_more_torque().pairs.to_string())),

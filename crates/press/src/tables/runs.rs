@@ -5,7 +5,7 @@ use crate::lookup::judged;
 use crate::numbers::{fixed, signed};
 use crate::rows::NONE;
 use anyhow::Context;
-use geneva_case1973::fitted::{Freed, most_within_one};
+use geneva_case1973::fitted::{InertiaFit, most_within_one};
 use geneva_case1973::integrator as integrators;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::Others;
@@ -99,7 +99,7 @@ pub fn freed() -> anyhow::Result<Table> {
     let of = |mechanism: Mechanism, reset: Reset| {
         let none = "no inertias give a table a motion";
         let table = rows_of(rows(), mechanism);
-        let freed = Freed::inertias(table, reset).context(none)?;
+        let freed = InertiaFit::new(table, reset).context(none)?;
         let [driver, follower] = freed.inertias.map(|inertia| format!("{:.1}", 1e6 * inertia));
         let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(table.first().context(none)?).to_degrees();
         Ok(vec![

@@ -104,7 +104,7 @@ pub fn over_a_fifth(logarithms: fn(&Score) -> Option<[f64; 2]>) -> Option<f64> {
 }
 
 pub fn freed(mechanism: Mechanism, reset: Reset) -> Option<f64> {
-    Some(Freed::inertias(rows_of(rows(), mechanism), reset)?.within_one() as f64)
+    Some(InertiaFit::new(rows_of(rows(), mechanism), reset)?.within_one() as f64)
 }
 
 pub fn freed_in_steps(mechanism: Mechanism, reset: Reset) -> Option<f64> {
@@ -121,7 +121,7 @@ pub fn within_one_in_steps(table: &[Row], reset: Reset) -> Option<f64> {
 pub const LITTLE: f64 = 0.01;
 
 pub fn little_friction(mechanism: Mechanism) -> Option<f64> {
-    let freed = Freed::with_friction(rows_of(rows(), mechanism), Reset::OfTheMechanism, LITTLE)?;
+    let freed = InertiaFit::with_friction(rows_of(rows(), mechanism), Reset::OfTheMechanism, LITTLE)?;
     Some(freed.within_one() as f64)
 }
 
@@ -137,9 +137,9 @@ pub fn little_friction_in_steps(mechanism: Mechanism) -> Option<f64> {
 }
 
 /// How many rise times the best definition explains in each shuffle; dealt once.
-pub fn shuffled(shuffled: Shuffled) -> &'static [usize] {
+pub fn shuffled(shuffled: ShuffleScope) -> &'static [usize] {
     static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
-    let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
+    let own = usize::from(shuffled == ShuffleScope::AmongEqualTorques);
     let deal = || rise_times::shuffles_of_definitions(rows(), explained(), shuffled, SHUFFLES);
     COUNTS[own].get_or_init(deal)
 }

@@ -9,16 +9,16 @@ use crate::{Hypothesis, Reset, Row};
 
 /// A table with the inputs that reproduce its peaks, minima and periods best, by least squares.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Freed {
+pub struct InertiaFit {
     /// Moments of inertia of driver and follower, in in lb s².
     pub inertias: [f64; 2],
     /// By how many units of its last printed place each computed result is off.
     pub misfits: Vec<f64>,
 }
 
-impl Freed {
+impl InertiaFit {
     /// The best inertias of a mechanism's table with this reset; none if they have no motion.
-    pub fn inertias(table: &[Row], reset: Reset) -> Option<Self> {
+    pub fn new(table: &[Row], reset: Reset) -> Option<Self> {
         Self::with_friction(table, reset, 1.0)
     }
 
