@@ -241,7 +241,7 @@ fn a_witness_shares_no_code_with_what_it_vouches_for() {
         ".likelihoods",
         ".log_likelihood(",
         ".margin(",
-        ".of(&",
+        ".maximum_likelihood(",
         "expected_cells",
         "Dealer",
         "golden_section",

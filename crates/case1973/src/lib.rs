@@ -19,8 +19,8 @@
 //! let rows = [Row::read(Mechanism::FOUR_PIN, ".22 .04 99 14 .036 .053", given)?];
 //!
 //! // All three results are explained by what was run, and with four pins by the mechanism as well.
-//! assert_eq!(Score::of(Hypothesis::AS_RUN, &rows).within_one(), 3);
-//! assert_eq!(Score::of(Hypothesis::IDEAL, &rows).within_one(), 3);
+//! assert_eq!(Score::new(Hypothesis::AS_RUN, &rows).within_one(), 3);
+//! assert_eq!(Score::new(Hypothesis::IDEAL, &rows).within_one(), 3);
 //! # Ok::<(), geneva_case1973::UnreadableRow>(())
 //! ```
 //!

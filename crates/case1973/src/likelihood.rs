@@ -49,7 +49,7 @@ impl Law {
     }
 
     /// The likelihood of deviations of this size, in units, with the spread that suits them best.
-    pub fn of(self, units: &[f64]) -> Likelihood {
+    pub fn maximum_likelihood(self, units: &[f64]) -> Likelihood {
         let at = |octaves: f64| {
             let spread = LEAST_SPREAD * libm::exp2(octaves);
             Likelihood { spread, log: self.log_likelihood(units, spread) }

@@ -40,7 +40,7 @@ impl ColumnFit {
             within_one: units.iter().filter(|off| **off <= 1.0 + 1e-9).count(),
             mean: cells.iter().map(relative).sum::<f64>() / cells.len() as f64,
             worst: cells.iter().map(relative).fold(0.0, further),
-            likelihoods: Law::ALL.map(|law| if whole { law.of(&units) } else { impossible }),
+            likelihoods: Law::ALL.map(|law| if whole { law.maximum_likelihood(&units) } else { impossible }),
         }
     }
 }
@@ -61,12 +61,12 @@ pub struct Score<'a> {
 
 impl<'a> Score<'a> {
     /// The score of a hypothesis.
-    pub fn of(hypothesis: Hypothesis, rows: &'a [Row]) -> Self {
-        Self::of_results(hypothesis, rows, rows.iter().map(|row| hypothesis.results(row)).collect())
+    pub fn new(hypothesis: Hypothesis, rows: &'a [Row]) -> Self {
+        Self::from_results(hypothesis, rows, rows.iter().map(|row| hypothesis.results(row)).collect())
     }
 
     /// The score of a hypothesis whose runs have been made, row by row.
-    pub fn of_results(hypothesis: Hypothesis, rows: &'a [Row], results: Vec<Option<[f64; 3]>>) -> Self {
+    pub fn from_results(hypothesis: Hypothesis, rows: &'a [Row], results: Vec<Option<[f64; 3]>>) -> Self {
         let fits = [0, 1, 2].map(|at| {
             let computed: Vec<_> = results.iter().map(|of| of.map(|numbers| numbers[at])).collect();
             ColumnFit::new(EXPLAINED[at], rows, &computed)
@@ -75,7 +75,7 @@ impl<'a> Score<'a> {
     }
 
     /// The fit to a column; none for a column that is not to be explained.
-    pub fn on(&self, column: Column) -> Option<&ColumnFit> {
+    pub fn fit(&self, column: Column) -> Option<&ColumnFit> {
         self.fits.iter().zip(EXPLAINED).find(|(_, of)| *of == column).map(|(fit, _)| fit)
     }
 
@@ -157,7 +157,7 @@ pub fn delays(rows: &[Row]) -> Vec<(f64, Score<'_>)> {
     let of = |part: f64| {
         let lag = if part > 0.0 { Lag::Of(interval * part) } else { Lag::None };
         let hypothesis = Hypothesis { constants: Constants::AsListed, lag, ..Hypothesis::WITHOUT_LAG };
-        (interval * part, Score::of(hypothesis, rows))
+        (interval * part, Score::new(hypothesis, rows))
     };
     PARTS.map(of).to_vec()
 }

@@ -248,7 +248,7 @@ pub struct Trend {
 
 impl Trend {
     /// The trend of a column.
-    pub fn of<'a>(column: Column, pairs: impl Iterator<Item = [&'a Row; 2]>) -> Self {
+    pub fn count<'a>(column: Column, pairs: impl Iterator<Item = [&'a Row; 2]>) -> Self {
         pairs.fold(Self::default(), |all, pair| {
             let [before, after] = pair.map(|row| row.number(column));
             let (up, equal) = (usize::from(after > before), usize::from(after == before));

@@ -84,7 +84,7 @@ impl Weighing {
     pub fn log_likelihood(&self, score: &Score, law: Law) -> f64 {
         let of = |units: Option<Vec<f64>>| {
             let units = units?;
-            let best = law.of(&units);
+            let best = law.maximum_likelihood(&units);
             // The likelihood falls to either side of the best spread.
             Some(if best.spread < self.least_spread { law.log_likelihood(&units, self.least_spread) } else { best.log })
         };

@@ -19,7 +19,7 @@ fn assert_mean(counts: &[usize], expected: f64) {
 
 #[test]
 fn counting_pairs_and_sampling_expect_as_much_of_chance() {
-    let score = Score::of(Hypothesis::WITHOUT_LAG, tables());
+    let score = Score::new(Hypothesis::WITHOUT_LAG, tables());
     for mechanism in Mechanism::ALL {
         let expected = expected_cells(&score, &[mechanism]).expect("runs");
         assert!(expected > 0.0 && expected < score.within_one_of(&[mechanism]) as f64);
@@ -53,6 +53,6 @@ fn counting_pairs_and_sampling_expect_as_much_of_each_definition_and_the_best_of
 #[test]
 fn a_time_of_the_motion_alone_falls_with_the_torque_as_its_root() {
     assert_eq!(groups(tables()).iter().filter(|group| group.possible).count(), 6);
-    let torque = Trend::of(Column::Rise, pairs_by_torque(tables()));
+    let torque = Trend::count(Column::Rise, pairs_by_torque(tables()));
     assert_eq!((torque.pairs, torque.up), (18, 0));
 }

@@ -13,7 +13,7 @@ use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 
 fn scores() -> Vec<Score<'static>> {
-    compared().into_iter().map(|hypothesis| Score::of(hypothesis, tables())).collect()
+    compared().into_iter().map(|hypothesis| Score::new(hypothesis, tables())).collect()
 }
 
 #[test]
@@ -75,10 +75,10 @@ fn the_likelihoods_are_those_of_the_densities_summed_directly() {
 
 #[test]
 fn a_run_without_end_makes_the_tables_impossible_unless_its_row_does_not_count() {
-    let whole = Score::of(Hypothesis::WITHOUT_LAG, tables());
+    let whole = Score::new(Hypothesis::WITHOUT_LAG, tables());
     let mut results = whole.results.clone();
     results[1] = None;
-    let score = Score::of_results(whole.hypothesis, tables(), results);
+    let score = Score::from_results(whole.hypothesis, tables(), results);
     assert_eq!(score.likelihoods(), [f64::NEG_INFINITY; 2]);
     assert_eq!(score.within_one() + tables()[1].explained_by(&whole.results[1].expect("a run")), whole.within_one());
     assert!(score.fits.iter().all(|fit| fit.mean.is_finite()) && score.cells().any(|cell| cell.computed.is_nan()));

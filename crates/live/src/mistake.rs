@@ -58,7 +58,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         _ => "own reset angles".to_owned(),
     };
     let name = if hypothesis.lag == Lag::None { angle } else { format!("{angle}, sign late") };
-    let score = Score::of_results(hypothesis, &rows, results);
+    let score = Score::from_results(hypothesis, &rows, results);
     let figure = one_agreement(&Compared::new(name, &score), "1 rad/s or 1 ms");
     let counted = |name, mechanisms: &[Mechanism]| {
         let count = score.within_one_of(mechanisms);

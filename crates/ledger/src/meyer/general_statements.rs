@@ -328,7 +328,7 @@ mod tests {
             let printed = pair.map(|row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum)));
             assert!(printed[1] > printed[0]);
         }
-        let printed = Trend::of(Column::Rise, pairs_by_torque(rows()));
+        let printed = Trend::count(Column::Rise, pairs_by_torque(rows()));
         assert_eq!((printed.up, printed.equal, printed.pairs), (2, 2, 37));
     }
 

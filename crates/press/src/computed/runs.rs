@@ -125,12 +125,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
 /// The most rows that any of these definitions explains, as run or for the mechanism.
 /// The printed rise times with more torque and all else the same.
 fn with_more_torque() -> Trend {
-    Trend::of(Column::Rise, pairs_by_torque(rows()))
+    Trend::count(Column::Rise, pairs_by_torque(rows()))
 }
 
 /// The printed rise times with more friction and all else the same.
 fn with_more_friction() -> Trend {
-    Trend::of(Column::Rise, pairs_by_friction(rows()))
+    Trend::count(Column::Rise, pairs_by_friction(rows()))
 }
 
 fn most_explained(wanted: fn(&DefinitionTrial) -> bool) -> usize {

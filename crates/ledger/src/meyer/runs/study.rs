@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 /// The scores of all compared hypotheses.
 pub fn scores() -> &'static [Score<'static>] {
     static SCORES: OnceLock<Vec<Score>> = OnceLock::new();
-    SCORES.get_or_init(|| compared().into_iter().map(|hypothesis| Score::of(hypothesis, rows())).collect())
+    SCORES.get_or_init(|| compared().into_iter().map(|hypothesis| Score::new(hypothesis, rows())).collect())
 }
 
 /// The program with the sign chosen by the acceleration of so long ago, in s, and its score: none for the exact sign, then
@@ -56,11 +56,11 @@ mod tests {
 
     #[test]
     fn a_run_that_comes_to_nothing_makes_the_tables_impossible() {
-        let all = Score::of(Hypothesis::WITHOUT_LAG, rows());
+        let all = Score::new(Hypothesis::WITHOUT_LAG, rows());
         let mut results = all.results.clone();
         results[7] = None;
-        let one_less = Score::of_results(all.hypothesis, rows(), results);
-        let [all, one_less] = [all, one_less].map(|score| *score.on(Column::Minimum).expect("a fit"));
+        let one_less = Score::from_results(all.hypothesis, rows(), results);
+        let [all, one_less] = [all, one_less].map(|score| *score.fit(Column::Minimum).expect("a fit"));
         assert_eq!(one_less.within_one, all.within_one - 1);
         assert!(all.likelihoods[0].log.is_finite() && one_less.likelihoods[0].log == f64::NEG_INFINITY);
         assert!(one_less.mean.is_finite());
