@@ -235,7 +235,7 @@ fn a_witness_shares_no_code_with_what_it_vouches_for() {
         "Engagement",
         ".engagement(",
         ".run(",
-        ".by_program(",
+        ".run_by_program(",
         "printout(",
         "read_off(",
         ".likelihoods",

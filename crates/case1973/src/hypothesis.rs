@@ -135,7 +135,7 @@ impl Hypothesis {
     /// is no such motion.
     pub fn run(&self, row: &Row) -> Option<Run> {
         if self.has_faults() {
-            return self.by_program(row, &row.given.listing.integrator());
+            return self.run_by_program(row, &row.given.listing.integrator());
         }
         let [peak, minimum, period] = self.results(row)?;
         let first_minimum = self.engagement(row)?.first_minimum().ok()?.map_or(f64::NAN, |minimum| minimum.time);
@@ -147,7 +147,7 @@ impl Hypothesis {
     pub fn results(&self, row: &Row) -> Option<[f64; 3]> {
         let listing = &row.given.listing;
         if self.has_faults() {
-            return Some(self.by_program(row, &listing.integrator())?.results());
+            return Some(self.run_by_program(row, &listing.integrator())?.results());
         }
         let engagement = self.engagement(row)?;
         let steady = engagement.steady_state().ok()?;
@@ -166,7 +166,7 @@ impl Hypothesis {
     }
 
     /// The run, read off the lines that the program prints; the true peak is not among them.
-    pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
+    pub fn run_by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
         let program = self.program(row)?;
         Run::read_off(&program.run(integrator).ok()?, program.reset)
     }

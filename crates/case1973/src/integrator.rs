@@ -53,7 +53,7 @@ pub struct Change {
 pub fn changes(rows: &[Row]) -> Option<Vec<(&'static Variant, [Change; 2])>> {
     let hypotheses = [Lag::None, Lag::AsListed].map(|lag| Hypothesis { lag, ..Hypothesis::WITHOUT_LAG });
     let runs = |of: &Hypothesis, change: fn(Integrator) -> Integrator| -> Option<Vec<Run>> {
-        rows.iter().map(|row| of.by_program(row, &change(row.given.listing.integrator()))).collect()
+        rows.iter().map(|row| of.run_by_program(row, &change(row.given.listing.integrator()))).collect()
     };
     let [exact, late] = hypotheses.map(|of| runs(&of, |by| by));
     let before = [exact?, late?];

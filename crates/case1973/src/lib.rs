@@ -52,9 +52,9 @@ pub mod witness;
 
 pub use hypothesis::{Constants, Hypothesis, Lag, PeakReading, Reset, SixPin, fitting_interval};
 pub use run::Run;
-pub use scores::{ColumnFit, ComparedCell, Score, compared, delays, within_one};
+pub use scores::{ColumnFit, ComparedCell, Score, compared_hypotheses, delays, within_one};
 pub use tables::{
-    Column, EXPLAINED, Given, Listing, Row, Trend, UnreadableRow, least_braked, obeys, pairs_by_friction,
-    pairs_by_torque, rows_of, series, slug, strongest, weakest, with_friction,
+    Column, EXPLAINED, Given, Listing, Row, Trend, UnreadableRow, obeys, pairs_by_friction, pairs_by_torque, rows_of,
+    rows_with_friction, rows_with_least_friction, series, slug, strongest, weakest,
 };
 pub use weighing::Weighing;

@@ -133,7 +133,7 @@ pub fn within_one(column: Column, rows: &[Row], runs: &[Run]) -> usize {
 
 /// The hypotheses that are compared: all choices of reset angle, inertias and reading, from the mechanism as it is to
 /// the runs but for the program's own faults; then with its constants, and all that is in the listing.
-pub fn compared() -> Vec<Hypothesis> {
+pub fn compared_hypotheses() -> Vec<Hypothesis> {
     let mut all = Vec::new();
     for reset in [Reset::OfTheMechanism, Reset::QuarterTurn] {
         for six_pin in [SixPin::AsHeaded, SixPin::AsDrawn] {

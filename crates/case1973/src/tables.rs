@@ -205,13 +205,13 @@ pub fn strongest(rows: &[Row]) -> impl Iterator<Item = &Row> {
 }
 
 /// The rows of a mechanism with the least friction, by rising torque; their engagements differ longest.
-pub fn least_braked(rows: &[Row], mechanism: Mechanism) -> Option<&[Row]> {
+pub fn rows_with_least_friction(rows: &[Row], mechanism: Mechanism) -> Option<&[Row]> {
     let own = series(rows).filter(|own| own[0].mechanism == mechanism);
     own.min_by(|a, b| a[0].friction().total_cmp(&b[0].friction()))
 }
 
 /// The rows of a mechanism with a friction, as printed, that the others were run with too, by rising torque.
-pub fn with_friction<'a>(rows: &'a [Row], mechanism: Mechanism, friction: &str) -> Option<&'a [Row]> {
+pub fn rows_with_friction<'a>(rows: &'a [Row], mechanism: Mechanism, friction: &str) -> Option<&'a [Row]> {
     series(rows).find(|own| own[0].mechanism == mechanism && own[0].printed(Column::Friction) == friction)
 }
 

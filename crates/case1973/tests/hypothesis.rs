@@ -6,14 +6,14 @@ use geneva_case1973::rise_times::parts;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::densities;
 use geneva_case1973::{
-    Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, PeakReading, Reset, Row, Score, SixPin, Weighing, compared,
-    delays, fitting_interval,
+    Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, PeakReading, Reset, Row, Score, SixPin, Weighing,
+    compared_hypotheses, delays, fitting_interval,
 };
 use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 
 fn scores() -> Vec<Score<'static>> {
-    compared().into_iter().map(|hypothesis| Score::new(hypothesis, tables())).collect()
+    compared_hypotheses().into_iter().map(|hypothesis| Score::new(hypothesis, tables())).collect()
 }
 
 #[test]

@@ -3,13 +3,13 @@
 use super::table::rows;
 use crate::meyer::terms::MISSING;
 use geneva_case1973::rise_times::DefinitionTrial;
-use geneva_case1973::{Reset, Run, Score, compared, deck, rise_times};
+use geneva_case1973::{Reset, Run, Score, compared_hypotheses, deck, rise_times};
 use std::sync::OnceLock;
 
 /// The scores of all compared hypotheses.
 pub fn scores() -> &'static [Score<'static>] {
     static SCORES: OnceLock<Vec<Score>> = OnceLock::new();
-    SCORES.get_or_init(|| compared().into_iter().map(|hypothesis| Score::new(hypothesis, rows())).collect())
+    SCORES.get_or_init(|| compared_hypotheses().into_iter().map(|hypothesis| Score::new(hypothesis, rows())).collect())
 }
 
 /// The program with the sign chosen by the acceleration of so long ago, in s, and its score: none for the exact sign, then

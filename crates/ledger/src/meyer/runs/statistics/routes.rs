@@ -33,7 +33,7 @@ pub fn count(
 
 /// A run with the exact sign on the integrator of the program, where the first route solves the motion over the angle.
 pub fn without_lag(row: &Row) -> Option<Run> {
-    Hypothesis::WITHOUT_LAG.by_program(row, &row.given.listing.integrator())
+    Hypothesis::WITHOUT_LAG.run_by_program(row, &row.given.listing.integrator())
 }
 
 pub fn count_lagged(mechanisms: &[Mechanism], columns: &[Column], units: f64) -> Option<f64> {
