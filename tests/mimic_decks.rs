@@ -37,7 +37,7 @@ fn changed(change: impl Fn(&str) -> String) -> Deck {
 
 /// The names of the deck with other values in the program of the thesis, with its numbers.
 fn as_listed() -> [(&'static str, f64); 2] {
-    deck::as_listed(&listing())
+    deck::listed_settings(&listing())
 }
 
 fn quarter_turn() -> f64 {

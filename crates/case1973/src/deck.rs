@@ -1,7 +1,7 @@
 //! The runs by a deck in the language of the thesis: the escapement's deck of `geneva-mimic`, with a row's data card.
 //!
 //! The deck has the mechanics of the thesis in other variables and in words of this project, and the mechanism's own
-//! reset angle. Two of its names can be set to what the thesis's program has: see [`as_listed`].
+//! reset angle. Two of its names can be set to what the thesis's program has: see [`listed_settings`].
 
 use crate::program::Printout;
 use crate::{Hypothesis, Listing, Reset, Row, Run};
@@ -12,7 +12,7 @@ use geneva_mimic::language::{CardLayout, DataSet, Deck, Program, RunOptions, dec
 pub const AS_LISTED: [&str; 2] = ["RESET", "PI"];
 
 /// The names with other values in the program of the thesis, with its numbers: an angle in radians, and π, dimensionless.
-pub fn as_listed(listing: &Listing) -> [(&'static str, f64); 2] {
+pub fn listed_settings(listing: &Listing) -> [(&'static str, f64); 2] {
     [(AS_LISTED[0], listing.reset), (AS_LISTED[1], listing.pi)]
 }
 
@@ -50,7 +50,7 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &RunOptions) -> Op
 /// What part of the steps of each row's run is longer than the delay, dimensionless, with the numbers of the thesis's program.
 /// None if a run comes to no end.
 pub fn longer_than_delay(rows: &[Row]) -> Option<Vec<f64>> {
-    let program = Program::new(&deck(&as_listed(&rows.first()?.given.listing))?).ok()?;
+    let program = Program::new(&deck(&listed_settings(&rows.first()?.given.listing))?).ok()?;
     let part = |row| {
         let run = program.run(&data(&program, row), &RunOptions::default()).ok()?;
         Some(run.longer_than_delay as f64 / run.work.accepted as f64)
@@ -74,8 +74,8 @@ pub fn runs(rows: &[Row], reset: Reset) -> Option<Vec<Run>> {
     let listing = rows.first()?.given.listing;
     let set = match reset {
         Reset::OfTheMechanism => Vec::new(),
-        Reset::QuarterTurn => as_listed(&listing).to_vec(),
-        Reset::After(angle) => as_listed(&Listing { reset: angle, ..listing }).to_vec(),
+        Reset::QuarterTurn => listed_settings(&listing).to_vec(),
+        Reset::After(angle) => listed_settings(&Listing { reset: angle, ..listing }).to_vec(),
     };
     let program = Program::new(&deck(&set)?).ok()?;
     let hypothesis = Hypothesis { reset, ..Hypothesis::AS_RUN };

@@ -3,7 +3,7 @@
 
 use super::Number;
 use anyhow::Context;
-use geneva_case1973::deck::{as_listed, deck, longer_than_delay, turned_when_backwards};
+use geneva_case1973::deck::{deck, listed_settings, longer_than_delay, turned_when_backwards};
 use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::study::by_deck;
@@ -31,7 +31,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("program.long-steps", long_steps),
     ("program.backwards-after", || {
         let row = rows().first().context("there is no run")?;
-        let turned = turned_when_backwards(row, &as_listed(&listing())).context("the follower never runs backwards")?;
+        let turned =
+            turned_when_backwards(row, &listed_settings(&listing())).context("the follower never runs backwards")?;
         Ok(super::degrees(turned))
     }),
     ("program.three-at-the-reset", || Ok(format!("{:.2}", listing().velocity_ratio_at_reset(Mechanism::THREE_PIN)))),
@@ -104,7 +105,7 @@ mod tests {
     #[test]
     fn the_follower_of_six_pins_runs_backwards_only_with_the_reset_as_listed_and_only_past_60_degrees() {
         let row = rows().first().expect("a run");
-        let turned = turned_when_backwards(row, &as_listed(&listing())).expect("it runs backwards").to_degrees();
+        let turned = turned_when_backwards(row, &listed_settings(&listing())).expect("it runs backwards").to_degrees();
         assert!((60.0..63.0).contains(&turned), "{turned}");
         assert!(turned_when_backwards(row, &[]).is_none());
     }

@@ -421,7 +421,8 @@ mod tests {
 
     #[test]
     fn most_steps_of_every_run_are_longer_than_the_delay() {
-        let program = Program::new(&deck::deck(&deck::as_listed(&listing())).expect("a deck")).expect("a program");
+        let program =
+            Program::new(&deck::deck(&deck::listed_settings(&listing())).expect("a deck")).expect("a program");
         for row in rows() {
             let run = program.run(&deck::data(&program, row), &RunOptions::default()).expect("a run");
             let (longer, all) = (run.longer_than_delay, run.work.accepted);
