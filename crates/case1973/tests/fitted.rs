@@ -55,7 +55,7 @@ fn trying_followers_one_by_one_brings_nearly_as_many_results_near_and_never_more
     let [least, greatest] = ratios(table, 1.0).expect("a motion").map(libm::log);
     let of = |step: u32| {
         let ratio = libm::exp(least + (greatest - least) * f64::from(step) / 100.0);
-        let motions = Motions::of(table, angle, 1.0, ratio)?;
+        let motions = Motions::new(table, angle, 1.0, ratio)?;
         let near = |follower: f64| motions.misfits(follower).iter().filter(|off| off.abs() <= 1.0 + 1e-9).count();
         (0..400).map(|step| near(1e-6 * libm::pow(1.015, f64::from(step)))).max()
     };

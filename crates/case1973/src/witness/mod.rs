@@ -21,4 +21,4 @@ mod lagged;
 pub mod sampling;
 pub mod steps;
 
-pub use lagged::{lagged, lagged_by};
+pub use lagged::{lagged_run, run_with_lag};

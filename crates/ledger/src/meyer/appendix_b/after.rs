@@ -299,7 +299,7 @@ fn square_after(parameters: &Parameters, turned: f64, steps: u32) -> Option<f64>
         angles.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(f64::NAN)
     };
     let all: Vec<f64> = (0..=steps).map(|k| turned * f64::from(k) / f64::from(steps)).collect();
-    Course::along(parameters, all, engaged).squares(0.0).last().copied()
+    Course::from_angles(parameters, all, engaged).squares(0.0).last().copied()
 }
 
 /// Whether what is printed at each interval of a run grows from line to line: the angle, or the speed. In all runs,

@@ -102,7 +102,7 @@ fn as_run(row: &Row) -> [f64; 4] {
 
 fn as_run_by_steps(row: &Row) -> [f64; 4] {
     static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| witness::lagged(row).map(results))
+    among(&RUNS, row, |row| witness::lagged_run(row).map(results))
 }
 
 fn ideal(row: &Row) -> [f64; 4] {

@@ -37,7 +37,7 @@ pub fn without_lag(row: &Row) -> Option<Run> {
 }
 
 pub fn count_lagged(mechanisms: &[Mechanism], columns: &[Column], units: f64) -> Option<f64> {
-    count(mechanisms, columns, units, witness::lagged)
+    count(mechanisms, columns, units, witness::lagged_run)
 }
 
 /// How many results are near by the steady cycle in steps.
