@@ -2,7 +2,7 @@
 
 use crate::chance::{ShuffleScope, expected_rises, shuffles_of_rises};
 use crate::{Column, Hypothesis, Row, series};
-use geneva_dynamics::steady::{Cycle, Engagement, Extreme, Printed, Rise};
+use geneva_dynamics::steady::{Engagement, Extreme, Printed, Rise, RiseCycle};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -117,7 +117,7 @@ impl Start {
     }
 
     /// The first engagement of which a quantity is near a value.
-    fn first(&self, near: RiseTolerance, value: f64, quantity: fn(&Cycle) -> f64) -> Option<&Cycle> {
+    fn first(&self, near: RiseTolerance, value: f64, quantity: fn(&RiseCycle) -> f64) -> Option<&RiseCycle> {
         let allowed = self.allowed(near, value);
         self.rise.cycles.iter().find(|cycle| (quantity(cycle) - value).abs() <= allowed)
     }
@@ -134,7 +134,7 @@ impl Start {
     fn until_average(&self, near: RiseTolerance) -> Option<f64> {
         let value = self.terminal(near.target);
         let allowed = self.allowed(near, value);
-        let is_near = |cycle: &&Cycle| {
+        let is_near = |cycle: &&RiseCycle| {
             // The start at rest is no minimum.
             let first = self.first_minimum.filter(|first| cycle.start == 0.0 && first.time < cycle.end);
             let minimum = first.map_or(cycle.minimum.speed, |first| first.speed);
@@ -173,7 +173,7 @@ impl Start {
         self.lines.iter().find(|line| line.speed >= enough).map(|line| line.time)
     }
 
-    fn until_mean_speed(&self, near: RiseTolerance) -> Option<&Cycle> {
+    fn until_mean_speed(&self, near: RiseTolerance) -> Option<&RiseCycle> {
         self.first(near, self.rise.steady.mean_speed, |cycle| cycle.mean_speed)
     }
 

@@ -29,6 +29,6 @@ mod subinterval;
 pub use engagement::{Engagement, MOST_SUBINTERVALS, TOLERANCE, TOLERANCES};
 pub use extremes::Extreme;
 pub use passage::Passage;
-pub use rise::{Cycle, MOST_CYCLES, Rise, RiseMeasure};
+pub use rise::{MOST_CYCLES, Rise, RiseCycle, RiseMeasure};
 pub use run::{MOST_PRINTED, Printed};
 pub use steady_state::SteadyState;

@@ -13,7 +13,7 @@ use geneva_kinematics::bisection::bisect_times;
 
 /// One engagement of a start from rest. Times are from the start, speeds the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cycle {
+pub struct RiseCycle {
     /// When it starts, in units of time.
     pub start: f64,
     /// When it ends, in units of time.
@@ -52,7 +52,7 @@ pub struct Rise {
     /// The steady state that is approached.
     pub steady: SteadyState,
     /// The engagements, in order, until the speed at the end is within `settled` of the steady one.
-    pub cycles: Vec<Cycle>,
+    pub cycles: Vec<RiseCycle>,
 }
 
 /// What tells that a start from rest is over: the measures of a rise time, each with the name by which it is called.
@@ -129,7 +129,7 @@ impl Engagement {
             let passage = self.pass(square);
             let duration = passage.duration();
             let [peak, minimum] = passage.extremes().map(|extreme| Extreme { time: start + extreme.time, ..extreme });
-            cycles.push(Cycle {
+            cycles.push(RiseCycle {
                 start,
                 end: start + duration,
                 entry_speed: passage.entry_speed(),
@@ -309,7 +309,7 @@ fn near(speed: f64, steady: f64, part: f64) -> bool {
 
 impl Rise {
     /// The first engagement of which a speed is within `part` of the steady one.
-    fn first(&self, part: f64, steady: f64, speed: fn(&Cycle) -> f64) -> Option<&Cycle> {
+    fn first(&self, part: f64, steady: f64, speed: fn(&RiseCycle) -> f64) -> Option<&RiseCycle> {
         self.cycles.iter().find(|cycle| near(speed(cycle), steady, part))
     }
 
@@ -351,7 +351,7 @@ impl Rise {
     /// When the mean of an engagement's greatest and least speed is first within `part` of the steady one, in units of
     /// time: the end of that engagement.
     pub fn until_mean_of_extremes(&self, part: f64) -> Option<f64> {
-        let mean = |cycle: &Cycle| f64::midpoint(cycle.peak.speed, cycle.minimum.speed);
+        let mean = |cycle: &RiseCycle| f64::midpoint(cycle.peak.speed, cycle.minimum.speed);
         self.first(part, self.steady.mean_of_extremes(), mean).map(|cycle| cycle.end)
     }
 }

@@ -112,7 +112,7 @@ fn the_rise_ends_where_each_definition_says() {
             last = cycle.end;
         }
         // The difference of squares falls by the multiplier, in the end.
-        let gap = |cycle: &geneva_dynamics::steady::Cycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
+        let gap = |cycle: &geneva_dynamics::steady::RiseCycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
         let near = rise.cycles.windows(2).find(|pair| gap(&pair[0]) < 1e-3 * steady.entry_speed.powi(2)).expect("near");
         let factor = gap(&near[1]) / gap(&near[0]);
         assert!((factor / steady.multiplier - 1.0).abs() < 0.02, "{factor} {}", steady.multiplier);
