@@ -5,7 +5,7 @@
 
 use crate::program::Printout;
 use crate::{Hypothesis, Listing, Reset, Row, Run};
-use geneva_dynamics::steady::Printed;
+use geneva_dynamics::steady::PrintedLine;
 use geneva_mimic::language::{CardLayout, DataSet, Deck, Program, RunOptions, deck_named};
 
 /// The names of the deck with other values in the program of the thesis: the reset angle and π.
@@ -41,7 +41,7 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &RunOptions) -> Op
         let [time, turned, speed, acceleration, follower_speed] = row[..] else { return None };
         let angle = libm::fmod(turned, reset) - half;
         let engagement = (turned / reset) as usize;
-        Some(Printed { time, turned, angle, speed, acceleration, follower_speed, engagement })
+        Some(PrintedLine { time, turned, angle, speed, acceleration, follower_speed, engagement })
     };
     let lines = printed.rows.iter().map(line).collect::<Option<_>>()?;
     Run::read_off(&Printout { lines, work: printed.work }, reset)

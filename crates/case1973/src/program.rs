@@ -7,7 +7,7 @@
 //! [`steady`](geneva_dynamics::steady).
 //! Work::Meyer1973, Appendix B.
 
-use geneva_dynamics::steady::Printed;
+use geneva_dynamics::steady::PrintedLine;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Pose, Sign};
 use geneva_kinematics::{Mechanism, Turn};
 use geneva_mimic::{
@@ -118,7 +118,7 @@ impl Program1973 {
         let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
             let turned = point.state[0];
             let (angle, pose) = self.pose(turned);
-            lines.push(Printed {
+            lines.push(PrintedLine {
                 time: point.time,
                 turned,
                 angle,
@@ -143,7 +143,7 @@ impl Program1973 {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Printout {
     /// The lines, the start included. Their crank angles and the velocity ratio of the follower's speed are of the reset angle.
-    pub lines: Vec<Printed>,
+    pub lines: Vec<PrintedLine>,
     /// Steps and evaluations.
     pub work: SolverStats,
 }

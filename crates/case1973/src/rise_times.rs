@@ -2,7 +2,7 @@
 
 use crate::chance::{ShuffleScope, expected_rises, shuffles_of_rises};
 use crate::{Column, Hypothesis, Row, series};
-use geneva_dynamics::steady::{Engagement, Extreme, Printed, Rise, RiseCycle};
+use geneva_dynamics::steady::{Engagement, Extreme, PrintedLine, Rise, RiseCycle};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -71,7 +71,7 @@ struct Start {
     engagement: Engagement,
     rise: Rise,
     first_minimum: Option<Extreme>,
-    lines: Vec<Printed>,
+    lines: Vec<PrintedLine>,
     /// Peak and minimum as printed.
     printed: [f64; 2],
     /// A unit of the tables' speeds.
@@ -186,7 +186,7 @@ impl Start {
     /// The first printed line that is slower than its neighbours and near the steady minimum.
     fn printed_minimum(&self) -> Option<f64> {
         let steady = self.rise.steady.minimum.speed;
-        let is_it = |w: &&[Printed]| {
+        let is_it = |w: &&[PrintedLine]| {
             let [before, here, after] = [w[0].speed, w[1].speed, w[2].speed];
             here < before && here <= after && (here / steady - 1.0).abs() <= self.missing
         };

@@ -2,7 +2,7 @@
 
 use geneva_case1973::Run;
 use geneva_case1973::program::{Printout, Program1973};
-use geneva_dynamics::steady::{Engagement, Printed};
+use geneva_dynamics::steady::{Engagement, PrintedLine};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -30,7 +30,7 @@ fn the_time_of_a_hand_over_is_exact_where_the_angle_is_a_cubic() {
     // Slowest at the time `least`.
     let line = |least: f64, time: f64| {
         let past = time - least;
-        Printed {
+        PrintedLine {
             time,
             turned: past * past * past + past + least * least * least + least,
             angle: 0.0,

@@ -116,7 +116,7 @@ fn accelerations_are_the_slopes_of_the_speeds() {
     for of in samples() {
         let found = Accelerations::new(&of).expect("accelerations");
         let lines = Engagement::new(&of).and_then(|of| of.steady_cycle(40_000)).expect("a cycle");
-        let strongest = |speed: fn(&geneva_dynamics::steady::Printed) -> f64| {
+        let strongest = |speed: fn(&geneva_dynamics::steady::PrintedLine) -> f64| {
             let slopes = lines.windows(2).map(|w| (speed(&w[1]) - speed(&w[0])) / (w[1].time - w[0].time));
             slopes.fold(0.0_f64, |most, slope| if slope.abs() > most.abs() { slope } else { most })
         };

@@ -24,7 +24,7 @@ use crate::Error;
 /// # Ok::<(), geneva_dynamics::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Printed {
+pub struct PrintedLine {
     /// Time from the start, in units of time.
     pub time: f64,
     /// Angle in radians through which the driver has turned.
@@ -53,7 +53,7 @@ impl Engagement {
     ///
     /// As for [`Engagement::new`]; [`Error::NotPositive`] for an interval or duration that is not positive and finite;
     /// [`Error::TooMany`] for more than [`MOST_PRINTED`] lines or engagements.
-    pub fn run(&self, interval: f64, duration: f64) -> Result<Vec<Printed>, Error> {
+    pub fn run(&self, interval: f64, duration: f64) -> Result<Vec<PrintedLine>, Error> {
         for (name, asked) in [("print interval", interval), ("duration", duration)] {
             if !(asked > 0.0 && asked.is_finite()) {
                 return Err(Error::NotPositive { name, asked });
@@ -91,7 +91,7 @@ pub(super) struct Grid {
 
 impl Passage<'_> {
     /// Adds the lines that fall within the passage, which begins at `start`, and gives its end, both in units of 1/√E.
-    pub(super) fn print(&self, lines: &mut Vec<Printed>, grid: Grid, mut start: f64) -> f64 {
+    pub(super) fn print(&self, lines: &mut Vec<PrintedLine>, grid: Grid, mut start: f64) -> f64 {
         for traversal in &self.traversals {
             let clock = traversal.clock(self.engagement.rule);
             let end = start + clock.whole;
@@ -108,7 +108,7 @@ impl Passage<'_> {
     }
 
     /// The line at the end of the passage.
-    pub(super) fn last_line(&self, time: f64, number: usize) -> Option<Printed> {
+    pub(super) fn last_line(&self, time: f64, number: usize) -> Option<PrintedLine> {
         let traversal = self.traversals.last()?;
         let clock = traversal.clock(self.engagement.rule);
         Some(self.line(traversal, &clock, clock.whole, time, number))
@@ -121,7 +121,7 @@ impl Passage<'_> {
         since: f64,
         time: f64,
         number: usize,
-    ) -> Printed {
+    ) -> PrintedLine {
         let engagement = self.engagement;
         let backward = traversal.mode == ContactMode::Approach;
         let s = clock.at(engagement.rule, backward, since.max(0.0));
@@ -136,7 +136,7 @@ impl Passage<'_> {
         let acceleration = force / (engagement.inertia + place.rho * both);
         let speed = self.speed(square);
         let half = engagement.parameters().mechanism().engagement_half_angle();
-        Printed {
+        PrintedLine {
             time,
             turned: engagement.reset() * number as f64 + (angle + half),
             angle,
@@ -171,7 +171,7 @@ impl Engagement {
     /// # Errors
     ///
     /// As for [`Engagement::steady_state`]; [`Error::TooMany`] for [`MOST_PRINTED`] parts or more.
-    pub fn steady_cycle(&self, parts: usize) -> Result<Vec<Printed>, Error> {
+    pub fn steady_cycle(&self, parts: usize) -> Result<Vec<PrintedLine>, Error> {
         if parts >= MOST_PRINTED {
             return Err(Error::TooMany { name: "parts of a period", limit: MOST_PRINTED });
         }

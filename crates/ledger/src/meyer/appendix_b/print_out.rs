@@ -5,7 +5,7 @@ use crate::Evidence::Program as ByProgram;
 use crate::meyer::runs::table::{listing, rows};
 use geneva_case1973::deck;
 use geneva_case1973::{Constants, Hypothesis, Row, weakest};
-use geneva_dynamics::steady::Printed;
+use geneva_dynamics::steady::PrintedLine;
 use geneva_mimic::SolverStats;
 use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named, print_out};
 use std::collections::HashMap;
@@ -46,7 +46,7 @@ type Columns = ([f64; 5], f64);
 fn by_program() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of =
-        |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
+        |line: &PrintedLine| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
     let columns = |row: &Row| Some(Hypothesis::AS_RUN.printout(row)?.lines.iter().map(of).collect());
     RUNS.get_or_init(|| rows().iter().map(columns).collect())
 }
@@ -62,7 +62,7 @@ pub fn last_line(end: f64) -> Option<f64> {
 fn by_integrals() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of =
-        |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
+        |line: &PrintedLine| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
     let run = |row: &Row| {
         let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(listing().interval, listing().duration).ok()?;
         Some(lines.iter().map(of).collect())
@@ -141,7 +141,7 @@ fn output() -> Claim {
             let same = |(row, by_deck): (&Row, &Option<Vec<Vec<f64>>>)| {
                 by_deck.as_ref().zip(translated(row)).is_some_and(|(rows, translated)| {
                     let near =
-                        |(of, line): (&Vec<f64>, &Printed)| (of[2] - line.speed).abs() < 1e-6 * (1.0 + line.speed);
+                        |(of, line): (&Vec<f64>, &PrintedLine)| (of[2] - line.speed).abs() < 1e-6 * (1.0 + line.speed);
                     let lines = translated.lines;
                     rows.len() == lines.len() && rows.iter().zip(&lines).all(near)
                 })
