@@ -50,7 +50,7 @@
 //! with those of the journals, the equation of motion with the flank decided beforehand and where the power goes
 //! (`equation`, proven in [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where
 //! it has one solution (`existence`), the motion over one engagement by Runge-Kutta steps of the angle ([`Passage`]),
-//! the one that repeats itself ([`Settled`]), and what each size does to it ([`series`]).
+//! the one that repeats itself ([`SettledPassage`]), and what each size does to it ([`series`]).
 
 mod contact;
 pub mod contact_proofs;
@@ -66,7 +66,7 @@ pub use effects::{Effect, Varied, effects, series};
 pub use equation::{Escapement, Motion, Power, Terms};
 pub use existence::{LeastMargin, largest_pin_radius};
 pub use passage::{Passage, STEPS};
-pub use steady::Settled;
+pub use steady::SettledPassage;
 
 /// Sizes and frictions of the joints.
 ///

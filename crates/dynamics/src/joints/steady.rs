@@ -23,7 +23,7 @@ use crate::Error;
 /// # Ok::<(), geneva_dynamics::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settled {
+pub struct SettledPassage {
     /// The passage that repeats itself, with the finer steps.
     pub state: Passage,
     /// Steps that an engagement was divided into at last.
@@ -90,7 +90,7 @@ impl Escapement {
     /// # Errors
     ///
     /// As for [`Escapement::steady_state_in`], and [`Error::NotSettled`] if the most steps do not reach it.
-    pub fn steady_state(&self, tolerance: f64) -> Result<Settled, Error> {
+    pub fn steady_state(&self, tolerance: f64) -> Result<SettledPassage, Error> {
         let mut steps = FIRST_STEPS;
         let mut coarse = self.steady_state_in(steps)?;
         loop {
@@ -98,7 +98,7 @@ impl Escapement {
             let fine = self.steady_state_in(steps)?;
             let change = change(&coarse, &fine);
             if change <= tolerance {
-                return Ok(Settled { state: fine, steps, change });
+                return Ok(SettledPassage { state: fine, steps, change });
             }
             if steps >= *STEPS.end() {
                 return Err(Error::NotSettled { tolerance, reached: change });

@@ -15,7 +15,7 @@ use geneva_kinematics::bisection::try_bisect_times;
 
 /// The greatest value of a quantity, by its size, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Strongest {
+pub struct SignedPeak {
     /// The value, with its sign, in the quantity's own unit.
     pub value: f64,
     /// Crank angle in radians from the line of centres.
@@ -43,11 +43,11 @@ pub struct Strongest {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerations {
     /// Strongest acceleration of the driver, θ''.
-    pub driver: Strongest,
+    pub driver: SignedPeak,
     /// Strongest acceleration of the follower, φ''.
-    pub follower: Strongest,
+    pub follower: SignedPeak,
     /// Normal force between pin and slot times the crank radius.
-    pub normal_moment: Strongest,
+    pub normal_moment: SignedPeak,
     /// Jump of the follower's acceleration as one pin hands over to the next, in radians per square of the
     /// unit of time: entry less exit.
     pub jump: f64,
@@ -74,9 +74,9 @@ impl Accelerations {
             _ => 0.0,
         };
         Ok(Self {
-            driver: Strongest::of(&all, 0),
-            follower: Strongest::of(&all, 1),
-            normal_moment: Strongest::of(&all, 2),
+            driver: SignedPeak::of(&all, 0),
+            follower: SignedPeak::of(&all, 1),
+            normal_moment: SignedPeak::of(&all, 2),
             jump,
         })
     }
@@ -89,7 +89,7 @@ fn at(parameters: &Parameters, angle: f64, speed: f64) -> Result<[f64; 3], Error
     Ok([driver, forces.follower_acceleration, forces.normal_moment])
 }
 
-impl Strongest {
+impl SignedPeak {
     /// Of one of three quantities at instants that are equally far apart: by the parabola through the strongest and its
     /// neighbours.
     fn of(instants: &[(f64, [f64; 3])], quantity: usize) -> Self {

@@ -45,7 +45,7 @@ pub struct Runaway {
 
 /// The steady motion of a runaway escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Steady {
+pub struct RunawayCycle {
     /// Speed of the wheel just after a blow, in radians per unit of time.
     pub after_blow: f64,
     /// Speed of the wheel just before a blow, in radians per unit of time.
@@ -143,7 +143,7 @@ impl Runaway {
     /// [`Error::NotPositive`] for a torque that is not positive, [`Error::DragTorque`] if the constant drag is not below the
     /// torque, [`Error::NoTerminalSpeed`] if neither blows nor drag grow with the speed, and [`Error::TooMany`] if the motion
     /// is not steady after a hundred thousand blows, or the drag is too strong for the four hundred steps of a beat.
-    pub fn steady(&self, torque: f64) -> Result<Steady, Error> {
+    pub fn steady(&self, torque: f64) -> Result<RunawayCycle, Error> {
         let torque = positive("torque", torque)?;
         let Drag { constant, linear, square } = self.drag;
         if constant >= torque {
@@ -167,7 +167,7 @@ impl Runaway {
                 break;
             }
             if (next - after).abs() <= STEADY * next {
-                return Ok(Steady {
+                return Ok(RunawayCycle {
                     after_blow: after.sqrt(),
                     before_blow: before.sqrt(),
                     period,
