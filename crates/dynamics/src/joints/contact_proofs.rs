@@ -66,7 +66,7 @@ impl Scene {
 
 /// The axis that a moment is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum JointAxis {
     /// The follower's.
     Follower,
     /// The driver's.
@@ -77,7 +77,7 @@ pub enum Axis {
 /// the driver's. Variables: a, R, tan(φ/2), ρ, μ.
 pub struct ContactMoment {
     /// The axis.
-    pub axis: Axis,
+    pub axis: JointAxis,
     /// The flank, s.
     pub flank: Sign,
     /// The sense of the sliding, σ.
@@ -91,8 +91,8 @@ impl Identity<5> for ContactMoment {
         let arms = scene.reach(radius).arms(&pin, &friction, self.flank, self.sliding);
         match self.axis {
             // φ grows clockwise.
-            Axis::Follower => -contact.perp(&force) - self.flank.of(arms.follower),
-            Axis::Driver => (contact - scene.driver_axis).perp(&-force) + self.flank.of(arms.driver),
+            JointAxis::Follower => -contact.perp(&force) - self.flank.of(arms.follower),
+            JointAxis::Driver => (contact - scene.driver_axis).perp(&-force) + self.flank.of(arms.driver),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Joints;
 use super::equation::Escapement;
-use super::passage::Passage;
+use super::passage::JointPassage;
 use crate::Error;
 use crate::Parameters;
 
@@ -65,7 +65,7 @@ pub struct Effect {
     /// Greatest less least speed, over the mean, dimensionless.
     pub swing: f64,
     /// The steady motion itself.
-    pub state: Passage,
+    pub state: JointPassage,
 }
 
 /// Relative tolerance of the steady states.
@@ -90,8 +90,9 @@ const TOLERANCE: f64 = 1e-9;
 /// As for [`Escapement::new`] and [`Escapement::steady_state`]; without friction in the slot the ideal escapement has
 /// no terminal speed to compare with ([`Error::NoTerminalSpeed`]).
 pub fn effects(parameters: &Parameters, joints: impl IntoIterator<Item = (f64, Joints)>) -> Result<Vec<Effect>, Error> {
-    let steady =
-        |joints| -> Result<Passage, Error> { Ok(Escapement::new(parameters, joints)?.steady_state(TOLERANCE)?.state) };
+    let steady = |joints| -> Result<JointPassage, Error> {
+        Ok(Escapement::new(parameters, joints)?.steady_state(TOLERANCE)?.state)
+    };
     let ideal = steady(Joints::IDEAL)?;
     let effect = |(value, joints)| {
         let state = steady(joints)?;

@@ -71,7 +71,7 @@ impl<S: Field> Terms<S> {
 
 /// Motion and forces at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct JointMotion {
     /// θ'', in radians per square of the unit of time.
     pub angular_acceleration: f64,
     /// φ'', acceleration of the follower, in radians per square of the unit of time.
@@ -113,7 +113,7 @@ pub struct Escapement {
 }
 
 /// A place in the engagement, for any speed.
-pub(super) struct Place {
+pub(super) struct JointPose {
     pub reach: Reach<f64>,
     pub terms: Terms<f64>,
 }
@@ -170,7 +170,7 @@ impl Escapement {
     /// # Errors
     ///
     /// [`Error::OutsideTheSlot`], [`Error::Speed`].
-    pub fn motion(&self, angle: f64, speed: f64) -> Result<Motion, Error> {
+    pub fn motion(&self, angle: f64, speed: f64) -> Result<JointMotion, Error> {
         let limit = self.parameters.mechanism().engagement_half_angle();
         // Half a turn over the number of pins is known to its last place only.
         let within = angle.abs() <= limit * (1.0 + f64::EPSILON);
@@ -188,11 +188,11 @@ impl Escapement {
         let moment = place.terms.moment(&square, &angular_acceleration);
         let follower_acceleration = moment - place.terms.drag;
         let normal_moment = self.parameters.inertias().follower() * moment / arms.follower;
-        Ok(Motion { angular_acceleration, follower_acceleration, normal_moment, flank, sliding })
+        Ok(JointMotion { angular_acceleration, follower_acceleration, normal_moment, flank, sliding })
     }
 
     /// The equation's terms at a crank angle.
-    pub(super) fn place(&self, angle: f64) -> Place {
+    pub(super) fn place(&self, angle: f64) -> JointPose {
         let pose = self.parameters.pose(angle);
         let reach = Reach::of_pose(&pose);
         let (inertias, joints) = (self.parameters.inertias(), &self.joints);
@@ -203,7 +203,7 @@ impl Escapement {
             ratio: reach.ratio,
             bend: pose.acceleration_ratio(),
         };
-        Place { reach, terms }
+        JointPose { reach, terms }
     }
 
     /// κ and λ: the arms of contact and journals.
@@ -274,7 +274,7 @@ impl Escapement {
     }
 
     /// The power over θ', that is the work per radian of the driver.
-    pub(super) fn work_rate(&self, ratio: f64, motion: &Motion) -> Power {
+    pub(super) fn work_rate(&self, ratio: f64, motion: &JointMotion) -> Power {
         let load = motion.normal_moment.abs();
         let joints = self.joints();
         Power {

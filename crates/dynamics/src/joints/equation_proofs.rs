@@ -48,14 +48,14 @@ impl Identity<7> for SwitchingFunctionDecidesFlank {
 ///
 /// So speeds go as √(K/I_f) if there is no constant torque, or one that grows with K. The arms of pin and journals
 /// stand in m alone, which stays. Variables: factor of θ'', m, q, p, drive, drag torque, θ'², κ.
-pub enum Similarity {
+pub enum JointSimilarity {
     /// Of θ''.
     AngularAcceleration,
     /// Of the number that decides the flank.
     Flank,
 }
 
-impl Identity<8> for Similarity {
+impl Identity<8> for JointSimilarity {
     fn difference(&self, [slope, leverage, ratio, bend, drive, drag, square, kappa]: [Expression; 8]) -> Expression {
         let scaled = |number: Expression| kappa * number;
         let old = terms([slope, leverage, ratio, bend, drive, drag]);

@@ -15,7 +15,7 @@ use geneva_kinematics::Mechanism;
 
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LeastMargin {
+pub struct LeastJointMargin {
     /// I_D/I_f + m q there, dimensionless; A − |D| if the joints are ideal.
     pub margin: f64,
     /// Crank angle in radians from the line of centres.
@@ -52,7 +52,7 @@ impl Escapement {
         if !turns {
             return Err(Error::SelfLocking { taken, lever });
         }
-        let LeastMargin { margin, angle, .. } = self.least_margin();
+        let LeastJointMargin { margin, angle, .. } = self.least_margin();
         if margin > 0.0 { Ok(()) } else { Err(Error::Jams { margin, angle }) }
     }
 
@@ -70,7 +70,7 @@ impl Escapement {
     /// assert!((ideal.least_margin().margin - expected.margin).abs() < 1e-12);
     /// # Ok::<(), geneva_dynamics::Error>(())
     /// ```
-    pub fn least_margin(&self) -> LeastMargin {
+    pub fn least_margin(&self) -> LeastJointMargin {
         let half = self.parameters().mechanism().engagement_half_angle();
         let step = 2.0 * half / f64::from(GRID);
         let candidates = Sign::BOTH.into_iter().map(|flank| {
@@ -81,9 +81,9 @@ impl Escapement {
                 if margin < best.0 { (margin, angle) } else { best }
             });
             let (margin, angle) = refined(at, worst, step);
-            LeastMargin { margin, angle: angle.clamp(-half, half), flank }
+            LeastJointMargin { margin, angle: angle.clamp(-half, half), flank }
         });
-        candidates.fold(LeastMargin { margin: f64::INFINITY, angle: 0.0, flank: Sign::Plus }, |best, new| {
+        candidates.fold(LeastJointMargin { margin: f64::INFINITY, angle: 0.0, flank: Sign::Plus }, |best, new| {
             if new.margin < best.margin { new } else { best }
         })
     }

@@ -49,7 +49,7 @@
 //! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`)
 //! with those of the journals, the equation of motion with the flank decided beforehand and where the power goes
 //! (`equation`, proven in [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where
-//! it has one solution (`existence`), the motion over one engagement by Runge-Kutta steps of the angle ([`Passage`]),
+//! it has one solution (`existence`), the motion over one engagement by Runge-Kutta steps of the angle ([`JointPassage`]),
 //! the one that repeats itself ([`SettledPassage`]), and what each size does to it ([`series`]).
 
 mod contact;
@@ -63,9 +63,9 @@ mod steady;
 
 pub use contact::{Arms, Reach};
 pub use effects::{Effect, Varied, effects, series};
-pub use equation::{Escapement, Motion, Power, Terms};
-pub use existence::{LeastMargin, largest_pin_radius};
-pub use passage::{Passage, STEPS};
+pub use equation::{Escapement, JointMotion, Power, Terms};
+pub use existence::{LeastJointMargin, largest_pin_radius};
+pub use passage::{JointPassage, STEPS};
 pub use steady::SettledPassage;
 
 /// Sizes and frictions of the joints.

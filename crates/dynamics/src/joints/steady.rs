@@ -4,7 +4,7 @@
 //! is the slope of that function. So Newton's method finds the u that is handed on unchanged.
 
 use super::equation::Escapement;
-use super::passage::{Passage, STEPS};
+use super::passage::{JointPassage, STEPS};
 use crate::Error;
 
 /// A steady state with what halving the steps told of its error.
@@ -25,7 +25,7 @@ use crate::Error;
 #[derive(Clone, Debug, PartialEq)]
 pub struct SettledPassage {
     /// The passage that repeats itself, with the finer steps.
-    pub state: Passage,
+    pub state: JointPassage,
     /// Steps that an engagement was divided into at last.
     pub steps: u32,
     /// Greatest relative change, dimensionless, of entry speed, peak, minimum, period and multiplier when the steps
@@ -47,7 +47,7 @@ impl Escapement {
     /// [`Error::OutOfRange`]; [`Error::NoTerminalSpeed`] if only constant torques brake, or nothing does;
     /// [`Error::Stalls`] if the driver slows down until it stops on the way; [`Error::NotRepeated`] if no
     /// speed was found that repeats itself.
-    pub fn steady_state_in(&self, steps: u32) -> Result<Passage, Error> {
+    pub fn steady_state_in(&self, steps: u32) -> Result<JointPassage, Error> {
         let mut passage = self.running(steps)?;
         for _ in 0..MOST_TRIALS {
             let (entry, exit) = (passage.entry_speed, passage.exit_speed);
@@ -74,7 +74,7 @@ impl Escapement {
     /// The passage from a square of the speed, or if that stalls, the one that follows on the last.
     ///
     /// u at exit grows with u at entry, so that passages which follow on one another go the right way, if slowly.
-    fn nearer(&self, square: f64, exit: f64, steps: u32) -> Result<Passage, Error> {
+    fn nearer(&self, square: f64, exit: f64, steps: u32) -> Result<JointPassage, Error> {
         let follow = || self.passage_of_square(exit * exit, steps);
         if !(square > 0.0 && square.is_finite()) {
             return follow();
@@ -108,7 +108,7 @@ impl Escapement {
     }
 
     /// A passage that does not stall, entered as fast as need be.
-    fn running(&self, steps: u32) -> Result<Passage, Error> {
+    fn running(&self, steps: u32) -> Result<JointPassage, Error> {
         let mut square = self.parameters().drive();
         let mut tried = self.passage_of_square(square, steps);
         for _ in 0..20 {
@@ -123,8 +123,9 @@ impl Escapement {
 }
 
 /// The greatest relative change of what a steady state is made of.
-fn change(old: &Passage, new: &Passage) -> f64 {
-    let of =
-        |state: &Passage| [state.entry_speed, state.peak.speed, state.minimum.speed, state.duration, state.multiplier];
+fn change(old: &JointPassage, new: &JointPassage) -> f64 {
+    let of = |state: &JointPassage| {
+        [state.entry_speed, state.peak.speed, state.minimum.speed, state.duration, state.multiplier]
+    };
     of(old).into_iter().zip(of(new)).map(|(old, new)| ((new - old) / new).abs()).fold(0.0, f64::max)
 }

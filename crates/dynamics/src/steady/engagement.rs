@@ -1,6 +1,6 @@
 //! One engagement: the solution of the equation of motion between two hand-overs, for all entry speeds at once.
 
-use super::circle::{Circle, Place};
+use super::circle::{Circle, CirclePoint};
 use super::quadrature::{GaussLegendre, NODES, rule};
 use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisected, middle};
 use crate::{Error, Parameters};
@@ -234,7 +234,7 @@ impl Engagement {
     }
 
     /// Whether no pole of the equation is too near, and its solution does not grow too much, from low to high.
-    fn resolves(&self, low: f64, middle: f64, high: f64, places: &[Place; 3], scales: &Scales) -> bool {
+    fn resolves(&self, low: f64, middle: f64, high: f64, places: &[CirclePoint; 3], scales: &Scales) -> bool {
         let near = scales.distance * (high - low) / 2.0;
         // Poles that do not depend on the friction: w = ±i, where ψ is infinite, and where 1 + 2 ρ = 0. That is at
         // ψ = π ± i ln a, where w is on the unit circle and its imaginary part tanh(ln a / 2) = (a − 1)/(a + 1).
@@ -254,7 +254,7 @@ impl Engagement {
     }
 
     /// A + S D past the line of centres, with the first two derivatives by ψ, for σ = S μ.
-    fn inert(&self, place: &Place, sigma: f64) -> Parabola {
+    fn inert(&self, place: &CirclePoint, sigma: f64) -> Parabola {
         let centre = self.circle.centre;
         let (rho, k, across) = (place.rho, place.k, place.rho - centre);
         Parabola {

@@ -71,7 +71,7 @@ impl Engagement {
         let (mut square, mut start) = (0.0, 0.0);
         for number in 0..MOST_PRINTED {
             let passage = engagement.pass(square);
-            start = passage.print(&mut lines, Grid { interval, last, number }, start);
+            start = passage.print(&mut lines, PrintSchedule { interval, last, number }, start);
             if lines.len() > last {
                 return Ok(lines);
             }
@@ -82,7 +82,7 @@ impl Engagement {
 }
 
 /// Where lines are printed: at multiples of an interval up to the last, in the engagement of a number.
-pub(super) struct Grid {
+pub(super) struct PrintSchedule {
     /// In units of time.
     pub interval: f64,
     pub last: usize,
@@ -91,7 +91,7 @@ pub(super) struct Grid {
 
 impl Passage<'_> {
     /// Adds the lines that fall within the passage, which begins at `start`, and gives its end, both in units of 1/√E.
-    pub(super) fn print(&self, lines: &mut Vec<PrintedLine>, grid: Grid, mut start: f64) -> f64 {
+    pub(super) fn print(&self, lines: &mut Vec<PrintedLine>, grid: PrintSchedule, mut start: f64) -> f64 {
         for traversal in &self.traversals {
             let clock = traversal.clock(self.engagement.rule);
             let end = start + clock.whole;
@@ -181,7 +181,7 @@ impl Engagement {
         let period = passage.duration();
         let mut lines = Vec::with_capacity(parts + 1);
         if let Some(last) = parts.checked_sub(1) {
-            passage.print(&mut lines, Grid { interval: period / parts as f64, last, number: 0 }, 0.0);
+            passage.print(&mut lines, PrintSchedule { interval: period / parts as f64, last, number: 0 }, 0.0);
         }
         lines.extend(passage.last_line(period, 0));
         Ok(lines)

@@ -5,7 +5,7 @@
 //! map, so that a₁ − a₂ = a₁ (1 − κ) is found without cancellation. The switch is where the two agree: there is one,
 //! because u_end(u_entry) rises everywhere by less than the difference at entry.
 
-use super::contact_reversal::{ContactReversal, Part, Split};
+use super::contact_reversal::{ContactReversal, Split, SplitPart};
 use super::engagement::{Engagement, Subinterval, Trailing, exponents};
 use super::extremes::Extreme;
 use super::quadrature::{NodalValues, dot};
@@ -212,7 +212,7 @@ impl Engagement {
             let balance = Balance::new(all, (product * plus.0, sum + plus.1 / product), forth);
             balance.about(|| rest.log - (trailing.gap - dot(shares, &gap)))
         };
-        let mut last: Option<(f64, f64, Box<[Part; 2]>)> = None;
+        let mut last: Option<(f64, f64, Box<[SplitPart; 2]>)> = None;
         let fine = |w: f64| {
             let before = self.part(nodes.low, w, self.friction);
             let after = self.part(w, nodes.high, -self.friction);

@@ -9,7 +9,7 @@
 //! mechanism, and the subintervals of an engagement that ends at the exit or beyond are among these, unless they are very
 //! short.
 
-use super::circle::{Circle, Place};
+use super::circle::{Circle, CirclePoint};
 use super::exponential::exponentials;
 use super::quadrature::{GaussLegendre, NODES, NodalValues, dot, rule};
 use geneva_kinematics::Mechanism;
@@ -200,7 +200,7 @@ const LEVELS: u32 = 5;
 #[derive(Debug)]
 pub(super) struct SharedSubinterval {
     /// At the lower end, in the middle, at the upper end.
-    pub places: [Place; 3],
+    pub places: [CirclePoint; 3],
     pub nodes: Nodes,
 }
 

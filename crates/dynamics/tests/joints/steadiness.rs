@@ -3,7 +3,7 @@
 use super::*;
 use approx::assert_relative_eq;
 use geneva_dynamics::Error;
-use geneva_dynamics::joints::{Passage, effects};
+use geneva_dynamics::joints::{JointPassage, effects};
 
 fn samples() -> Vec<Escapement> {
     let sizes = [
@@ -16,8 +16,8 @@ fn samples() -> Vec<Escapement> {
     all.map(|(mechanism, joints)| escapement(&like_the_thesis(mechanism), joints)).collect()
 }
 
-fn parts(passage: &Passage) -> [f64; 5] {
-    let Passage { exit_speed, multiplier, duration, peak, minimum, .. } = passage;
+fn parts(passage: &JointPassage) -> [f64; 5] {
+    let JointPassage { exit_speed, multiplier, duration, peak, minimum, .. } = passage;
     [*exit_speed, *multiplier, *duration, peak.speed, minimum.speed]
 }
 

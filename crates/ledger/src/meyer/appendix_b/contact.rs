@@ -11,7 +11,7 @@ use crate::meyer::slips::{LOST_BARS, SOLVED_WITH_BARS};
 use crate::meyer::spring::constant;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, within_one};
 use geneva_dynamics::Sign;
-use geneva_dynamics::equation_proofs::InOneFormula;
+use geneva_dynamics::equation_proofs::OneFormulaSolution;
 use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named};
 
 const PROGRAM: Place = at("Appendix B, paragraphs before the program");
@@ -39,7 +39,7 @@ fn solved() -> Vec<Claim> {
                 "whether the equation, with its bars, can be solved for the acceleration",
             )
             .by(ExactIdentity, |stated| {
-                let Finding { holds, how, .. } = all_proven(&Sign::BOTH.map(InOneFormula));
+                let Finding { holds, how, .. } = all_proven(&Sign::BOTH.map(OneFormulaSolution));
                 Finding::new(
                     holds == stated.pick(true, false),
                     format!("one formula with bars gives the solution for either sign, because {how}"),
