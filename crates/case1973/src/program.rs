@@ -193,7 +193,8 @@ impl System<2> for ProgramMotion {
     fn derivative(&mut self, time: f64, state: &Vector2<f64>) -> Result<Vector2<f64>, ProgramFault> {
         let (angle, pose) = self.program.pose(state[0]);
         let drive = self.program.torque / self.program.inertias.follower();
-        let coefficients = Coefficients::of_pose(&pose, &self.program.inertias.ratio(), &self.program.friction, &drive);
+        let coefficients =
+            Coefficients::from_pose(&pose, &self.program.inertias.ratio(), &self.program.friction, &drive);
         let (a, d) = (coefficients.a, coefficients.d.abs());
         if a.partial_cmp(&d) != Some(std::cmp::Ordering::Greater) {
             return Err(ProgramFault::NoSolution { angle, error: geneva_dynamics::Error::NotUnique { a, d } });

@@ -84,7 +84,7 @@ impl Identity<7> for EnergyBalance {
         let lost = self.normal.of(follower.rate()) * self.sliding.of(sliding) / square;
         let growth = inertia * angular_acceleration + follower.value() * follower.rate();
         let balance = growth - drive + friction * lost;
-        let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
+        let coefficients = Coefficients::from_pose(&pose, &inertia, &friction, &drive);
         balance - coefficients.residual(&Expression::ONE, &angular_acceleration, self.normal.times(self.sliding))
     }
 }

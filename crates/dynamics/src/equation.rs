@@ -120,12 +120,12 @@ impl<S: Field> Coefficients<S> {
     /// The coefficients at centre distance over crank radius `ratio` and crank angle `crank`, for I_D / I_f, μ and K /
     /// I_f.
     pub fn new(ratio: &S, crank: &Turn<S>, inertia_ratio: &S, friction: &S, drive: &S) -> Self {
-        Self::of_pose(&Pose::new(ratio, crank), inertia_ratio, friction, drive)
+        Self::from_pose(&Pose::new(ratio, crank), inertia_ratio, friction, drive)
     }
 
     /// The coefficients of a pose, for I_D / I_f, μ and K / I_f.
     #[inline]
-    pub fn of_pose(pose: &Pose<S>, inertia_ratio: &S, friction: &S, drive: &S) -> Self {
+    pub fn from_pose(pose: &Pose<S>, inertia_ratio: &S, friction: &S, drive: &S) -> Self {
         Self {
             a: coefficient_a(pose, inertia_ratio),
             b: coefficient_b(pose),

@@ -143,7 +143,7 @@ impl Parameters {
 
     /// Coefficients of Eq. (1-19) at a crank angle in radians from the line of centres.
     pub fn coefficients(&self, angle: f64) -> Coefficients<f64> {
-        Coefficients::of_pose(&self.pose(angle), &self.inertias.ratio(), &self.friction, &self.drive())
+        Coefficients::from_pose(&self.pose(angle), &self.inertias.ratio(), &self.friction, &self.drive())
     }
 
     /// The driver's acceleration at a crank angle (radians) and a speed (≥ 0, radians per unit of time).

@@ -76,7 +76,7 @@ impl Poses {
     fn course(&self, parameters: &Parameters) -> Course {
         let (ratio, friction, drive) = (parameters.inertias().ratio(), parameters.friction(), parameters.drive());
         let all = |poses: &[Pose<f64>]| -> Vec<_> {
-            poses.iter().map(|pose| Coefficients::of_pose(pose, &ratio, &friction, &drive)).collect()
+            poses.iter().map(|pose| Coefficients::from_pose(pose, &ratio, &friction, &drive)).collect()
         };
         let slopes = |of: &[Coefficients<f64>]| of.iter().map(Slope::new).collect();
         let (coefficients, middles) = (all(&self.ends), all(&self.middles));

@@ -30,7 +30,7 @@ use geneva_kinematics::Field;
 /// use geneva_kinematics::Turn;
 ///
 /// // On the line of centres with a = 2: R = 1, both members at one speed, and the pin's centre does not slide.
-/// let reach = Reach::of_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
+/// let reach = Reach::from_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
 /// assert_eq!((reach.radius, reach.ratio, reach.slide), (1.0, 1.0, 0.0));
 /// // The surface of a pin of a tenth of the crank radius slides, as it turns in the slot at twice the speed.
 /// assert_eq!(reach.sliding(&0.1, Sign::Plus), 0.2);
@@ -53,7 +53,7 @@ pub struct Reach<S> {
 /// use geneva_kinematics::Turn;
 ///
 /// // Without friction the normal force alone acts: R on the follower, R φ'/θ' on the driver.
-/// let reach = Reach::of_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
+/// let reach = Reach::from_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
 /// let arms = reach.arms(&0.1, &0.0, Sign::Plus, Sign::Plus);
 /// assert_eq!((arms.follower, arms.driver), (1.0, 1.0)); // crank radii
 /// ```
@@ -67,7 +67,7 @@ pub struct Arms<S> {
 
 impl Reach<f64> {
     /// The place for a pose: R² is its square, dR/dθ = a sin θ / R.
-    pub fn of_pose(pose: &Pose<f64>) -> Self {
+    pub fn from_pose(pose: &Pose<f64>) -> Self {
         let radius = pose.radius_squared.sqrt();
         // At the ends a cos θ − 1 is zero but for rounding.
         Self { radius, ratio: pose.numerator.max(0.0) / pose.radius_squared, slide: pose.k_sin_theta / radius }

@@ -194,7 +194,7 @@ impl Escapement {
     /// The equation's terms at a crank angle.
     pub(super) fn place(&self, angle: f64) -> JointPose {
         let pose = self.parameters.pose(angle);
-        let reach = Reach::of_pose(&pose);
+        let reach = Reach::from_pose(&pose);
         let (inertias, joints) = (self.parameters.inertias(), &self.joints);
         let terms = Terms {
             inertia: inertias.ratio(),
@@ -222,7 +222,7 @@ fn reversal_angle(parameters: &Parameters, pin: f64) -> f64 {
     if pin == 0.0 {
         return 0.0;
     }
-    let inward = |angle| Reach::of_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
+    let inward = |angle| Reach::from_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
     bisect([0.0, parameters.mechanism().engagement_half_angle()], inward)[1]
 }
 

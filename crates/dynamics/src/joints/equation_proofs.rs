@@ -91,7 +91,7 @@ impl Identity<8> for GoesOverToMeyer {
         let pose = Pose::from_square(&radius.squared(), &numerator, &cross);
         let sign = self.flank.times(self.sliding);
         let meyer =
-            Coefficients::of_pose(&pose, &inertia, &friction, &drive).residual(&speed, &angular_acceleration, sign);
+            Coefficients::from_pose(&pose, &inertia, &friction, &drive).residual(&speed, &angular_acceleration, sign);
         let reach = Reach { radius, ratio: pose.velocity_ratio(), slide: cross / radius };
         let arms = reach.arms(&Expression::ZERO, &friction, self.flank, self.sliding);
         let moment = pose.follower_acceleration(&speed, &angular_acceleration);

@@ -48,7 +48,7 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
             let Ok(escapement) = Escapement::new(&parameters, spread.joints()) else { continue };
             let arm = |angle: f64, flank| {
                 let (joints, friction) = (escapement.joints(), parameters.friction());
-                let reach = Reach::of_pose(&parameters.pose(angle));
+                let reach = Reach::from_pose(&parameters.pose(angle));
                 let sense = Sign::from_number(reach.sliding(&joints.pin_radius, flank));
                 // A journal bears the whole force of the contact.
                 let journal = |radius: f64| joints.bearing_friction * radius * (1.0 + friction * friction).sqrt();
@@ -65,7 +65,7 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
             let turn = escapement.reversal_angle();
             let pin = escapement.joints().pin_radius;
             for (angle, flank) in [(-turn, Sign::Plus), (turn, Sign::Minus)] {
-                let sliding = Reach::of_pose(&parameters.pose(angle)).sliding(&pin, flank);
+                let sliding = Reach::from_pose(&parameters.pose(angle)).sliding(&pin, flank);
                 assert!(sliding.abs() < 1e-14, "{mechanism:?} {pin} {sliding}");
             }
         }

@@ -144,7 +144,7 @@ impl Truth {
         let ratio = mechanism.centre_distance_ratio();
         let pose = Pose::new(&ratio, &Turn::from_radians(x));
         let [friction, torque, follower, driver] = CARDS.map(|(_, value)| value);
-        let coefficients = Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower));
+        let coefficients = Coefficients::from_pose(&pose, &(driver / follower), &friction, &(torque / follower));
         let (acceleration, sign) =
             coefficients.acceleration(SPEED).map_or((f64::NAN, Sign::Plus), |found| (found.value, found.sign));
         Self { ratio, pose, coefficients, acceleration, sign }
