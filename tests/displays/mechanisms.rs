@@ -161,7 +161,7 @@ pub fn making(number: usize) -> Moment {
     let (crank, speed) = (half * between(number, 0, -0.98, -0.02), between(number, 2, 0.5, 3.0));
     let (inertia, friction) = (between(number, 3, 0.1, 2.0), between(number, 4, 0.1, 2.0));
     let loads = WheelLoads::new(&wheel, inertia, friction, speed).expect("loads");
-    let load = loads.at(crank).expect("in the slot");
+    let load = loads.load(crank).expect("in the slot");
     let motion = wheel.engaged(crank).expect("in the slot");
     let arm = wheel.pin_in_slot(crank).expect("in the slot").radius * radius;
     let force = load.pin_moment / radius;

@@ -23,7 +23,7 @@
 //! // A wheel of four stations with 1e-3 kg m² and no friction, at 10 rad/s.
 //! let wheel = Wheel::new(4)?;
 //! let loads = WheelLoads::new(&wheel, 1e-3, 0.0, 10.0)?;
-//! let entry = loads.at(-wheel.engagement_half_angle())?;
+//! let entry = loads.load(-wheel.engagement_half_angle())?;
 //! assert!((entry.wheel_torque - 0.1).abs() < 1e-12); // N m: J ω² tan 45°
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -38,7 +38,7 @@ impl Instant {
             degrees,
             motion,
             pin: is_engaged.then(|| wheel.pin_in_slot(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
-            load: loads.map(|loads| loads.at(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
+            load: loads.map(|loads| loads.load(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
         })
     }
 

@@ -74,9 +74,9 @@ impl Accelerations {
             _ => 0.0,
         };
         Ok(Self {
-            driver: SignedPeak::of(&all, 0),
-            follower: SignedPeak::of(&all, 1),
-            normal_moment: SignedPeak::of(&all, 2),
+            driver: SignedPeak::new(&all, 0),
+            follower: SignedPeak::new(&all, 1),
+            normal_moment: SignedPeak::new(&all, 2),
             jump,
         })
     }
@@ -92,7 +92,7 @@ fn at(parameters: &Parameters, angle: f64, speed: f64) -> Result<[f64; 3], Error
 impl SignedPeak {
     /// Of one of three quantities at instants that are equally far apart: by the parabola through the strongest and its
     /// neighbours.
-    fn of(instants: &[(f64, [f64; 3])], quantity: usize) -> Self {
+    fn new(instants: &[(f64, [f64; 3])], quantity: usize) -> Self {
         let value = |(_, values): &(f64, [f64; 3])| values[quantity];
         let strength = |at: &usize| libm::fabs(value(&instants[*at]));
         let Some(at) = (0..instants.len()).max_by(|a, b| strength(a).total_cmp(&strength(b))) else {

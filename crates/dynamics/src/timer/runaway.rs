@@ -26,7 +26,7 @@ pub struct Drag {
 ///
 /// // A wheel of inertia 3, a pallet that counts as 1 at the wheel, 0.1 rad from blow to blow, no drag.
 /// let escapement = Runaway::new(3.0, 1.0, 0.1, Drag::default())?;
-/// assert_eq!(escapement.kept(), 0.5); // (3 − 1) / (3 + 1) of the speed
+/// assert_eq!(escapement.speed_retention(), 0.5); // (3 − 1) / (3 + 1) of the speed
 /// assert!((escapement.power(1.0)? - 0.5).abs() < 1e-9); // only blows brake: speeds go as the root of the torque
 /// let steady = escapement.steady(1.0)?;
 /// assert!((steady.after_blow / steady.before_blow - 0.5).abs() < 1e-12);
@@ -86,7 +86,7 @@ impl Runaway {
     ///
     /// The impulse of the blow turns the pallet round: the wheel's speed ω becomes ω' with
     /// I_w (ω − ω') = I_p (ω + ω'), so ω' = ω (I_w − I_p) / (I_w + I_p).
-    pub fn kept(&self) -> f64 {
+    pub fn speed_retention(&self) -> f64 {
         (self.wheel - self.pallet) / (self.wheel + self.pallet)
     }
 
@@ -152,7 +152,7 @@ impl Runaway {
         if self.pallet == 0.0 && linear == 0.0 && square == 0.0 {
             return Err(Error::NoTerminalSpeed { multiplier: 1.0 });
         }
-        let kept = self.kept() * self.kept();
+        let kept = self.speed_retention() * self.speed_retention();
         // From the speed that the energy of one beat gives, so that no step starts from rest.
         let mut after = kept.max(STEADY) * 2.0 * (torque - constant) * self.beat / (self.wheel + self.pallet);
         for _ in 0..BLOWS {
