@@ -148,7 +148,7 @@ impl<S: Field> Coefficients<S> {
         let square = speed.clone() * speed.clone();
         self.a.clone() * angular_acceleration.clone()
             + self.b.clone() * square
-            + sign.of(self.between_the_bars(speed, angular_acceleration))
+            + sign.apply(self.between_the_bars(speed, angular_acceleration))
             - self.e.clone()
     }
 
@@ -156,8 +156,8 @@ impl<S: Field> Coefficients<S> {
     /// of time. Meyer 1973, Appendix B.
     #[inline]
     pub fn acceleration_with(&self, speed: &S, sign: Sign) -> S {
-        let both = self.b.clone() + sign.of(self.c.clone());
-        (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.of(self.d.clone()))
+        let both = self.b.clone() + sign.apply(self.c.clone());
+        (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.apply(self.d.clone()))
     }
 
     /// [A (E − B θ'²) + C D θ'² − `size`] / (A² − D²), with the size of the [switching

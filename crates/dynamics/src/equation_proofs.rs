@@ -61,7 +61,7 @@ pub struct OneFormulaSolution(
 impl Identity<6> for OneFormulaSolution {
     fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
         let coefficients = of_slopes([plus, minus, b, c, e]);
-        let size = self.0.of(coefficients.sign_switching_function(&speed));
+        let size = self.0.apply(coefficients.sign_switching_function(&speed));
         coefficients.acceleration_in_one_formula(&speed, &size) - coefficients.acceleration_with(&speed, self.0)
     }
 }
@@ -76,7 +76,7 @@ impl Identity<8> for SlopeOfOneSign {
     fn difference(&self, [a, b, c, d, e, speed, angular_acceleration, growth]: [Expression; 8]) -> Expression {
         let coefficients = Coefficients { a, b, c, d, e };
         let after = coefficients.residual(&speed, &(angular_acceleration + growth), self.0);
-        let slope = a + self.0.of(d);
+        let slope = a + self.0.apply(d);
         after - coefficients.residual(&speed, &angular_acceleration, self.0) - slope * growth
     }
 }

@@ -8,11 +8,11 @@ fn solutions(coefficients: &Coefficients<Rational>, speed: &Rational) -> Vec<(Ra
     let zero = rational(0, 1);
     let mut found: Vec<(Rational, Sign)> = Vec::new();
     for sign in Sign::BOTH {
-        if coefficients.a.clone() + sign.of(coefficients.d.clone()) == zero {
+        if coefficients.a.clone() + sign.apply(coefficients.d.clone()) == zero {
             continue;
         }
         let angular_acceleration = coefficients.acceleration_with(speed, sign);
-        let valid = sign.of(coefficients.between_the_bars(speed, &angular_acceleration)) >= zero;
+        let valid = sign.apply(coefficients.between_the_bars(speed, &angular_acceleration)) >= zero;
         if valid && found.iter().all(|(other, _)| *other != angular_acceleration) {
             found.push((angular_acceleration, sign));
         }

@@ -39,7 +39,7 @@ fn every_pose_of_a_sound_escapement_has_one_acceleration() {
                     let scale = coefficients.e + coefficients.b.abs() * speed * speed;
                     assert!(residual.abs() < 1e-12 * scale, "{mechanism:?} {angle} {speed}");
                     let bars = coefficients.between_the_bars(&speed, &acceleration.value);
-                    assert!(acceleration.sign.of(bars) >= -1e-12 * scale, "{mechanism:?} {angle} {speed}");
+                    assert!(acceleration.sign.apply(bars) >= -1e-12 * scale, "{mechanism:?} {angle} {speed}");
                 }
             }
         }

@@ -78,15 +78,15 @@ impl<S: Field> Reach<S> {
     /// Sliding of the pin's surface on the slot's side over θ', outward, in crank radii, for a pin of this radius on
     /// this flank (plus: leading): dR/dθ + s ρ (1 + q).
     pub fn sliding(&self, pin: &S, flank: Sign) -> S {
-        self.slide.clone() + flank.of(pin.clone() * (S::one() + self.ratio.clone()))
+        self.slide.clone() + flank.apply(pin.clone() * (S::one() + self.ratio.clone()))
     }
 
     /// The arms for a pin of this radius with friction μ, on this flank, sliding outward (plus) or inward.
     pub fn arms(&self, pin: &S, friction: &S, flank: Sign, sliding: Sign) -> Arms<S> {
-        let side = flank.of(self.slide.clone()) + pin.clone();
+        let side = flank.apply(self.slide.clone()) + pin.clone();
         Arms {
-            follower: self.radius.clone() - sliding.of(friction.clone() * pin.clone()),
-            driver: self.ratio.clone() * self.radius.clone() + sliding.of(friction.clone() * side),
+            follower: self.radius.clone() - sliding.apply(friction.clone() * pin.clone()),
+            driver: self.ratio.clone() * self.radius.clone() + sliding.apply(friction.clone() * side),
         }
     }
 }
@@ -113,8 +113,8 @@ impl<S: Field> Arms<S> {
     /// This contact with journals whose torques have these arms over |N| = s N: both take from what the force gives.
     pub fn with_journals(&self, driver: &S, follower: &S, flank: Sign) -> Self {
         Self {
-            follower: self.follower.clone() - flank.of(follower.clone()),
-            driver: self.driver.clone() + flank.of(driver.clone()),
+            follower: self.follower.clone() - flank.apply(follower.clone()),
+            driver: self.driver.clone() + flank.apply(driver.clone()),
         }
     }
 }
