@@ -127,13 +127,13 @@ impl Escapement {
     /// [`Error::SelfLocking`] if friction can hold the follower against any force;
     /// [`Error::Jams`] if somewhere no acceleration, or more than one, obeys the equation.
     pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
-        let escapement = Self::assembled(parameters, joints)?;
+        let escapement = Self::assemble(parameters, joints)?;
         escapement.exists()?;
         Ok(escapement)
     }
 
     /// An escapement with sizes in range, which may lock or jam.
-    pub(super) fn assembled(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
+    pub(super) fn assemble(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
         for (name, asked) in joints.named() {
             not_negative(name, asked)?;
         }

@@ -56,7 +56,7 @@ static CIRCLES: LazyLock<[Circle; 3]> = LazyLock::new(|| Mechanism::ALL.map(Circ
 
 impl Circle {
     /// The circle of a mechanism, made at the first call.
-    pub fn of(mechanism: Mechanism) -> Self {
+    pub fn lookup(mechanism: Mechanism) -> Self {
         CIRCLES[mechanism.index()]
     }
 
@@ -86,7 +86,7 @@ impl Circle {
     }
 
     /// w, dimensionless, at θ, for θ from 0 to π.
-    pub fn at_angle(&self, angle: f64) -> f64 {
+    pub fn w_at_angle(&self, angle: f64) -> f64 {
         let less = 1.0 / (self.centre * (self.ratio + 1.0));
         let (sin, cos) = (libm::sin(angle / 2.0) * (self.ratio + 1.0), libm::cos(angle / 2.0) * less);
         sin / (cos + libm::hypot(sin, cos))

@@ -2,7 +2,7 @@
 
 use super::circle::{Circle, CirclePoint};
 use super::quadrature::{GaussLegendre, NODES, rule};
-use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisected, middle};
+use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisection_tree, middle};
 use crate::{Error, Parameters};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -85,7 +85,7 @@ pub(super) struct Trailing {
 
 impl Subinterval {
     /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end, dimensionless.
-    pub fn after(&self) -> (f64, f64) {
+    pub fn upper_integrals(&self) -> (f64, f64) {
         let (product, sum) = self.before;
         (product * self.plus.factor_end, sum + self.plus.integral_end / product)
     }
@@ -112,7 +112,7 @@ impl Engagement {
     ///
     /// As for [`Engagement::new`], and [`Error::OutOfRange`].
     pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, Error> {
-        let exit = Circle::of(parameters.mechanism()).exit;
+        let exit = Circle::lookup(parameters.mechanism()).exit;
         Self::to(parameters, 2.0 * parameters.mechanism().engagement_half_angle(), exit, tolerance)
     }
 
@@ -152,8 +152,8 @@ impl Engagement {
         if !(reset > 0.0 && end < PI) {
             return Err(Error::Reset { asked: reset, limit });
         }
-        let circle = Circle::of(parameters.mechanism());
-        Self::to(parameters, reset, circle.at_angle(end.abs()).copysign(end), tolerance)
+        let circle = Circle::lookup(parameters.mechanism());
+        Self::to(parameters, reset, circle.w_at_angle(end.abs()).copysign(end), tolerance)
     }
 
     /// `end` is w at the end, negative before the line of centres.
@@ -176,7 +176,7 @@ impl Engagement {
             tolerance,
             energy_range: scales.energy_range,
             rule: rule(),
-            circle: Circle::of(parameters.mechanism()),
+            circle: Circle::lookup(parameters.mechanism()),
             inertia: parameters.inertias().ratio(),
             friction: parameters.friction(),
             unit: parameters.drive().sqrt(),
@@ -205,7 +205,7 @@ impl Engagement {
             return Ok(());
         }
         let mut rest = Vec::with_capacity(8);
-        let tree = bisected(self.parameters.mechanism());
+        let tree = bisection_tree(self.parameters.mechanism());
         rest.push((low, high, (low == 0.0 && high == self.circle.exit).then_some(0)));
         while let Some((low, high, number)) = rest.pop() {
             let middle = middle(low, high);
@@ -218,7 +218,7 @@ impl Engagement {
                     |shared| NodesOf::Shared(&shared.nodes),
                 );
                 let plus = self.solution(&nodes, self.friction);
-                let before = self.subintervals.last().map_or((1.0, 0.0), Subinterval::after);
+                let before = self.subintervals.last().map_or((1.0, 0.0), Subinterval::upper_integrals);
                 self.subintervals.push(Subinterval { nodes, plus, before, trailing: OnceLock::new() });
             } else if self.subintervals.len() + rest.len() < MOST_SUBINTERVALS && low < middle && middle < high {
                 let child = |which: usize| number.map(|number| number.saturating_mul(2).saturating_add(which));
@@ -290,7 +290,7 @@ impl Engagement {
     }
 
     /// This engagement with subintervals so short that values between their nodes are as good as the integrals.
-    pub(super) fn refined(&self) -> Result<Self, Error> {
+    pub(super) fn refine(&self) -> Result<Self, Error> {
         Self::divided(&self.parameters, self.reset, self.end, self.tolerance, &Scales::between(self.tolerance))
     }
 

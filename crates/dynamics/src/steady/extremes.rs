@@ -129,7 +129,7 @@ impl Passage<'_> {
         for (index, value) in slopes.iter_mut().enumerate() {
             *value = slope(sigma, mirror, nodes.rho[index], nodes.k[index], traversal.squares[index]);
         }
-        let place = |index: usize| nodes.at(self.engagement.rule.nodes[index]);
+        let place = |index: usize| nodes.w_at(self.engagement.rule.nodes[index]);
         let ends = [slope_at(nodes.low, low), slope_at(nodes.high, high)];
         // A bit for each place where u grows, the two ends included; then one for each change between neighbours.
         let mut growing = u32::from(ends[0] > 0.0) | u32::from(ends[1] > 0.0) << (NODES + 1);
@@ -158,7 +158,7 @@ impl Passage<'_> {
         let (mut w, mut refining) = (start.clamp(first, last), false);
         for _ in 0..STEPS {
             let (square, time) = if refining {
-                self.within(number, w)
+                self.partial_traversal(number, w)
             } else {
                 (dot(&traversal.nodes.shares(self.engagement.rule, w), &traversal.squares), 0.0)
             };
@@ -186,7 +186,7 @@ impl Passage<'_> {
             refining |= inside && libm::fabs(moved) <= COARSE * width;
             w = if inside || refining { next.clamp(first, last) } else { low + (high - low) / 2.0 };
         }
-        let (square, time) = self.within(number, w);
+        let (square, time) = self.partial_traversal(number, w);
         Spot { traversal: number, at: w, square, time }
     }
 }
@@ -229,7 +229,7 @@ impl Engagement {
     ///
     /// As for [`Engagement::new`].
     pub fn first_minimum(&self) -> Result<Option<Extreme>, Error> {
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let (mut square, mut time) = (0.0, 0.0);
         for _ in 0..LOOKED_AT {
             let passage = engagement.pass(square);

@@ -44,7 +44,7 @@ impl Engagement {
         }
         // A duration within rounding of a multiple is one.
         let last = ((duration - first) / interval * (1.0 + 1e-12)).floor();
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let unit = engagement.unit;
         let (mut square, mut start, mut largest) = (0.0, 0.0, 0.0_f64);
         let mut passed = Passed::of(&engagement, square);

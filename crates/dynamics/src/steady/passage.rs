@@ -92,7 +92,7 @@ impl Engagement {
             // At the exit ρ is zero but for rounding.
             if number + 1 == self.to_exit || ends[1] <= 0.0 {
                 let coarse = |shares: &NodalValues| {
-                    let (factor, integral) = subinterval.plus.between(shares);
+                    let (factor, integral) = subinterval.plus.interpolate(shares);
                     factor * (square + integral)
                 };
                 let mut before = None;
@@ -120,7 +120,7 @@ impl Engagement {
 
     /// u at the end of that motion and how long it takes, in units of time: the numbers that its passage has.
     pub(super) fn end_of(&self, entry: f64) -> (f64, f64) {
-        let march = March::new(self, entry).over(self.split(entry).as_ref());
+        let march = March::new(self, entry).finish(self.split(entry).as_ref());
         (march.square, march.time / self.unit)
     }
 
@@ -128,20 +128,20 @@ impl Engagement {
     pub(super) fn pass_with(&self, entry: f64, split: Option<&Split>) -> Passage<'_> {
         let mut march = March::new(self, entry);
         march.traversals = Some(Vec::with_capacity(2 * self.subintervals.len() + 2));
-        let march = march.over(split);
+        let march = march.finish(split);
         let (end, time, reversal) = (march.square, march.time, split.map(|split| split.reversal));
         Passage { engagement: self, entry, end, time, reversal, traversals: march.traversals.unwrap_or_default() }
     }
 
     /// How long that motion takes, in units of 1/√E: the same number as its passage has.
     pub(super) fn time_with(&self, entry: f64, split: Option<&Split>) -> f64 {
-        March::new(self, entry).over(split).time
+        March::new(self, entry).finish(split).time
     }
 }
 
 impl<'a> Passage<'a> {
     /// Within a traversal, u at w and the time from its start, in units of 1/√E, on nodes of its own.
-    pub(super) fn within(&self, number: usize, w: f64) -> (f64, f64) {
+    pub(super) fn partial_traversal(&self, number: usize, w: f64) -> (f64, f64) {
         let (engagement, whole) = (self.engagement, &self.traversals[number]);
         let mirrored = whole.mode == ContactMode::Approach;
         let (low, high) = if mirrored { (w, whole.nodes.high) } else { (whole.nodes.low, w) };
@@ -281,7 +281,7 @@ impl<'a> March<'a> {
     }
 
     /// From entry to end.
-    pub fn over(mut self, split: Option<&Split>) -> Self {
+    pub fn finish(mut self, split: Option<&Split>) -> Self {
         let engagement = self.engagement;
         let last = if engagement.ends_before_centres { engagement.to_end } else { 0 };
         for subinterval in engagement.subintervals[last..engagement.to_exit].iter().rev() {

@@ -259,7 +259,7 @@ impl Engagement {
     /// When a start from rest is near the steady motion at all angles from then on; each speed beside the steady one at its
     /// angle. In units of time.
     fn until_all(&self, most: usize, is_near: impl Fn(f64, f64) -> bool) -> Result<f64, Error> {
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let repeated = engagement.fixed_point()?;
         let steady = engagement.pass_with(repeated.entry, repeated.split.as_ref());
         let (mut square, mut time, mut reached) = (0.0, 0.0, 0.0);
@@ -366,7 +366,7 @@ impl Passage<'_> {
         for (number, traversal) in self.traversals.iter().enumerate().rev() {
             let mirrored = traversal.mode == ContactMode::Approach;
             let departs = |s: f64| {
-                let w = traversal.nodes.at(s);
+                let w = traversal.nodes.w_at(s);
                 let there = other.square_at(w, mirrored);
                 let speeds = [traversal.square_between(rule, s), there].map(|square| unit * square.sqrt());
                 !is_near(speeds[0], speeds[1])
@@ -381,7 +381,7 @@ impl Passage<'_> {
                 }
                 let ends = [s, later.map_or(s, |(at, later)| if at == number { later } else { s })];
                 let [last, _] = bisect_times(HALVINGS, ends, &departs);
-                let (_, since) = self.within(number, traversal.nodes.at(last));
+                let (_, since) = self.partial_traversal(number, traversal.nodes.w_at(last));
                 let before: f64 = self.traversals[..number].iter().map(|traversal| traversal.duration).sum();
                 return Some((before + since) / self.engagement.unit);
             }

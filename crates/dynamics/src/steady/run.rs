@@ -66,7 +66,7 @@ impl Engagement {
         }
         let last = count.floor() as usize;
         // Lines fall between the nodes of the rule.
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let mut lines = Vec::with_capacity(last + 1);
         let (mut square, mut start) = (0.0, 0.0);
         for number in 0..MOST_PRINTED {
@@ -124,8 +124,8 @@ impl Passage<'_> {
     ) -> PrintedLine {
         let engagement = self.engagement;
         let backward = traversal.mode == ContactMode::Approach;
-        let s = clock.at(engagement.rule, backward, since.max(0.0));
-        let w = traversal.nodes.at(s);
+        let s = clock.s_at_time(engagement.rule, backward, since.max(0.0));
+        let w = traversal.nodes.w_at(s);
         let square = traversal.square_between(engagement.rule, s);
         let (angle, place) = (engagement.circle.angle(w), engagement.circle.place(w));
         let angle = if backward { -angle } else { angle };
@@ -175,7 +175,7 @@ impl Engagement {
         if parts >= MOST_PRINTED {
             return Err(Error::TooMany { name: "parts of a period", limit: MOST_PRINTED });
         }
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let repeated = engagement.fixed_point()?;
         let passage = engagement.pass_with(repeated.entry, repeated.split.as_ref());
         let period = passage.duration();
@@ -237,7 +237,7 @@ pub(super) struct Clock {
 
 impl Clock {
     /// s, dimensionless, at a time from 0 to the whole.
-    pub fn at(&self, rule: &GaussLegendre, backward: bool, time: f64) -> f64 {
+    pub fn s_at_time(&self, rule: &GaussLegendre, backward: bool, time: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
         let sign = if backward { -1.0 } else { 1.0 };
         let mut s = sign * (2.0 * time / self.whole - 1.0);

@@ -171,7 +171,7 @@ impl Engagement {
             return Err(Error::NoTerminalSpeed { multiplier: libm::exp(rest.log) });
         }
         // From the end on, until a subinterval starts before the switch.
-        let all = self.subintervals[..exit].last().map_or((1.0, 0.0), Subinterval::after);
+        let all = self.subintervals[..exit].last().map_or((1.0, 0.0), Subinterval::upper_integrals);
         let mut number = end.min(exit) - 1;
         let mut high = f64::NEG_INFINITY;
         let low = loop {
@@ -205,7 +205,7 @@ impl Engagement {
         let (nodes, trailing) = (&subinterval.nodes, self.trailing(subinterval));
         let gap = LazyCell::new(|| self.rule.cumulative(&nodes.gap(self.inertia, self.friction)).0);
         let coarse = |shares: &NodalValues| {
-            let [plus, minus] = [&subinterval.plus, &trailing.minus].map(|of| of.between(shares));
+            let [plus, minus] = [&subinterval.plus, &trailing.minus].map(|of| of.interpolate(shares));
             let factor = rest.on.0 * trailing.minus.factor_end;
             let forth = (factor / minus.0, rest.on.1 + factor * (trailing.minus.integral_end - minus.1));
             let (product, sum) = subinterval.before;

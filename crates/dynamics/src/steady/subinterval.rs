@@ -67,7 +67,7 @@ impl Nodes {
             NodeMapping::Linear => places = rule.nodes.map(|s| low + half * (1.0 + s)),
             NodeMapping::FromRest => {
                 for ((place, rate), &s) in places.iter_mut().zip(&mut rates).zip(&rule.nodes) {
-                    (*place, *rate) = (nodes.at(s), half * (1.0 - s));
+                    (*place, *rate) = (nodes.w_at(s), half * (1.0 - s));
                 }
             }
         }
@@ -82,7 +82,7 @@ impl Nodes {
     }
 
     /// w at s between −1 and 1, dimensionless.
-    pub fn at(&self, s: f64) -> f64 {
+    pub fn w_at(&self, s: f64) -> f64 {
         match self.mapping {
             NodeMapping::Linear => self.low + (self.high - self.low) * ((1.0 + s) / 2.0),
             NodeMapping::FromRest => self.high - (self.high - self.low) * ((1.0 - s) / 2.0) * ((1.0 - s) / 2.0),
@@ -188,7 +188,7 @@ impl Solution {
     }
 
     /// e^Λ and J between the nodes, dimensionless.
-    pub fn between(&self, shares: &NodalValues) -> (f64, f64) {
+    pub fn interpolate(&self, shares: &NodalValues) -> (f64, f64) {
         (dot(shares, &self.factor), dot(shares, &self.integral))
     }
 }
@@ -207,7 +207,7 @@ pub(super) struct SharedSubinterval {
 /// By mechanism, then the whole first, then its two halves, then their halves.
 static BISECTED: LazyLock<[Vec<SharedSubinterval>; 3]> = LazyLock::new(|| {
     Mechanism::ALL.map(|mechanism| {
-        let circle = Circle::of(mechanism);
+        let circle = Circle::lookup(mechanism);
         let mut ends = vec![(0.0, circle.exit)];
         for number in 0..(1 << (LEVELS - 1)) - 1 {
             let (low, high) = ends[number];
@@ -228,7 +228,7 @@ pub(super) fn middle(low: f64, high: f64) -> f64 {
 }
 
 /// The bisection tree of a mechanism. The halves of the subinterval with number k have the numbers 2 k + 1 and 2 k + 2.
-pub(super) fn bisected(mechanism: Mechanism) -> &'static [SharedSubinterval] {
+pub(super) fn bisection_tree(mechanism: Mechanism) -> &'static [SharedSubinterval] {
     &BISECTED[mechanism.index()]
 }
 
