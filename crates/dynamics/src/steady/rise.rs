@@ -326,11 +326,6 @@ impl Rise {
         self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.end)
     }
 
-    /// When the first engagement starts whose mean speed is within `part` of the steady one, in units of time.
-    pub fn until_mean_speed_begins(&self, part: f64) -> Option<f64> {
-        self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.start)
-    }
-
     /// When the driver is first at a greatest speed of an engagement that is within `part` of the steady one, in units
     /// of time.
     pub fn until_peak(&self, part: f64) -> Option<f64> {
@@ -346,13 +341,6 @@ impl Rise {
     /// When the driver is slowest in its second engagement, in units of time: the first minimum after a hand-over.
     pub fn until_first_minimum(&self) -> Option<f64> {
         self.cycles.get(1).map(|cycle| cycle.minimum.time)
-    }
-
-    /// When the mean of an engagement's greatest and least speed is first within `part` of the steady one, in units of
-    /// time: the end of that engagement.
-    pub fn until_mean_of_extremes(&self, part: f64) -> Option<f64> {
-        let mean = |cycle: &RiseCycle| f64::midpoint(cycle.peak.speed, cycle.minimum.speed);
-        self.first(part, self.steady.mean_of_extremes(), mean).map(|cycle| cycle.end)
     }
 }
 

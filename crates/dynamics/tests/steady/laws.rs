@@ -82,7 +82,7 @@ fn speeds_scale_with_the_root_of_the_torque_over_the_inertia() {
         for (torque, inertia) in [(0.3, 1.0), (7.0, 0.001), (1e-8, 1e8), (1e100, 1e-100)] {
             let (other, scaled) = make(torque, inertia);
             let (scaling, other) =
-                (Scaling::of_drive(base.drive(), scaled.drive()).expect("sound"), other.steady_state());
+                (Scaling::from_drives(base.drive(), scaled.drive()).expect("sound"), other.steady_state());
             let other = other.expect("a terminal speed");
             for (name, one, other) in [
                 ("entry", steady.entry_speed * scaling.speed, other.entry_speed),
@@ -121,7 +121,6 @@ fn the_rise_ends_where_each_definition_says() {
             rise.until_mean_speed(0.01),
             rise.until_peak(0.01),
             rise.until_minimum(0.01),
-            rise.until_mean_of_extremes(0.01),
         ];
         for time in times {
             let (loose, tight) = (time.expect("reached"), rise.until_entry_speed(1e-6).expect("reached"));
