@@ -21,7 +21,7 @@ use std::fmt;
 pub enum ProgramError {
     /// The numbers on the data card make no escapement.
     #[error(transparent)]
-    Escapement(#[from] geneva_dynamics::Error),
+    Escapement(#[from] geneva_dynamics::DynamicsError),
     /// The integrator stopped, in its own words.
     #[error("{0}")]
     Stopped(String),
@@ -62,7 +62,7 @@ pub struct Program1973 {
 /// What can go wrong at an instant of a run.
 #[derive(Clone, Debug, PartialEq)]
 enum ProgramFault {
-    NoSolution { angle: f64, error: geneva_dynamics::Error },
+    NoSolution { angle: f64, error: geneva_dynamics::DynamicsError },
     Delay(DelayError),
 }
 
@@ -101,7 +101,7 @@ impl Program1973 {
     /// A reset angle that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that
     /// becomes too small, an angle at which the equation has no single solution.
     pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, ProgramError> {
-        use geneva_dynamics::Error::{NotFinite, NotPositive};
+        use geneva_dynamics::DynamicsError::{NotFinite, NotPositive};
         if !(self.reset > 0.0 && self.reset.is_finite()) {
             Err(NotPositive { name: "reset angle", asked: self.reset })?;
         }
@@ -197,7 +197,7 @@ impl System<2> for ProgramMotion {
             Coefficients::from_pose(&pose, &self.program.inertias.ratio(), &self.program.friction, &drive);
         let (a, d) = (coefficients.a, coefficients.d.abs());
         if a.partial_cmp(&d) != Some(std::cmp::Ordering::Greater) {
-            return Err(ProgramFault::NoSolution { angle, error: geneva_dynamics::Error::NotUnique { a, d } });
+            return Err(ProgramFault::NoSolution { angle, error: geneva_dynamics::DynamicsError::NotUnique { a, d } });
         }
         let speed = state[1];
         let sign = match &self.sign_source {

@@ -47,12 +47,15 @@ fn a_fold_that_is_none_and_a_friction_that_is_too_much_are_refused() {
     for reset in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let refused = Program1973 { reset, ..program }.run(&tight(1.0));
         assert!(
-            matches!(refused, Err(ProgramError::Escapement(geneva_dynamics::Error::NotPositive { .. }))),
+            matches!(refused, Err(ProgramError::Escapement(geneva_dynamics::DynamicsError::NotPositive { .. }))),
             "{reset}"
         );
     }
     let refused = Program1973 { friction: 5.0, ..program }.run(&tight(1.0)).unwrap_err();
-    assert!(matches!(refused, ProgramError::Escapement(geneva_dynamics::Error::TooMuchFriction { .. })), "{refused}");
+    assert!(
+        matches!(refused, ProgramError::Escapement(geneva_dynamics::DynamicsError::TooMuchFriction { .. })),
+        "{refused}"
+    );
     let refused = Program1973 { start: f64::NAN, ..program }.run(&tight(1.0)).unwrap_err();
     assert!(refused.to_string().contains("give a number"), "{refused}");
     assert!(Program1973 { sign_rule: SignRule::Delayed(-1.0), ..program }.run(&tight(1.0)).is_err());

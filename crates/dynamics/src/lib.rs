@@ -36,7 +36,7 @@
 //! - **Angles** are in radians. The crank angle θ is zero on the line of centres, negative before it and positive past it.
 //!   The follower's angle φ is zero there too. Driver and follower turn in opposite senses, and both angles grow.
 //! - **Lengths** are in crank radii. So a force becomes a moment, force times crank radius, until you give the radius.
-//! - **Errors** name the value, the allowed range and what to change: [`Error`].
+//! - **Errors** name the value, the allowed range and what to change: [`DynamicsError`].
 //!
 //! Notation: `r` crank radius, `c = a r` centre distance, `R` distance of the pin from the follower's pivot, μ friction
 //! between pin and slot, `K` torque on the driver, `I_D` and `I_f` moments of inertia of driver and follower. A prime is a
@@ -83,7 +83,7 @@ pub mod timer;
 pub mod wheel_loads;
 
 pub use equation::{Acceleration, Coefficients};
-pub use error::Error;
+pub use error::DynamicsError;
 pub use parameters::{Inertias, Parameters};
 pub use pose::Pose;
 pub use sign::Sign;

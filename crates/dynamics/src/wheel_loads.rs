@@ -15,7 +15,7 @@
 //! crank torque of an internal wheel of three stations, which can have two maxima; so a root is looked for in each of 32
 //! parts, and the greatest is taken. The tests compare with a fine scan.
 
-use crate::error::{Error, not_negative, positive};
+use crate::error::{DynamicsError, not_negative, positive};
 use crate::steady::quadrature::rule;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::bisection::bisect;
@@ -112,8 +112,8 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
     ///
     /// # Errors
     ///
-    /// [`Error::Negative`] and [`Error::NotPositive`] for other values, and for what is not finite.
-    pub fn new(wheel: &'w W, inertia: f64, friction_torque: f64, driver_speed: f64) -> Result<Self, Error> {
+    /// [`DynamicsError::Negative`] and [`DynamicsError::NotPositive`] for other values, and for what is not finite.
+    pub fn new(wheel: &'w W, inertia: f64, friction_torque: f64, driver_speed: f64) -> Result<Self, DynamicsError> {
         let speed = positive("driver speed", driver_speed)?;
         let inertia_torque = not_negative("moment of inertia", inertia)? * speed * speed;
         Ok(Self {

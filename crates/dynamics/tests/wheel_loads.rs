@@ -1,7 +1,7 @@
 //! The loads, compared with a fine scan and with laws of mechanics, and at their limits.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::wheel_loads::{Load, Peak, WheelLoads};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
@@ -198,12 +198,12 @@ fn what_no_wheel_can_carry_is_refused() {
     let wheel = Wheel::new(4).expect("possible");
     let refused = |inertia: f64, friction: f64, speed: f64| WheelLoads::new(&wheel, inertia, friction, speed).err();
     for wrong in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(refused(wrong, 0.0, 1.0), Some(Error::Negative { .. })), "{wrong}");
-        assert!(matches!(refused(1.0, wrong, 1.0), Some(Error::Negative { .. })), "{wrong}");
-        assert!(matches!(refused(1.0, 0.0, wrong), Some(Error::NotPositive { .. })), "{wrong}");
+        assert!(matches!(refused(wrong, 0.0, 1.0), Some(DynamicsError::Negative { .. })), "{wrong}");
+        assert!(matches!(refused(1.0, wrong, 1.0), Some(DynamicsError::Negative { .. })), "{wrong}");
+        assert!(matches!(refused(1.0, 0.0, wrong), Some(DynamicsError::NotPositive { .. })), "{wrong}");
     }
-    assert!(matches!(refused(1.0, 0.0, 0.0), Some(Error::NotPositive { .. })));
-    assert!(matches!(refused(1.0, 0.0, 1e200), Some(Error::Negative { .. })));
+    assert!(matches!(refused(1.0, 0.0, 0.0), Some(DynamicsError::NotPositive { .. })));
+    assert!(matches!(refused(1.0, 0.0, 1e200), Some(DynamicsError::Negative { .. })));
     let loads = WheelLoads::new(&wheel, 1.0, 0.0, 1.0).expect("possible");
     assert!(matches!(loads.load(1.0), Err(KinematicsError::OutsideEngagement { .. })));
 }

@@ -110,7 +110,7 @@ fn rows(settings: &Settings) -> Result<Vec<Row>, String> {
         let drawn = of(&drawn).ok_or_else(|| format!("inertias: none for {slots} slots"))?;
         let given = Given { headed: of(&headed).unwrap_or(drawn), drawn, listing };
         let row = Row::read(mechanism, cells, given).map_err(|error| error.to_string())?;
-        let words = |error: geneva_dynamics::Error| error.to_string();
+        let words = |error: geneva_dynamics::DynamicsError| error.to_string();
         for [driver, follower] in [given.headed, given.drawn] {
             let inertias = Inertias::new(driver, follower).map_err(words)?;
             Parameters::new(mechanism, inertias, row.torque(), row.friction()).map_err(words)?;

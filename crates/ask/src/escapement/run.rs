@@ -3,7 +3,7 @@
 use super::{Design, SETTLED};
 use crate::written::{as_typed, rounded};
 use crate::{Error, Row};
-use geneva_dynamics::Error as Motion;
+use geneva_dynamics::DynamicsError as Motion;
 use geneva_dynamics::steady::{Engagement, MOST_PRINTED, PrintedLine};
 
 /// Periods that follow the rise.

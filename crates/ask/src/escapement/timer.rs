@@ -8,7 +8,7 @@ use crate::{Error, Field, Rounding};
 use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::joints::{self, Joints};
 use geneva_dynamics::timer::{self, Accelerations, Crossing, EntryBlow, Sensitivities, Settling, SignedPeak};
-use geneva_dynamics::{Error as Motion, Parameters};
+use geneva_dynamics::{DynamicsError as Motion, Parameters};
 
 /// Seconds and hours of a day.
 const DAY: f64 = 86_400.0;

@@ -2,7 +2,7 @@
 
 use crate::rows::escapements;
 use geneva_dynamics::steady::{Engagement, SteadyState};
-use geneva_dynamics::{Error, Parameters};
+use geneva_dynamics::{DynamicsError, Parameters};
 use std::time::{Duration, Instant};
 
 /// A run lasts so many periods of the steady state: about ten engagements, as the first ones are slower.
@@ -27,7 +27,7 @@ pub struct ReferenceRun {
 }
 
 impl ReferenceRun {
-    fn new(escapement: Parameters) -> Result<Self, Error> {
+    fn new(escapement: Parameters) -> Result<Self, DynamicsError> {
         let engagement = Engagement::with_tolerance(&escapement, REFERENCE)?;
         let steady = engagement.steady_state()?;
         let duration = PERIODS * steady.period;
@@ -39,7 +39,7 @@ impl ReferenceRun {
 }
 
 /// All rows.
-pub fn rows(count: usize) -> Result<Vec<ReferenceRun>, Error> {
+pub fn rows(count: usize) -> Result<Vec<ReferenceRun>, DynamicsError> {
     escapements().into_iter().take(count).map(ReferenceRun::new).collect()
 }
 

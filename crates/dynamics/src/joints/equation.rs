@@ -17,7 +17,7 @@
 use super::Joints;
 use super::contact::{Arms, Journals, Reach};
 use crate::error::not_negative;
-use crate::{Error, Parameters, Sign};
+use crate::{DynamicsError, Parameters, Sign};
 use geneva_kinematics::Field;
 use geneva_kinematics::bisection::bisect;
 
@@ -101,7 +101,7 @@ pub struct JointMotion {
 /// let growth = 0.1 * speed * motion.angular_acceleration
 ///     + timer.pose(angle).velocity_ratio() * speed * motion.follower_acceleration;
 /// assert!((ideal.power(angle, speed)?.growth() - growth).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Escapement {
@@ -123,25 +123,25 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::Negative`], [`Error::PinTooThick`] and [`Error::DragTorque`] for sizes out of range;
-    /// [`Error::SelfLocking`] if friction can hold the follower against any force;
-    /// [`Error::Jams`] if somewhere no acceleration, or more than one, obeys the equation.
-    pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
+    /// [`DynamicsError::Negative`], [`DynamicsError::PinTooThick`] and [`DynamicsError::DragTorque`] for sizes out of range;
+    /// [`DynamicsError::SelfLocking`] if friction can hold the follower against any force;
+    /// [`DynamicsError::Jams`] if somewhere no acceleration, or more than one, obeys the equation.
+    pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, DynamicsError> {
         let escapement = Self::assemble(parameters, joints)?;
         escapement.exists()?;
         Ok(escapement)
     }
 
     /// An escapement with sizes in range, which may lock or jam.
-    pub(super) fn assemble(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
+    pub(super) fn assemble(parameters: &Parameters, joints: Joints) -> Result<Self, DynamicsError> {
         for (name, asked) in joints.named() {
             not_negative(name, asked)?;
         }
         if joints.pin_radius >= 1.0 {
-            return Err(Error::PinTooThick { asked: joints.pin_radius });
+            return Err(DynamicsError::PinTooThick { asked: joints.pin_radius });
         }
         if joints.driver_drag_torque >= parameters.torque() {
-            return Err(Error::DragTorque { asked: joints.driver_drag_torque, torque: parameters.torque() });
+            return Err(DynamicsError::DragTorque { asked: joints.driver_drag_torque, torque: parameters.torque() });
         }
         let journals = Journals::new(&joints, parameters.friction());
         let reversal = reversal_angle(parameters, joints.pin_radius);
@@ -169,16 +169,16 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::OutsideTheSlot`], [`Error::Speed`].
-    pub fn motion(&self, angle: f64, speed: f64) -> Result<JointMotion, Error> {
+    /// [`DynamicsError::OutsideTheSlot`], [`DynamicsError::Speed`].
+    pub fn motion(&self, angle: f64, speed: f64) -> Result<JointMotion, DynamicsError> {
         let limit = self.parameters.mechanism().engagement_half_angle();
         // Half a turn over the number of pins is known to its last place only.
         let within = angle.abs() <= limit * (1.0 + f64::EPSILON);
         if !within {
-            return Err(Error::OutsideTheSlot { asked: angle, limit });
+            return Err(DynamicsError::OutsideTheSlot { asked: angle, limit });
         }
         if !(speed >= 0.0 && (speed * speed).is_finite()) {
-            return Err(Error::Speed { name: "driver speed", asked: speed });
+            return Err(DynamicsError::Speed { name: "driver speed", asked: speed });
         }
         let (place, square) = (self.place(angle), speed * speed);
         let flank = Sign::from_number(place.terms.flank_switching_function(&square));
@@ -268,7 +268,7 @@ impl Escapement {
     /// # Errors
     ///
     /// As for [`Escapement::motion`].
-    pub fn power(&self, angle: f64, speed: f64) -> Result<Power, Error> {
+    pub fn power(&self, angle: f64, speed: f64) -> Result<Power, DynamicsError> {
         let motion = self.motion(angle, speed)?;
         Ok(self.work_rate(self.place(angle).reach.ratio, &motion).times(speed))
     }

@@ -10,7 +10,7 @@
 //! known for where the least of them is: it is looked for on a grid, and about its lowest point refined.
 
 use super::equation::Escapement;
-use crate::{Error, Sign};
+use crate::{DynamicsError, Sign};
 use geneva_kinematics::Mechanism;
 
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
@@ -44,16 +44,16 @@ const GRID: u32 = 2048;
 
 impl Escapement {
     /// An error unless the equation of motion has one solution in every pose and at every speed.
-    pub(super) fn exists(&self) -> Result<(), Error> {
+    pub(super) fn exists(&self) -> Result<(), DynamicsError> {
         let lever = self.parameters().mechanism().centre_distance_ratio() - 1.0;
         let taken = self.parameters().friction() * self.joints().pin_radius + self.journals.follower;
         // Written so that what is not a number is refused.
         let turns = taken < lever;
         if !turns {
-            return Err(Error::SelfLocking { taken, lever });
+            return Err(DynamicsError::SelfLocking { taken, lever });
         }
         let LeastJointMargin { margin, angle, .. } = self.least_margin();
-        if margin > 0.0 { Ok(()) } else { Err(Error::Jams { margin, angle }) }
+        if margin > 0.0 { Ok(()) } else { Err(DynamicsError::Jams { margin, angle }) }
     }
 
     /// The least factor of θ'' in the engagement: how far the escapement is from jamming.
@@ -68,7 +68,7 @@ impl Escapement {
     /// let ideal = Escapement::new(&timer, Joints::IDEAL)?;
     /// let expected = existence::least_margin(Mechanism::FOUR_PIN, 0.1, 0.2)?;
     /// assert!((ideal.least_margin().margin - expected.margin).abs() < 1e-12);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     pub fn least_margin(&self) -> LeastJointMargin {
         let half = self.parameters().mechanism().engagement_half_angle();

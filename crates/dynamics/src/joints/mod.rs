@@ -80,7 +80,7 @@ pub use steady::SettledPassage;
 /// let thick = Escapement::new(&timer, Joints { pin_radius: 0.1, ..Joints::IDEAL })?;
 /// assert!(thick.reversal_angle() > 0.0); // rad: the surface of a thick pin slides outward before the line of centres
 /// assert_eq!(Escapement::new(&timer, Joints::IDEAL)?.reversal_angle(), 0.0);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joints {

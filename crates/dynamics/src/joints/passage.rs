@@ -7,7 +7,7 @@
 //! friction. Two changes of the flank within one step would be missed.
 
 use super::equation::{Escapement, JointMotion, Power};
-use crate::Error;
+use crate::DynamicsError;
 use crate::Sign;
 use crate::steady::Extreme;
 use geneva_kinematics::bisection::bisect_times;
@@ -36,7 +36,7 @@ type State = SVector<f64, 6>;
 /// // What friction leaves of the work goes into the driver, as the follower is at rest at both ends.
 /// let gain = 2.0 * (passage.exit_speed.powi(2) - passage.entry_speed.powi(2)) / 2.0;
 /// assert!((passage.work.growth() - gain).abs() < 1e-9);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointPassage {
@@ -80,20 +80,20 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::OutOfRange`], [`Error::Speed`], and [`Error::Stalls`] if the driver comes to rest. A start
+    /// [`DynamicsError::OutOfRange`], [`DynamicsError::Speed`], and [`DynamicsError::Stalls`] if the driver comes to rest. A start
     /// from rest is refused too: over the angle, the time of the first step has no bound there.
-    pub fn passage(&self, entry_speed: f64, steps: u32) -> Result<JointPassage, Error> {
+    pub fn passage(&self, entry_speed: f64, steps: u32) -> Result<JointPassage, DynamicsError> {
         let square = entry_speed * entry_speed;
         if !(entry_speed >= 0.0 && square.is_finite()) {
-            return Err(Error::Speed { name: "driver speed", asked: entry_speed });
+            return Err(DynamicsError::Speed { name: "driver speed", asked: entry_speed });
         }
         self.passage_of_square(square, steps)
     }
 
     /// The passage of an engagement from the square of the entry speed.
-    pub(super) fn passage_of_square(&self, square: f64, steps: u32) -> Result<JointPassage, Error> {
+    pub(super) fn passage_of_square(&self, square: f64, steps: u32) -> Result<JointPassage, DynamicsError> {
         if !STEPS.contains(&steps) {
-            return Err(Error::OutOfRange {
+            return Err(DynamicsError::OutOfRange {
                 name: "steps",
                 asked: steps.into(),
                 least: (*STEPS.start()).into(),
@@ -155,7 +155,7 @@ impl Escapement {
         mut state: State,
         mut flank: Sign,
         track: &mut Track,
-    ) -> Result<(State, Sign), Error> {
+    ) -> Result<(State, Sign), DynamicsError> {
         for _ in 0..MOST_CHANGES {
             let end = self.step(part, flank, from, to, &state)?;
             if self.flank(to, end[0]) == flank {
@@ -189,20 +189,27 @@ impl Escapement {
     }
 
     /// One step on one flank.
-    fn step(&self, part: &SlidingInterval, flank: Sign, from: f64, to: f64, state: &State) -> Result<State, Error> {
+    fn step(
+        &self,
+        part: &SlidingInterval,
+        flank: Sign,
+        from: f64,
+        to: f64,
+        state: &State,
+    ) -> Result<State, DynamicsError> {
         let first = self.rate(part, flank, from, state)?;
         let rate = |angle: f64, state: &State| self.rate(part, flank, angle, state);
         let end = runge_kutta_step(rate, from, to, state, &first)?;
         let runs = end[0] > 0.0 && end[0].is_finite();
-        if runs { Ok(end) } else { Err(Error::Stalls { angle: to }) }
+        if runs { Ok(end) } else { Err(DynamicsError::Stalls { angle: to }) }
     }
 
     /// The state's slope over the angle on one flank.
-    fn rate(&self, part: &SlidingInterval, flank: Sign, angle: f64, state: &State) -> Result<State, Error> {
+    fn rate(&self, part: &SlidingInterval, flank: Sign, angle: f64, state: &State) -> Result<State, DynamicsError> {
         let square = state[0];
         let runs = square > 0.0 && square.is_finite();
         if !runs {
-            return Err(Error::Stalls { angle });
+            return Err(DynamicsError::Stalls { angle });
         }
         let place = self.place(angle);
         let sense = if flank == Sign::Plus { part.leading } else { part.trailing };
@@ -238,7 +245,7 @@ impl Escapement {
         (from, state): (f64, State),
         (to, end): (f64, State),
         track: &mut Track,
-    ) -> Result<(), Error> {
+    ) -> Result<(), DynamicsError> {
         let slope = self.rate(part, flank, from, &state)?;
         let before = StepNode { angle: from, state, slope };
         let slope = self.rate(part, flank, to, &end)?;

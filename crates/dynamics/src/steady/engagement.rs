@@ -3,7 +3,7 @@
 use super::circle::{Circle, CirclePoint};
 use super::quadrature::{GaussLegendre, NODES, rule};
 use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisection_tree, middle};
-use crate::{Error, Parameters};
+use crate::{DynamicsError, Parameters};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::{LazyLock, OnceLock};
@@ -34,7 +34,7 @@ pub const MOST_SUBINTERVALS: usize = 4096;
 /// let (weak, strong) = (timer(1e-3)?.steady_state()?, timer(4e-3)?.steady_state()?);
 /// assert!((strong.mean_speed / weak.mean_speed - 2.0).abs() < 1e-12); // by the law of similarity
 /// assert!((strong.period / weak.period - 0.5).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Engagement {
@@ -101,8 +101,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`Error::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
-    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+    /// [`DynamicsError::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
+    pub fn new(parameters: &Parameters) -> Result<Self, DynamicsError> {
         Self::with_tolerance(parameters, TOLERANCE)
     }
 
@@ -110,8 +110,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::new`], and [`Error::OutOfRange`].
-    pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, Error> {
+    /// As for [`Engagement::new`], and [`DynamicsError::OutOfRange`].
+    pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, DynamicsError> {
         let exit = Circle::lookup(parameters.mechanism()).exit;
         Self::to(parameters, 2.0 * parameters.mechanism().engagement_half_angle(), exit, tolerance)
     }
@@ -134,32 +134,32 @@ impl Engagement {
     /// let reset = Engagement::reset_after(&timer, FRAC_PI_2, 1e-12)?;
     /// assert_eq!(reset.steady_state()?, Engagement::new(&timer)?.steady_state()?);
     /// assert!(Engagement::reset_after(&timer, 2.0 * PI, 1e-12).is_err());
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::with_tolerance`], and [`Error::Reset`].
+    /// As for [`Engagement::with_tolerance`], and [`DynamicsError::Reset`].
     ///
     /// Beyond the exit the equation has one solution if it has within: with |ρ| = x there, k² = c² a² − (c + x)², and
     /// at the place within where ρ = x it is c² a² − (c − x)², which is more; so |D| − ρ² = x (μ k − x) is less.
-    pub fn reset_after(parameters: &Parameters, reset: f64, tolerance: f64) -> Result<Self, Error> {
+    pub fn reset_after(parameters: &Parameters, reset: f64, tolerance: f64) -> Result<Self, DynamicsError> {
         let half = parameters.mechanism().engagement_half_angle();
         if reset == 2.0 * half {
             return Self::with_tolerance(parameters, tolerance);
         }
         let (limit, end) = (PI + half, reset - half);
         if !(reset > 0.0 && end < PI) {
-            return Err(Error::Reset { asked: reset, limit });
+            return Err(DynamicsError::Reset { asked: reset, limit });
         }
         let circle = Circle::lookup(parameters.mechanism());
         Self::to(parameters, reset, circle.w_at_angle(end.abs()).copysign(end), tolerance)
     }
 
     /// `end` is w at the end, negative before the line of centres.
-    fn to(parameters: &Parameters, reset: f64, end: f64, tolerance: f64) -> Result<Self, Error> {
+    fn to(parameters: &Parameters, reset: f64, end: f64, tolerance: f64) -> Result<Self, DynamicsError> {
         if !TOLERANCES.contains(&tolerance) {
-            return Err(Error::OutOfRange {
+            return Err(DynamicsError::OutOfRange {
                 name: "tolerance",
                 asked: tolerance,
                 least: *TOLERANCES.start(),
@@ -169,7 +169,13 @@ impl Engagement {
         Self::divided(parameters, reset, end, tolerance, &Scales::of_integrals(tolerance))
     }
 
-    fn divided(parameters: &Parameters, reset: f64, end: f64, tolerance: f64, scales: &Scales) -> Result<Self, Error> {
+    fn divided(
+        parameters: &Parameters,
+        reset: f64,
+        end: f64,
+        tolerance: f64,
+        scales: &Scales,
+    ) -> Result<Self, DynamicsError> {
         let mut engagement = Self {
             parameters: *parameters,
             reset,
@@ -189,7 +195,7 @@ impl Engagement {
         let (exit, reach) = (engagement.circle.exit, end.abs());
         // At the exit A falls to i within √i: places, which are known to some units of 2⁻⁵³, must be finer than that.
         if engagement.inertia.sqrt() * tolerance < 4.0 * f64::EPSILON {
-            return Err(Error::TooSharp { angle: engagement.circle.angle(exit), margin: engagement.inertia });
+            return Err(DynamicsError::TooSharp { angle: engagement.circle.angle(exit), margin: engagement.inertia });
         }
         engagement.divide(0.0, exit.min(reach), scales)?;
         let nearer = engagement.subintervals.len();
@@ -200,7 +206,7 @@ impl Engagement {
     }
 
     /// Adds subintervals from `low` to `high`, each short enough for its nodes to resolve.
-    fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), Error> {
+    fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), DynamicsError> {
         if low >= high {
             return Ok(());
         }
@@ -227,7 +233,7 @@ impl Engagement {
             } else {
                 let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
                 let margin = self.inert(&self.circle.place(middle), sigma).value;
-                return Err(Error::TooSharp { angle: self.circle.angle(middle), margin });
+                return Err(DynamicsError::TooSharp { angle: self.circle.angle(middle), margin });
             }
         }
         Ok(())
@@ -290,7 +296,7 @@ impl Engagement {
     }
 
     /// This engagement with subintervals so short that values between their nodes are as good as the integrals.
-    pub(super) fn refine(&self) -> Result<Self, Error> {
+    pub(super) fn refine(&self) -> Result<Self, DynamicsError> {
         Self::divided(&self.parameters, self.reset, self.end, self.tolerance, &Scales::between(self.tolerance))
     }
 

@@ -7,7 +7,7 @@ use super::contact_reversal::{COARSE, STEPS};
 use super::engagement::Engagement;
 use super::passage::{ContactMode, Passage, Traversal};
 use super::quadrature::{NODES, dot};
-use crate::Error;
+use crate::DynamicsError;
 
 /// A greatest or least speed of the driver, and where it has it.
 ///
@@ -24,7 +24,7 @@ use crate::Error;
 /// // Where the speed is least the driver has no acceleration: that is inside the engagement.
 /// assert!(slowest.angle.abs() < timer.mechanism().engagement_half_angle()); // rad
 /// assert!(timer.acceleration(slowest.angle, slowest.speed)?.value.abs() < 1e-6);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
@@ -222,13 +222,13 @@ impl Engagement {
     /// let first = Engagement::new(&timer)?.first_minimum()?.expect("a light driver is slowed by the follower");
     /// // The speed is level there.
     /// assert!(timer.acceleration(first.angle, first.speed)?.value.abs() < 1e-6);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::new`].
-    pub fn first_minimum(&self) -> Result<Option<Extreme>, Error> {
+    pub fn first_minimum(&self) -> Result<Option<Extreme>, DynamicsError> {
         let engagement = self.refine()?;
         let (mut square, mut time) = (0.0, 0.0);
         for _ in 0..LOOKED_AT {

@@ -4,7 +4,7 @@ use super::contact_reversal::{ContactReversal, Split};
 use super::engagement::{Engagement, exponents};
 use super::quadrature::{NODES, NodalValues};
 use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, middle};
-use crate::Error;
+use crate::DynamicsError;
 
 /// Motion over one engagement from one speed at entry.
 ///
@@ -22,7 +22,7 @@ use crate::Error;
 /// let square = 1.0 + 2.0 * torque * FRAC_PI_2 / driver_inertia; // over a quarter of a turn
 /// assert!((passage.end_speed() - square.sqrt()).abs() < 1e-12); // rad/s
 /// assert!((passage.multiplier() - 1.0).abs() < 1e-12); // no difference is ever forgotten
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Passage<'a> {
@@ -43,13 +43,13 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`Error::Speed`] for a speed that is negative or not finite, or whose square over E is not.
-    pub fn passage(&self, entry_speed: f64) -> Result<Passage<'_>, Error> {
+    /// [`DynamicsError::Speed`] for a speed that is negative or not finite, or whose square over E is not.
+    pub fn passage(&self, entry_speed: f64) -> Result<Passage<'_>, DynamicsError> {
         let (speed, square) = (entry_speed / self.unit, (entry_speed / self.unit) * (entry_speed / self.unit));
         if speed >= 0.0 && square.is_finite() {
             Ok(self.pass(square))
         } else {
-            Err(Error::Speed { name: "entry speed", asked: entry_speed })
+            Err(DynamicsError::Speed { name: "entry speed", asked: entry_speed })
         }
     }
 
@@ -66,13 +66,13 @@ impl Engagement {
     /// let terminal = engagement.steady_state()?.entry_speed; // the fixed point of the map
     /// assert!((engagement.return_map(terminal)? / terminal - 1.0).abs() < 1e-12);
     /// assert!(engagement.return_map(0.9 * terminal)? > 0.9 * terminal); // from below it is approached
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::passage`].
-    pub fn return_map(&self, entry_speed: f64) -> Result<f64, Error> {
+    pub fn return_map(&self, entry_speed: f64) -> Result<f64, DynamicsError> {
         Ok(self.passage(entry_speed)?.end_speed())
     }
 

@@ -8,7 +8,7 @@ use super::extremes::Extreme;
 use super::passage::{ContactMode, Passage, Traversal};
 use super::quadrature::dot;
 use super::steady_state::SteadyState;
-use crate::Error;
+use crate::DynamicsError;
 use geneva_kinematics::bisection::bisect_times;
 
 /// One engagement of a start from rest. Times are from the start, speeds the driver's.
@@ -45,7 +45,7 @@ pub struct RiseCycle {
 /// assert!(rise.until_entry_speed(0.1) < rise.until_entry_speed(0.01)); // to within 10 % it takes less time
 /// let last = rise.cycles.last().expect("a cycle");
 /// assert_eq!(engagement.engagements_to_settle(0.001)?, (rise.cycles.len(), last.end));
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rise {
@@ -121,9 +121,9 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `settled` is not between 0 and 1;
-    /// [`Error::TooMany`] if [`MOST_CYCLES`] are not enough.
-    pub fn rise(&self, settled: f64) -> Result<Rise, Error> {
+    /// As for [`Engagement::steady_state`]; [`DynamicsError::OutOfRange`] if `settled` is not between 0 and 1;
+    /// [`DynamicsError::TooMany`] if [`MOST_CYCLES`] are not enough.
+    pub fn rise(&self, settled: f64) -> Result<Rise, DynamicsError> {
         let mut cycles = Vec::new();
         let (steady, ..) = self.settle(settled, MOST_CYCLES, |square, start| {
             let passage = self.pass(square);
@@ -149,7 +149,7 @@ impl Engagement {
     /// # Errors
     ///
     /// The errors of [`Engagement::rise`].
-    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), Error> {
+    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), DynamicsError> {
         self.engagements_to_settle_within(settled, MOST_CYCLES)
     }
 
@@ -157,8 +157,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// The errors of [`Engagement::rise`]; [`Error::TooMany`] if `most` engagements are not enough.
-    pub fn engagements_to_settle_within(&self, settled: f64, most: usize) -> Result<(usize, f64), Error> {
+    /// The errors of [`Engagement::rise`]; [`DynamicsError::TooMany`] if `most` engagements are not enough.
+    pub fn engagements_to_settle_within(&self, settled: f64, most: usize) -> Result<(usize, f64), DynamicsError> {
         let (_, count, time) = self.settle(settled, most, |square, _| self.end_of(square))?;
         Ok((count, time))
     }
@@ -172,9 +172,9 @@ impl Engagement {
         settled: f64,
         most: usize,
         mut pass: impl FnMut(f64, f64) -> (f64, f64),
-    ) -> Result<(SteadyState, usize, f64), Error> {
+    ) -> Result<(SteadyState, usize, f64), DynamicsError> {
         if !(settled > 0.0 && settled < 1.0) {
-            return Err(Error::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
+            return Err(DynamicsError::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
         }
         let steady = self.steady_state()?;
         let (mut time, mut square) = (0.0, 0.0);
@@ -185,7 +185,7 @@ impl Engagement {
                 return Ok((steady, count, time));
             }
         }
-        Err(Error::TooMany { name: "engagements", limit: most })
+        Err(DynamicsError::TooMany { name: "engagements", limit: most })
     }
 
     /// When a start from rest has taken on the steady velocity profile: from then on the driver's speed at every crank
@@ -204,14 +204,14 @@ impl Engagement {
     /// let engagement = Engagement::new(&timer)?;
     /// // To within 1 % it takes longer than to within 10 %, in units of time.
     /// assert!(engagement.until_profile(0.01)? > engagement.until_profile(0.1)?);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `part` is not between 0 and 1; [`Error::TooMany`] if
+    /// As for [`Engagement::steady_state`]; [`DynamicsError::OutOfRange`] if `part` is not between 0 and 1; [`DynamicsError::TooMany`] if
     /// [`MOST_CYCLES`] engagements are not enough.
-    pub fn until_profile(&self, part: f64) -> Result<f64, Error> {
+    pub fn until_profile(&self, part: f64) -> Result<f64, DynamicsError> {
         self.until_profile_in(part, MOST_CYCLES)
     }
 
@@ -219,10 +219,10 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::until_profile`]; [`Error::TooMany`] if `most` engagements are not enough.
-    pub fn until_profile_in(&self, part: f64, most: usize) -> Result<f64, Error> {
+    /// As for [`Engagement::until_profile`]; [`DynamicsError::TooMany`] if `most` engagements are not enough.
+    pub fn until_profile_in(&self, part: f64, most: usize) -> Result<f64, DynamicsError> {
         if !(part > 0.0 && part < 1.0) {
-            return Err(Error::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
+            return Err(DynamicsError::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
         }
         self.until_all(most, |speed, steady| near(speed, steady, part))
     }
@@ -243,22 +243,27 @@ impl Engagement {
     /// let [most, least] = [steady.peak, steady.minimum].map(|extreme| 0.01 * extreme.speed);
     /// assert!(engagement.until_profile_within(most)? <= engagement.until_profile(0.01)?);
     /// assert!(engagement.until_profile_within(least)? >= engagement.until_profile(0.01)?);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::until_profile`], with the difference for the part, which has no greatest value.
-    pub fn until_profile_within(&self, difference: f64) -> Result<f64, Error> {
+    pub fn until_profile_within(&self, difference: f64) -> Result<f64, DynamicsError> {
         if !(difference > 0.0 && difference.is_finite()) {
-            return Err(Error::OutOfRange { name: "difference", asked: difference, least: 0.0, most: f64::INFINITY });
+            return Err(DynamicsError::OutOfRange {
+                name: "difference",
+                asked: difference,
+                least: 0.0,
+                most: f64::INFINITY,
+            });
         }
         self.until_all(MOST_CYCLES, |speed, steady| (speed - steady).abs() <= difference)
     }
 
     /// When a start from rest is near the steady motion at all angles from then on; each speed beside the steady one at its
     /// angle. In units of time.
-    fn until_all(&self, most: usize, is_near: impl Fn(f64, f64) -> bool) -> Result<f64, Error> {
+    fn until_all(&self, most: usize, is_near: impl Fn(f64, f64) -> bool) -> Result<f64, DynamicsError> {
         let engagement = self.refine()?;
         let repeated = engagement.fixed_point()?;
         let steady = engagement.pass_with(repeated.entry, repeated.split.as_ref());
@@ -272,7 +277,7 @@ impl Engagement {
             time += passage.duration();
             square = passage.end;
         }
-        Err(Error::TooMany { name: "engagements", limit: most })
+        Err(DynamicsError::TooMany { name: "engagements", limit: most })
     }
 
     /// When a start from rest has come to the steady average: the end of the first engagement whose mean of peak and minimum
@@ -283,9 +288,9 @@ impl Engagement {
     /// # Errors
     ///
     /// As for [`Engagement::until_profile_in`].
-    pub fn until_average_in(&self, part: f64, most: usize) -> Result<f64, Error> {
+    pub fn until_average_in(&self, part: f64, most: usize) -> Result<f64, DynamicsError> {
         if !(part > 0.0 && part < 1.0) {
-            return Err(Error::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
+            return Err(DynamicsError::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
         }
         let (steady, first) = (self.steady_state()?.mean_of_extremes(), self.first_minimum()?);
         let (mut square, mut time) = (0.0, 0.0);
@@ -298,7 +303,7 @@ impl Engagement {
                 return Ok(time);
             }
         }
-        Err(Error::TooMany { name: "engagements", limit: most })
+        Err(DynamicsError::TooMany { name: "engagements", limit: most })
     }
 }
 

@@ -4,7 +4,7 @@ use super::engagement::Engagement;
 use super::passage::{ContactMode, Passage, Traversal};
 use super::quadrature::{GaussLegendre, NodalValues, dot};
 use super::subinterval::NodeMapping;
-use crate::Error;
+use crate::DynamicsError;
 
 /// One printed line of a run.
 ///
@@ -21,7 +21,7 @@ use crate::Error;
 /// // It starts with the acceleration of the driver alone.
 /// let turned = torque / driver_inertia * 0.01 * 0.01 / 2.0; // rad
 /// assert!((lines[1].turned / turned - 1.0).abs() < 1e-3);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrintedLine {
@@ -51,18 +51,18 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::new`]; [`Error::NotPositive`] for an interval or duration that is not positive and finite;
-    /// [`Error::TooMany`] for more than [`MOST_PRINTED`] lines or engagements.
-    pub fn run(&self, interval: f64, duration: f64) -> Result<Vec<PrintedLine>, Error> {
+    /// As for [`Engagement::new`]; [`DynamicsError::NotPositive`] for an interval or duration that is not positive and finite;
+    /// [`DynamicsError::TooMany`] for more than [`MOST_PRINTED`] lines or engagements.
+    pub fn run(&self, interval: f64, duration: f64) -> Result<Vec<PrintedLine>, DynamicsError> {
         for (name, asked) in [("print interval", interval), ("duration", duration)] {
             if !(asked > 0.0 && asked.is_finite()) {
-                return Err(Error::NotPositive { name, asked });
+                return Err(DynamicsError::NotPositive { name, asked });
             }
         }
         // A duration within rounding of a multiple is one.
         let count = duration / interval * (1.0 + 1e-12);
         if count >= MOST_PRINTED as f64 {
-            return Err(Error::TooMany { name: "printed lines", limit: MOST_PRINTED });
+            return Err(DynamicsError::TooMany { name: "printed lines", limit: MOST_PRINTED });
         }
         let last = count.floor() as usize;
         // Lines fall between the nodes of the rule.
@@ -77,7 +77,7 @@ impl Engagement {
             }
             square = passage.end;
         }
-        Err(Error::TooMany { name: "engagements", limit: MOST_PRINTED })
+        Err(DynamicsError::TooMany { name: "engagements", limit: MOST_PRINTED })
     }
 }
 
@@ -165,15 +165,15 @@ impl Engagement {
     /// let (first, last) = (&cycle[0], &cycle[100]);
     /// assert!((last.turned - first.turned - FRAC_PI_2).abs() < 1e-12); // rad, with four pins
     /// assert!((last.speed / first.speed - 1.0).abs() < 1e-12); // it repeats itself
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`Error::TooMany`] for [`MOST_PRINTED`] parts or more.
-    pub fn steady_cycle(&self, parts: usize) -> Result<Vec<PrintedLine>, Error> {
+    /// As for [`Engagement::steady_state`]; [`DynamicsError::TooMany`] for [`MOST_PRINTED`] parts or more.
+    pub fn steady_cycle(&self, parts: usize) -> Result<Vec<PrintedLine>, DynamicsError> {
         if parts >= MOST_PRINTED {
-            return Err(Error::TooMany { name: "parts of a period", limit: MOST_PRINTED });
+            return Err(DynamicsError::TooMany { name: "parts of a period", limit: MOST_PRINTED });
         }
         let engagement = self.refine()?;
         let repeated = engagement.fixed_point()?;

@@ -10,14 +10,14 @@ use super::engagement::{Engagement, Subinterval, Trailing, exponents};
 use super::extremes::Extreme;
 use super::quadrature::{NodalValues, dot};
 use super::subinterval::Solution;
-use crate::Error;
+use crate::DynamicsError;
 use std::cell::LazyCell;
 
 /// The motion that repeats itself. Speeds are the driver's θ'.
 ///
 /// ```
 /// use geneva_dynamics::steady::Engagement;
-/// use geneva_dynamics::{Error, Inertias, Parameters};
+/// use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 /// use geneva_kinematics::Mechanism;
 /// use std::f64::consts::FRAC_PI_2;
 ///
@@ -27,8 +27,8 @@ use std::cell::LazyCell;
 /// assert!(0.0 < steady.multiplier && steady.multiplier < 1.0);
 /// assert!(steady.minimum.speed < steady.mean_of_extremes() && steady.mean_of_extremes() < steady.peak.speed);
 /// // Without friction the speed grows without end.
-/// assert!(matches!(Engagement::new(&timer(0.0)?)?.steady_state(), Err(Error::NoTerminalSpeed { .. })));
-/// # Ok::<(), Error>(())
+/// assert!(matches!(Engagement::new(&timer(0.0)?)?.steady_state(), Err(DynamicsError::NoTerminalSpeed { .. })));
+/// # Ok::<(), DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyState {
@@ -115,8 +115,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`Error::NoTerminalSpeed`] without friction, reset at the exit: the speed grows without end.
-    pub fn steady_state(&self) -> Result<SteadyState, Error> {
+    /// [`DynamicsError::NoTerminalSpeed`] without friction, reset at the exit: the speed grows without end.
+    pub fn steady_state(&self) -> Result<SteadyState, DynamicsError> {
         let repeated = self.fixed_point()?;
         let passage = self.pass_with(repeated.entry, repeated.split.as_ref());
         let [peak, minimum] = passage.extremes();
@@ -144,19 +144,19 @@ impl Engagement {
     /// let engagement = Engagement::new(&timer)?;
     /// let whole = engagement.steady_state()?;
     /// assert_eq!(engagement.entry_speed_and_period()?, (whole.entry_speed, whole.period));
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::steady_state`].
-    pub fn entry_speed_and_period(&self) -> Result<(f64, f64), Error> {
+    pub fn entry_speed_and_period(&self) -> Result<(f64, f64), DynamicsError> {
         let FixedPoint { entry, split, .. } = self.fixed_point()?;
         Ok((self.unit * entry.sqrt(), self.time_with(entry, split.as_ref()) / self.unit))
     }
 
     /// The fixed point of the return map.
-    pub(super) fn fixed_point(&self) -> Result<FixedPoint, Error> {
+    pub(super) fn fixed_point(&self) -> Result<FixedPoint, DynamicsError> {
         let short = self.ends_before_centres || self.to_end < self.to_exit;
         if let Some(entry) = short.then(|| self.fixed_point_without_reversal()).flatten() {
             return Ok(FixedPoint { entry, split: None, log: self.log_multiplier(None) });
@@ -168,7 +168,7 @@ impl Engagement {
         }
         // Without friction the multiplier does not depend on the switch, and there must be some by the reset angle.
         if self.friction == 0.0 && -libm::expm1(rest.log) <= 4.0 * f64::EPSILON {
-            return Err(Error::NoTerminalSpeed { multiplier: libm::exp(rest.log) });
+            return Err(DynamicsError::NoTerminalSpeed { multiplier: libm::exp(rest.log) });
         }
         // From the end on, until a subinterval starts before the switch.
         let all = self.subintervals[..exit].last().map_or((1.0, 0.0), Subinterval::upper_integrals);
@@ -188,7 +188,7 @@ impl Engagement {
         if entry.is_finite() {
             Ok(FixedPoint { entry, split, log })
         } else {
-            Err(Error::NoTerminalSpeed { multiplier: 1.0 })
+            Err(DynamicsError::NoTerminalSpeed { multiplier: 1.0 })
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{escapement, samples};
 use approx::assert_relative_eq;
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::similarity::Scaling;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
@@ -55,8 +55,8 @@ fn without_friction_the_energy_is_the_work_of_the_torque() {
             assert_eq!(passage.multiplier(), 1.0);
         }
         let error = engagement.steady_state().expect_err("nothing brakes");
-        assert_eq!(error, Error::NoTerminalSpeed { multiplier: 1.0 });
-        assert!(matches!(engagement.rise(0.01), Err(Error::NoTerminalSpeed { .. })));
+        assert_eq!(error, DynamicsError::NoTerminalSpeed { multiplier: 1.0 });
+        assert!(matches!(engagement.rise(0.01), Err(DynamicsError::NoTerminalSpeed { .. })));
         // A reset angle elsewhere than at the exit loses the energy of the follower each time: it brakes.
         let reset_after =
             Engagement::reset_after(engagement.parameters(), engagement.reset() * 1.2, 1e-12).expect("in range");

@@ -1,7 +1,7 @@
 //! Is a run on the steady profile from the reported time on, and not before?
 
 use super::escapement;
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::steady::{Engagement, PrintedLine};
 use geneva_kinematics::Mechanism;
 
@@ -30,6 +30,6 @@ fn from_then_on_each_printed_speed_is_near_the_steady_one_and_just_before_it_is_
 #[test]
 fn a_part_that_is_none_is_refused() {
     for part in [0.0, 1.0, -1.0, f64::NAN] {
-        assert!(matches!(engagement(0.3).until_profile(part), Err(Error::OutOfRange { .. })));
+        assert!(matches!(engagement(0.3).until_profile(part), Err(DynamicsError::OutOfRange { .. })));
     }
 }
