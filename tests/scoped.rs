@@ -1,7 +1,7 @@
 //! Do sentences of the chapters hold as far as they say, and no farther?
 
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
+use geneva_kinematics::quick_return::{Drive, LeverMotion, QuickReturn};
 use geneva_kinematics::wheel::{Choices, Contact, Scale, Sizes, Wheel};
 use geneva_press::asked;
 
@@ -58,7 +58,7 @@ fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
 fn by_the_formula(ground: f64, crank: f64, degrees: f64) -> Option<[f64; 2]> {
     let linkage = QuickReturn::new(ground, crank).ok()?;
     let position = linkage.at_crank_degrees(degrees).ok()?;
-    let motion = Motion::at(&ground, &crank, &position.crank, &Drive::steady(1.0))?;
+    let motion = LeverMotion::new(&ground, &crank, &position.crank, &Drive::steady(1.0))?;
     let along = motion.velocities.sliding_velocity.dot(&position.lever.direction());
     let (turning, terms) = (motion.velocities.follower_speed, &motion.accelerations);
     if along >= -1e-9 || turning <= 1e-9 {

@@ -5,7 +5,7 @@ use geneva_dynamics::line_contact::{LineContact, MATERIALS, contact_modulus};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::series::polar_rates;
-use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
+use geneva_kinematics::quick_return::{Branch, Drive, LeverMotion, QuickReturn};
 use geneva_kinematics::wheel::{Choices, Scale, Sizes};
 use geneva_kinematics::wheel::{Wheel, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration};
 use geneva_kinematics::{Turn, pin_slot, pin_triangle, pin_vectors};
@@ -63,7 +63,7 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     let lever = limit * between(number, 3, 0.05, 0.95);
     let position = linkage.at_lever_degrees(lever.to_degrees(), Branch::Far).expect("within the swing");
     let drive = Drive { speed, acceleration };
-    let motion = Motion::at(&ground, &crank, &position.crank, &drive).expect("off the pivot");
+    let motion = LeverMotion::new(&ground, &crank, &position.crank, &drive).expect("off the pivot");
     let (velocities, terms) = (&motion.velocities, &motion.accelerations);
     // As the source counts: towards the pivot along the lever; across it, as the pin's acceleration points.
     let (along, across) = (position.lever.direction(), pin_vectors::quarter_turn(&position.lever.direction()));

@@ -194,7 +194,7 @@ fn unit(field: &Field) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_kinematics::quick_return::{Branch, Motion};
+    use geneva_kinematics::quick_return::{Branch, LeverMotion};
     use geneva_ledger::quick_return::Instant;
 
     #[test]
@@ -267,14 +267,14 @@ mod tests {
         ten.position = ten.linkage.at_lever_degrees(10.0, Branch::Far).expect("reached");
         let (ten, near) = (motion(ten), motion(Instant::on(Branch::Near).expect("a mechanism")));
         // Of the lever's angular velocity and acceleration, of the sliding velocity: counter-clockwise, outwards.
-        let senses = |of: &Motion<f64>| {
+        let senses = |of: &LeverMotion<f64>| {
             let outwards = of.velocities.sliding_velocity.dot(&of.velocities.position);
             [of.velocities.follower_speed, of.accelerations.follower_acceleration, outwards].map(f64::signum)
         };
         assert_eq!(senses(&ten), [1.0, -1.0, -1.0]);
         assert_eq!(senses(&near), [-1.0, -1.0, -1.0]);
-        let along = |of: &Motion<f64>| of.accelerations.sliding_tangential.dot(&of.velocities.position).signum();
-        let across = |of: &Motion<f64>| of.velocities.position.perp(&of.accelerations.coriolis).signum();
+        let along = |of: &LeverMotion<f64>| of.accelerations.sliding_tangential.dot(&of.velocities.position).signum();
+        let across = |of: &LeverMotion<f64>| of.velocities.position.perp(&of.accelerations.coriolis).signum();
         assert_eq!([along(&ten), across(&ten)], [-1.0, -1.0]);
         assert_eq!([along(&near), across(&near)], [1.0, 1.0]);
     }

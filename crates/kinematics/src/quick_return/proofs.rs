@@ -13,7 +13,7 @@
 //! assert!(prove(&DiagramAgainstSeries(Compared::Sliding)).is_ok());
 //! ```
 
-use super::motion::{Drive, Motion};
+use super::motion::{Drive, LeverMotion};
 use super::series::polar_rates;
 use crate::pin_vectors::quarter_turn;
 use crate::{Expression, Identity, Turn};
@@ -44,8 +44,8 @@ impl Identity<4> for DiagramAgainstSeries {
         let drive = Drive { speed, acceleration };
         let (ground, crank) = placed(p, x);
         let rates = polar_rates(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
-        let Motion { velocities, accelerations, .. } =
-            Motion::at(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
+        let LeverMotion { velocities, accelerations, .. } =
+            LeverMotion::new(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
         let square = rates.position.dot(&rates.position);
         match self.0 {
             Compared::LeverSpeed => velocities.follower_speed - rates.angular_velocity,
