@@ -6,7 +6,7 @@ use super::report::too_large;
 use crate::written::{as_typed, rounded_down};
 use crate::{Error, Field, Item, Row};
 use geneva_dynamics::wheel_loads::Load;
-use geneva_kinematics::indexing::{Motion, Phase, PinInSlot};
+use geneva_kinematics::indexing::{Phase, PinInSlot, WheelMotion};
 
 /// Degrees of half a turn.
 const HALF_TURN: i32 = 180;
@@ -18,7 +18,7 @@ const MOST_INSTANTS: usize = 10_000;
 struct Instant {
     /// Crank angle in degrees.
     degrees: f64,
-    motion: Motion,
+    motion: WheelMotion,
     /// None in the dwell, as of the load.
     pin: Option<PinInSlot>,
     load: Option<Load>,

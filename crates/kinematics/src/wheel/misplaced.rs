@@ -6,7 +6,7 @@
 use super::{Wheel, acceleration_ratio, jerk_ratio};
 use crate::Turn;
 use crate::error::KinematicsError;
-use crate::indexing::{Indexing, Motion, Phase};
+use crate::indexing::{Indexing, Phase, WheelMotion};
 use crate::pin_slot::{pin_from_pivot, sliding_product, velocity_ratio};
 
 /// A wheel and its driver at a given distance of their axes.
@@ -95,7 +95,7 @@ impl Misplaced {
     /// # Errors
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
-    pub fn at(&self, crank: f64) -> Result<Motion, KinematicsError> {
+    pub fn at(&self, crank: f64) -> Result<WheelMotion, KinematicsError> {
         let right = self.wheel.at(0, crank)?;
         if self.error == 0.0 {
             return Ok(right);
@@ -104,11 +104,18 @@ impl Misplaced {
         let stations = right.stations;
         if crank.abs() > self.half {
             let angle = (self.index_angle() / 2.0).copysign(crank);
-            return Ok(Motion { phase: Phase::Dwell, stations, angle, velocity: 0.0, acceleration: 0.0, jerk: 0.0 });
+            return Ok(WheelMotion {
+                phase: Phase::Dwell,
+                stations,
+                angle,
+                velocity: 0.0,
+                acceleration: 0.0,
+                jerk: 0.0,
+            });
         }
         let turn = Turn::from_radians(crank);
         let pin = pin_from_pivot(&self.ratio, &turn);
-        Ok(Motion {
+        Ok(WheelMotion {
             phase: Phase::Advance,
             stations,
             angle: libm::atan2(pin.y, pin.x),

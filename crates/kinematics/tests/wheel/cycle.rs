@@ -1,6 +1,6 @@
 //! Is the motion what the proven formulas give, and does the angle go on from turn to turn?
 
-use geneva_kinematics::indexing::{Indexing, Motion};
+use geneva_kinematics::indexing::{Indexing, WheelMotion};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::wheel::{Wheel, acceleration_ratio, jerk_ratio};
 use geneva_kinematics::{KinematicsError, Turn};
@@ -40,7 +40,7 @@ fn the_motion_is_what_the_proven_formulas_give() {
 fn the_angle_goes_on_without_a_gap_and_without_running_error() {
     for (stations, pins) in [(3, 1), (4, 1), (4, 4), (6, 3), (7, 2)] {
         let wheel = Wheel::with_pins(stations, pins).unwrap();
-        let whole = |m: Motion| m.stations as f64 * 2.0 * wheel.half_pitch_angle() + m.angle;
+        let whole = |m: WheelMotion| m.stations as f64 * 2.0 * wheel.half_pitch_angle() + m.angle;
         let mut last = f64::NEG_INFINITY;
         for turns in [0, 1] {
             for step in -500..500 {
