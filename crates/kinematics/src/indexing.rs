@@ -203,7 +203,7 @@ pub trait Indexing {
     /// # Errors
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
-    fn at(&self, turns: i64, crank: f64) -> Result<WheelMotion, KinematicsError> {
+    fn motion(&self, turns: i64, crank: f64) -> Result<WheelMotion, KinematicsError> {
         if !(-PI..=PI).contains(&crank) {
             return Err(KinematicsError::Turn(crank));
         }

@@ -30,7 +30,7 @@ impl Instant {
         let wheel = design.wheel.indexing();
         let turns = libm::round(degrees / 360.0);
         let crank = (degrees - 360.0 * turns).to_radians();
-        let motion = wheel.at(turns as i64, crank)?;
+        let motion = wheel.motion(turns as i64, crank)?;
         let from_pin = wheel.nearest_pin(crank).1;
         let is_engaged = motion.phase == Phase::Advance;
         let loads = design.loads(wheel)?.filter(|_| is_engaged);

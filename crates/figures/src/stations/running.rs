@@ -8,7 +8,7 @@ use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{Colour, DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::indexing::{Indexing, WheelMotion};
-use geneva_kinematics::wheel::Misplaced;
+use geneva_kinematics::wheel::MisplacedWheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -50,9 +50,9 @@ const CURVES: [Curve; 3] = [
 /// # Errors
 ///
 /// [`FigureError`] for an angle beyond half a turn.
-pub fn running(misplaced: &Misplaced, crank: f64) -> Result<Figure, FigureError> {
+pub fn running(misplaced: &MisplacedWheel, crank: f64) -> Result<Figure, FigureError> {
     let wheel = misplaced.wheel();
-    let motion = misplaced.at(crank)?;
+    let motion = misplaced.motion(crank)?;
     let pitch = 2.0 * PI / f64::from(wheel.pins());
     let near = crank - libm::round(crank / pitch) * pitch;
     let half = misplaced.engagement_half_angle();
@@ -85,9 +85,9 @@ pub fn running(misplaced: &Misplaced, crank: f64) -> Result<Figure, FigureError>
 type Row = (f64, WheelMotion);
 
 /// The wheel over one passage and a part of the dwell to either side; two rows at each jump.
-fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
+fn rows(of: &MisplacedWheel, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
     let still = |crank: f64| -> Result<Row, FigureError> {
-        Ok((crank.to_degrees(), WheelMotion { velocity: 0.0, acceleration: 0.0, jerk: 0.0, ..of.at(crank)? }))
+        Ok((crank.to_degrees(), WheelMotion { velocity: 0.0, acceleration: 0.0, jerk: 0.0, ..of.motion(crank)? }))
     };
     let mut rows = Vec::new();
     if end > half {
@@ -95,7 +95,7 @@ fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
     }
     for k in 0..=STEPS {
         let crank = half * ((2.0 * f64::from(k) - f64::from(STEPS)) / f64::from(STEPS));
-        let motion = of.at(crank)?;
+        let motion = of.motion(crank)?;
         rows.push((crank.to_degrees(), WheelMotion { velocity: without_noise(motion.velocity, 1.0), ..motion }));
     }
     if end > half {
@@ -157,7 +157,7 @@ fn panels(rows: &[Row], near: f64, motion: &WheelMotion, end: f64) -> Vec<Panel>
     CURVES.iter().enumerate().map(panel).collect()
 }
 
-fn words(of: &Misplaced, crank: f64, motion: &WheelMotion, blow: f64) -> Words {
+fn words(of: &MisplacedWheel, crank: f64, motion: &WheelMotion, blow: f64) -> Words {
     let wheel = of.wheel();
     let (stations, pins) = (counted(wheel.stations(), "station"), counted(wheel.pins(), "pin"));
     let distance = match of.error() {
@@ -198,7 +198,7 @@ mod tests {
 
     fn figure(error: f64) -> Figure {
         let wheel = Wheel::new(4).expect("possible");
-        running(&Misplaced::new(&wheel, error).expect("possible"), 0.3).expect("drawn")
+        running(&MisplacedWheel::new(&wheel, error).expect("possible"), 0.3).expect("drawn")
     }
 
     #[test]

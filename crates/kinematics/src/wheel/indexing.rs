@@ -152,9 +152,9 @@ impl Indexing for Wheel {
     /// use std::f64::consts::PI;
     ///
     /// let wheel = Wheel::new(4)?;
-    /// let middle = wheel.at(3, 0.0)?; // three turns of the driver: three stations
+    /// let middle = wheel.motion(3, 0.0)?; // three turns of the driver: three stations
     /// assert_eq!((middle.phase, middle.stations, middle.angle), (Phase::Advance, 3, 0.0));
-    /// let dwell = wheel.at(3, 2.0)?; // 2 rad later the wheel stands, half a station on
+    /// let dwell = wheel.motion(3, 2.0)?; // 2 rad later the wheel stands, half a station on
     /// assert_eq!((dwell.phase, dwell.stations, dwell.velocity), (Phase::Dwell, 3, 0.0));
     /// assert!((dwell.angle - PI / 4.0).abs() < 1e-15); // rad
     /// # Ok::<(), geneva_kinematics::KinematicsError>(())
@@ -163,7 +163,7 @@ impl Indexing for Wheel {
     /// # Errors
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
-    fn at(&self, turns: i64, crank: f64) -> Result<WheelMotion, KinematicsError> {
+    fn motion(&self, turns: i64, crank: f64) -> Result<WheelMotion, KinematicsError> {
         if !(-PI..=PI).contains(&crank) {
             return Err(KinematicsError::Turn(crank));
         }

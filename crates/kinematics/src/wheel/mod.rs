@@ -34,7 +34,7 @@ pub use clearance::{Clearance, Contact, Nearest, TOLERANCE};
 pub use dwell_play::DwellPlay;
 pub use fit::{Remedy, ShaftOf, SizesError};
 pub use geometry::{STATIONS, Wheel, gamma};
-pub use misplaced::Misplaced;
+pub use misplaced::MisplacedWheel;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{Entry, EntryContact, Knock};

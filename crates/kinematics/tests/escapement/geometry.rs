@@ -70,7 +70,7 @@ fn the_follower_goes_on_at_its_mean_ratio_and_never_dwells() {
         for pin in 0..escapement.pins() / 2 {
             for step in 1..200 {
                 let crank = pitch * (f64::from(pin) + f64::from(step) / 200.0 - 0.5);
-                let motion = wheel.at(7, crank).unwrap();
+                let motion = wheel.motion(7, crank).unwrap();
                 assert_eq!(motion.phase, Phase::Advance);
                 assert!(motion.velocity > 0.0);
             }

@@ -102,7 +102,7 @@ fn near_driver(wheel: &Loop, sizes: &Sizes) -> Loop {
 
 pub(super) fn placed(sizes: &Sizes, theta: f64) -> (Loop, Option<Loop>, Vec<Loop>) {
     let outline = sizes.outline();
-    let motion = sizes.wheel.at(0, theta).unwrap();
+    let motion = sizes.wheel.motion(0, theta).unwrap();
     let phi = motion.angle + 2.0 * sizes.wheel.half_pitch_angle() * motion.stations as f64;
     let axis = Point::new(sizes.centre_distance, 0.0);
     let on_driver = |part: &Loop| part.placed(PI - theta, axis);

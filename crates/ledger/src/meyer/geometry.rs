@@ -236,7 +236,7 @@ fn moved_on(stated: Stated, turned: fn(&Wheel) -> f64, what: &str) -> Finding {
 /// How far the follower goes on during a turn of the driver, from an instant of an advance to that of the next.
 fn moved_by_a_turn(wheel: &Wheel) -> f64 {
     let place = |turns| {
-        wheel.at(turns, 0.3).map_or(f64::NAN, |at| at.stations as f64 * 2.0 * wheel.half_pitch_angle() + at.angle)
+        wheel.motion(turns, 0.3).map_or(f64::NAN, |at| at.stations as f64 * 2.0 * wheel.half_pitch_angle() + at.angle)
     };
     place(1) - place(0)
 }
