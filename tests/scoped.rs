@@ -2,7 +2,7 @@
 
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::{Drive, LeverMotion, QuickReturn};
-use geneva_kinematics::wheel::{Choices, Contact, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{Choices, ContactPair, Scale, Sizes, Wheel};
 use geneva_press::asked;
 
 /// A number of the answer to a question.
@@ -49,7 +49,7 @@ fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
     assert!((number(question, "centres_nearer_mm") / limit - 1.0).abs() < 0.01);
     let nearest = sizes.clearance_at(sizes.centre_distance - 1.02 * limit).expect("possible").least();
     let before_entry = sizes.wheel.engagement_half_angle() - nearest.crank_angle.abs();
-    assert!(nearest.distance < 0.0 && nearest.contact == Contact::Crescent, "{nearest:?}");
+    assert!(nearest.distance < 0.0 && nearest.contact == ContactPair::Crescent, "{nearest:?}");
     assert!((0.0..0.1).contains(&before_entry), "{} rad past entry", before_entry);
 }
 

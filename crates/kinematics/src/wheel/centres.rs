@@ -3,7 +3,7 @@
 //! Nearer or farther, something takes the play up. Nearer, it is the slot's end at the pin, the locking arc at its disc, or
 //! a horn at the crescent; farther, a corner of the slot at the pin as it comes in.
 
-use super::clearance::{Assembly, Nearest};
+use super::clearance::{Assembly, ClosestApproach};
 use super::play::EntryContact;
 use super::sizes::Sizes;
 use crate::KinematicsError;
@@ -130,7 +130,7 @@ fn last(all: f64, holds: impl Fn(f64) -> bool) -> f64 {
 
 impl Assembly<'_> {
     /// The crank angle near that of a distance at which the same two parts are nearest, in radians.
-    fn nearest_angle(&self, from: Nearest) -> f64 {
+    fn nearest_angle(&self, from: ClosestApproach) -> f64 {
         let (mut angle, mut step) = (from.crank_angle, FIRST_STEP);
         let (first, end, is_at_rest) = self.phase(angle);
         let at = |angle: f64| self.distance_at(from.contact, angle, is_at_rest);

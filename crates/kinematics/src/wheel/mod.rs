@@ -30,7 +30,7 @@ mod walls;
 mod warnings;
 
 pub use centres::CentreTolerance;
-pub use clearance::{Clearance, Contact, Nearest, TOLERANCE};
+pub use clearance::{Clearance, ClosestApproach, ContactPair, TOLERANCE};
 pub use dwell_play::DwellPlay;
 pub use fit::{Remedy, ShaftOf, SizesError};
 pub use geometry::{STATIONS, Wheel, gamma};
