@@ -47,7 +47,7 @@ fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
     // On the side of the arc, half a pitch from the slot, the pin in the middle of its slot leaves so much.
     let limit = sizes.slot_gap() * sizes.wheel.half_pitch_angle().cos();
     assert!((number(question, "centres_nearer_mm") / limit - 1.0).abs() < 0.01);
-    let nearest = sizes.clearance_at(sizes.centre_distance - 1.02 * limit).expect("possible").least();
+    let nearest = sizes.clearance_at(sizes.centre_distance - 1.02 * limit).expect("possible").closest_approach();
     let before_entry = sizes.wheel.engagement_half_angle() - nearest.crank_angle.abs();
     assert!(nearest.distance < 0.0 && nearest.contact == ContactPair::Crescent, "{nearest:?}");
     assert!((0.0..0.1).contains(&before_entry), "{} rad past entry", before_entry);

@@ -22,7 +22,7 @@ use crate::indexing::Indexing;
 /// let (sizes, tight) = (with_play(0.2)?, with_play(0.0)?);
 /// let tolerance = sizes.centre_tolerance();
 /// assert!(tolerance.nearer > 0.0 && tolerance.nearer <= 0.1); // mm: no more than the gap at the locking disc
-/// assert!(sizes.clearance_at(sizes.centre_distance - tolerance.nearer)?.least().distance >= 0.0);
+/// assert!(sizes.clearance_at(sizes.centre_distance - tolerance.nearer)?.closest_approach().distance >= 0.0);
 /// assert_eq!(tight.centre_tolerance().farther, 0.0); // without play the axes must be exactly right
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
 /// ```
@@ -94,7 +94,7 @@ impl Sizes {
         for _ in 0..TURNS {
             let assembly = self.assembly_at(self.centre_distance + runs * error)?;
             let tolerance = assembly.tolerance;
-            match assembly.least_within(angles, 0.0) {
+            match assembly.closest_approach_within(angles, 0.0) {
                 Ok(nearest) if nearest.distance >= tolerance => return Ok(runs * error.abs()),
                 Ok(nearest) => {
                     let assembly = self.assembly_at(self.centre_distance + runs * error)?;

@@ -17,7 +17,7 @@
 //! far play lets it turn besides is another question ([`play`](super::play), [`dwell_play`](super::dwell_play)).
 
 use super::regions::{DiscRegion, WheelRegion};
-use super::search::{Least, Search, greatest_speed_ratio};
+use super::search::{Minimum, Search, greatest_speed_ratio};
 use super::sizes::Sizes;
 use crate::KinematicsError;
 use crate::indexing::Indexing;
@@ -62,9 +62,9 @@ pub struct ClosestApproach {
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
 /// let clearance = sizes.clearance();
 /// assert!((clearance.pin_in_slot.distance - 0.1).abs() < 1e-12); // mm: half of the play on either side
-/// assert!(clearance.least().distance > clearance.tolerance); // nothing touches anything over the whole turn
+/// assert!(clearance.closest_approach().distance > clearance.tolerance); // nothing touches anything over the whole turn
 /// let near = sizes.clearance_at(sizes.centre_distance - 10.0)?; // with the axes 10 mm too near
-/// assert!(near.least().distance < 0.0); // the parts would overlap
+/// assert!(near.closest_approach().distance < 0.0); // the parts would overlap
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +83,7 @@ pub struct Clearance {
 
 impl Clearance {
     /// The least of all distances, and where it is.
-    pub fn least(&self) -> ClosestApproach {
+    pub fn closest_approach(&self) -> ClosestApproach {
         let others = [self.pin_outside, self.locking_disc, self.crescent];
         others.into_iter().flatten().fold(self.pin_in_slot, ClosestApproach::or)
     }
@@ -139,7 +139,7 @@ impl Sizes {
         let wider = |times: f64| {
             let assembly = self.assembly_at(centre_distance)?;
             let tolerance = times * assembly.tolerance;
-            Ok((Assembly { tolerance, ..assembly }.least_within(angles, f64::INFINITY)?, tolerance))
+            Ok((Assembly { tolerance, ..assembly }.closest_approach_within(angles, f64::INFINITY)?, tolerance))
         };
         wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
     }
@@ -220,9 +220,9 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least of all distances from so many crank angles at most, where a distance of `enough` millimetres need not be known better.
-    pub fn least_within(self, angles: u32, enough: f64) -> Result<ClosestApproach, KinematicsError> {
+    pub fn closest_approach_within(self, angles: u32, enough: f64) -> Result<ClosestApproach, KinematicsError> {
         let limited = Self { enough, angles: Cell::new(angles), ..self };
-        let found = limited.least();
+        let found = limited.closest_approach();
         if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
     }
 
@@ -237,7 +237,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least of all distances.
-    pub fn least(&self) -> ClosestApproach {
+    pub fn closest_approach(&self) -> ClosestApproach {
         let known = self.locking_disc().map_or(self.pin_in_slot(), |disc| self.pin_in_slot().or(disc));
         let known = self.pins_outside(Some(known)).map_or(known, |pins| known.or(pins));
         self.disc.as_ref().map_or(known, |disc| known.or(self.crescent(disc, Some(known))))
@@ -405,8 +405,8 @@ impl<'a> Assembly<'a> {
         speed: impl Fn(f64, f64) -> f64,
     ) -> ClosestApproach {
         let search = Search { tolerance: self.tolerance, enough: self.enough, places: &self.angles };
-        let known = known.map(|known| Least { value: known.distance, place: known.crank_angle });
-        let Least { value, place } = search.least(from, to, known, distance, speed);
+        let known = known.map(|known| Minimum { value: known.distance, place: known.crank_angle });
+        let Minimum { value, place } = search.minimize(from, to, known, distance, speed);
         ClosestApproach { distance: value, crank_angle: place, contact }
     }
 }

@@ -111,7 +111,7 @@ impl Sizes {
                 let wrong = self.with_errors(limit, sense);
                 let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return Ok(false) };
                 let tolerance = assembly.tolerance;
-                if assembly.least_within(angles, 0.0)?.distance < tolerance {
+                if assembly.closest_approach_within(angles, 0.0)?.distance < tolerance {
                     return Ok(false);
                 }
             }

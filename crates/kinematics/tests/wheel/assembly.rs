@@ -216,7 +216,7 @@ fn the_customary_crescent_bites() {
         // With the cut of ours the same parts without play touch and no more.
         let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(0.0)), ..Choices::default() };
         let ours = sized(stations, 1, &choices);
-        assert!(ours.clearance().least().distance.abs() < 1e-9, "{:?}", ours.clearance());
+        assert!(ours.clearance().closest_approach().distance.abs() < 1e-9, "{:?}", ours.clearance());
     }
 }
 
@@ -236,7 +236,7 @@ fn a_wrong_centre_distance_takes_the_play() {
             }
             let bottom = sizes.play.slot / 2.0 + error.min(0.0);
             approx::assert_relative_eq!(clearance.pin_in_slot.distance, bottom, epsilon = 1e-9);
-            assert_eq!(clearance.least().distance < 0.0, f64::abs(error) > gap, "{stations}: {clearance:?}");
+            assert_eq!(clearance.closest_approach().distance < 0.0, f64::abs(error) > gap, "{stations}: {clearance:?}");
         }
         assert!(sizes.clearance_at(sizes.crank_radius).is_err() && sizes.clearance_at(f64::NAN).is_err());
     }

@@ -54,7 +54,8 @@ fn no_smaller_error_fails_and_no_greater_one_runs() {
             for part in 1..=40 {
                 let share = 0.05 * f64::from(part);
                 let error = sign * share * limit;
-                let is_clear = sizes.clearance_at(sizes.centre_distance + error).unwrap().least().distance > 0.0;
+                let is_clear =
+                    sizes.clearance_at(sizes.centre_distance + error).unwrap().closest_approach().distance > 0.0;
                 let on_wall = sizes.entry(error).unwrap().contact == EntryContact::DrivingWall;
                 if (share - 1.0).abs() > 0.01 {
                     assert_eq!(is_clear && on_wall, share < 1.0, "{stations} {pins}: {error} mm, {tolerance:?}");

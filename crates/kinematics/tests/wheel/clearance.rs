@@ -189,7 +189,7 @@ fn no_dip_is_narrow_enough_to_be_missed() {
     for k in 0..500 {
         let (place, depth) = (f64::from(k) * 0.002 + 0.000_3, 0.01);
         let distance = |theta: f64| 1.0 - (depth - speed * f64::abs(theta - place)).max(0.0);
-        let found = search.least(0.0, 1.0, None, distance, |_, _| speed);
+        let found = search.minimize(0.0, 1.0, None, distance, |_, _| speed);
         assert!(found.value <= 1.0 - depth + tolerance, "{place}: {found:?}");
     }
 }

@@ -36,7 +36,7 @@ fn clear(sizes: &Sizes, part: f64) -> f64 {
     for error in centre_errors(sizes, part) {
         for sense in [-1.0, 1.0] {
             let all = wrong(sizes, part, sense).clearance_at(sizes.centre_distance + error).expect("possible");
-            least = least.min(all.least().distance - all.tolerance);
+            least = least.min(all.closest_approach().distance - all.tolerance);
         }
     }
     least
@@ -86,7 +86,7 @@ fn with_half_as_much_again_or_a_third_of_the_gap_for_each_something_touches() {
         thirds.locking_arc_radius -= gap / 3.0;
         thirds.locking_disc = Some(LockingDisc { radius: disc.radius + gap / 3.0, ..disc });
         let at = sizes.centre_distance - gap / 3.0 - sizes.play.bore;
-        assert!(thirds.clearance_at(at).unwrap().least().distance < 0.0, "{stations}");
+        assert!(thirds.clearance_at(at).unwrap().closest_approach().distance < 0.0, "{stations}");
     }
 }
 

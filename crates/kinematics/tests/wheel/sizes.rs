@@ -16,7 +16,7 @@ fn every_wheel_has_sizes_that_run_clear() {
                 let sizes = Sizes::new(wheel, Scale::CrankRadius(a), &Choices::default()).unwrap();
                 let clearance = sizes.clearance();
                 let gap = sizes.play.slot / 2.0;
-                let least = clearance.least().distance;
+                let least = clearance.closest_approach().distance;
                 assert!((least / gap - 1.0).abs() < 1e-6, "{stations} stations, {pins} pins: {clearance:?}");
             }
         }
@@ -42,7 +42,7 @@ fn thin_and_fat_pins_run_clear_or_are_refused() {
                     match sized(stations, &choices) {
                         Ok(sizes) => {
                             let clearance = sizes.clearance();
-                            let (least, gap) = (clearance.least().distance, play.slot / 2.0);
+                            let (least, gap) = (clearance.closest_approach().distance, play.slot / 2.0);
                             let said =
                                 format!("{stations} stations, pin {tenth}, horn {horn}, {play:?}: {clearance:?}");
                             if play.slot < 0.1 * pin {
