@@ -37,7 +37,7 @@ pub use geometry::{STATIONS, Wheel, gamma};
 pub use misplaced::MisplacedWheel;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 pub use outline::{Edge, Face, Loop, Outline};
-pub use play::{Entry, EntryContact, Knock};
+pub use play::{EntryContact, Knock, PinEntry};
 pub use shared_tolerance::SharedTolerance;
 pub use sizes::{Choices, Crescent, LockingDisc, Play, Scale, Sizes};
 pub use standard_fit::{play_of_h8_e8, play_of_h8_e8_at};

@@ -9,7 +9,7 @@ use super::double::{Double, ordered_sum};
 
 /// An angle whose half has a short tangent.
 #[derive(Clone, Copy)]
-pub(super) struct Node {
+pub(super) struct TableNode {
     /// The angle in radians, to 2⁻⁸⁶.
     pub angle: Double,
     /// 2t, twice the tangent of its half, dimensionless.
@@ -25,17 +25,17 @@ const TANGENTS_PER_ONE: f64 = 8192.0;
 /// 3 · 2⁵¹: adding it rounds to an integer, which then stands in the low bits of the sum.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-static TABLE: [Node; NODES] = {
-    let mut nodes = [Node { angle: Double::from(0.0), twice_tangent: 0.0, square: 0.0 }; NODES];
+static TABLE: [TableNode; NODES] = {
+    let mut nodes = [TableNode { angle: Double::from(0.0), twice_tangent: 0.0, square: 0.0 }; NODES];
     let mut k = 1;
     while k < NODES {
-        nodes[k] = Node::near(k as f64 / NODES_PER_RADIAN);
+        nodes[k] = TableNode::near(k as f64 / NODES_PER_RADIAN);
         k += 1;
     }
     nodes
 };
 
-impl Node {
+impl TableNode {
     /// The node nearest to an angle.
     const fn near(angle: f64) -> Self {
         let (sine, versine) = series(Double::from(angle));
@@ -86,7 +86,7 @@ pub(super) fn sine_versine(angle: Double) -> (Double, Double) {
         let (sine, versine) = sine_versine(angle.negated());
         return (sine.negated(), versine);
     }
-    let (node, Double { hi: rest, lo: low }) = Node::nearest(angle);
+    let (node, Double { hi: rest, lo: low }) = TableNode::nearest(angle);
     let square = rest * rest;
     let more = low - rest * square * (1.0 / 6.0 - square * (1.0 / 120.0 - square * (1.0 / 5040.0)));
     let sine = Double::from(rest).plus(Double::from(more));
