@@ -238,7 +238,7 @@ impl Indexing for SphericalWheel {
 
     /// In the middle, tan α (1 + 2 tan² α).
     ///
-    /// It is the greatest of the engagement for every N: [`JerkBound`](crate::spherical_wheel_proofs::JerkBound).
+    /// It is the greatest of the engagement for every N: [`SphericalJerkBound`](crate::spherical_wheel_proofs::SphericalJerkBound).
     fn jerk_peak(&self) -> JerkPeak {
         JerkPeak { angle: 0.0, ratio: self.tangent() * twice_and_one(&self.tangent()) }
     }
