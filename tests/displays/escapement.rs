@@ -5,7 +5,7 @@ use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::{Inertias, Parameters, Pose, Sign};
-use geneva_kinematics::escapement::{Continuous, possible};
+use geneva_kinematics::escapement::{ContinuousEscapement, possible};
 use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
 use geneva_ledger::tex::{By, Moment};
 
@@ -26,8 +26,8 @@ pub fn over_the_angle() -> Vec<Moment> {
 
 /// Other numbers of pins and slots than those of the three mechanisms too, as one pin takes over from the next.
 pub fn taking_over(number: usize) -> Moment {
-    let pairs = (2..=8).flat_map(|pins| (3..=8).filter_map(move |slots| Continuous::new(pins, slots)));
-    let pairs: Vec<Continuous> = pairs.collect();
+    let pairs = (2..=8).flat_map(|pins| (3..=8).filter_map(move |slots| ContinuousEscapement::new(pins, slots)));
+    let pairs: Vec<ContinuousEscapement> = pairs.collect();
     let pair = pairs[number % pairs.len()];
     let (ratio, speed) = (pair.centre_distance_ratio(), 0.2 + 4.0 * spread(number, 5));
     let follower = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(pair.engagement_half_angle())) * speed;

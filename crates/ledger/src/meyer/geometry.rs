@@ -4,7 +4,7 @@ use super::hand_over::Drawn;
 use super::hand_over_letters::{HALVES, RATIO, RIGHT_TRIANGLE};
 use super::*;
 use crate::agreement::joined_numbers;
-use geneva_kinematics::escapement::{AtHandOver, Continuous};
+use geneva_kinematics::escapement::{ContinuousEscapement, HandOverMotion};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
@@ -173,8 +173,8 @@ fn sides(at: &HandOver) -> [Vector2<Roots>; 3] {
 /// follower is at rest then, and therefore crank and slot are at right angles.
 pub fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
     let rests = |at: &Mechanism| {
-        let more = Continuous::new(at.pins(), at.slots() + 1);
-        more.is_some_and(|pair| pair.at_hand_over() == AtHandOver::Rests)
+        let more = ContinuousEscapement::new(at.pins(), at.slots() + 1);
+        more.is_some_and(|pair| pair.hand_over_motion() == HandOverMotion::Rests)
     };
     let all = stated.pick(true, Mechanism::ALL.iter().all(rests));
     let but = if all { "" } else { "; with one more slot, the follower is not at rest then" };
