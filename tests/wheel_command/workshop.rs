@@ -12,7 +12,7 @@ const WHEEL: [&str; 9] =
 fn chosen() -> Sizes {
     let choices = Choices {
         pin_diameter: Some(6.0),
-        play: Some(Play::of(0.1)),
+        play: Some(Play::from_slot(0.1)),
         bottom_clearance: Some(0.2),
         horn_thickness: Some(7.5),
         wheel_shaft: Some(12.0),
@@ -22,7 +22,7 @@ fn chosen() -> Sizes {
 }
 
 fn sizes() -> Sizes {
-    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::of(0.1)), ..Choices::default() };
+    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::from_slot(0.1)), ..Choices::default() };
     Sizes::new(Wheel::new(5).expect("possible"), Scale::CentreDistance(80.0), &choices).expect("it fits")
 }
 

@@ -229,7 +229,7 @@ fn scale(question: &Question) -> Option<Scale> {
 fn sizes(wheel: Wheel, scale: Scale, question: &Question) -> Result<Sizes, SizesError> {
     let choices = Choices {
         pin_diameter: question.pin_diameter,
-        play: question.play.map(Play::of),
+        play: question.play.map(Play::from_slot),
         bottom_clearance: question.bottom_clearance,
         horn_thickness: question.horn,
         wheel_shaft: question.wheel_shaft,

@@ -58,7 +58,7 @@ pub struct ClosestApproach {
 /// ```
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
-/// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+/// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
 /// let clearance = sizes.clearance();
 /// assert!((clearance.pin_in_slot.distance - 0.1).abs() < 1e-12); // mm: half of the play on either side

@@ -65,7 +65,7 @@ impl Sizes {
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// let knock = sizes.knock().expect("the pin meets the wheel");
     /// let cosine: f64 = 1.0 - 0.1 / 50.0; // of the crank angle past entry at which the gap is closed
@@ -97,7 +97,7 @@ impl Sizes {
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// // On the line of centres the pin is 100 mm − 50 mm from the wheel's axis.
     /// assert!((sizes.index_backlash(0.0)? - (0.1_f64 / 50.0).asin()).abs() < 1e-15); // rad
@@ -128,7 +128,7 @@ impl Sizes {
     /// use geneva_kinematics::indexing::Indexing;
     /// use geneva_kinematics::wheel::{Choices, EntryContact, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// let entry = sizes.entry(0.0).expect("the pin comes to its slot");
     /// assert_eq!(entry.contact, EntryContact::DrivingWall);

@@ -19,7 +19,7 @@ use crate::indexing::Indexing;
 /// ```
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
-/// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+/// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
 /// let shared = sizes.shared_tolerance().expect("the play is large enough");
 /// // Where all sizes may be wrong at once, the axes may be less wrong than where they alone may be.

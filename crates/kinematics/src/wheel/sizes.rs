@@ -24,7 +24,7 @@ pub enum Scale {
 /// ```
 /// use geneva_kinematics::wheel::Play;
 ///
-/// let play = Play::of(0.2); // mm
+/// let play = Play::from_slot(0.2); // mm
 /// assert_eq!((play.slot, play.locking, play.bore), (0.2, 0.2, 0.05));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,7 @@ const OF_BORES: f64 = 0.25;
 impl Play {
     /// This play of slot and locking arc, in millimetres, and a quarter of it of the bores: a shaft that is loose in its
     /// bore brings the axes nearer.
-    pub fn of(play: f64) -> Self {
+    pub fn from_slot(play: f64) -> Self {
         Self { slot: play, locking: play, bore: OF_BORES * play }
     }
 }
@@ -58,7 +58,7 @@ pub struct Choices {
     /// for strength, the second for three and four stations, whose hub is small, the third for many, whose crescents
     /// come near the driver's axis.
     pub pin_diameter: Option<f64>,
-    /// The plays, in millimetres, zero or more. By default [`Play::of`] the least of a thousandth of the centre distance, a
+    /// The plays, in millimetres, zero or more. By default [`Play::from_slot`] the least of a thousandth of the centre distance, a
     /// twentieth of the pin's diameter and a tenth of c − R, the way from the driver's axis to the wheel.
     pub play: Option<Play>,
     /// How much deeper a slot is than the pin and its gap need, in millimetres, zero or more. By default a twentieth of the
@@ -101,7 +101,7 @@ pub struct LockingDisc {
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
 /// // Six stations with the axes 100 mm apart, a pin of 10 mm and a play of 0.2 mm.
-/// let choices = Choices { pin_diameter: Some(10.0), play: Some(Play::of(0.2)), ..Choices::default() };
+/// let choices = Choices { pin_diameter: Some(10.0), play: Some(Play::from_slot(0.2)), ..Choices::default() };
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CentreDistance(100.0), &choices)?;
 /// assert!((sizes.crank_radius - 50.0).abs() < 1e-12); // mm: 100 sin 30°
 /// assert!((sizes.wheel_radius - 50.0 * 3_f64.sqrt()).abs() < 1e-12); // mm: 100 cos 30°
@@ -193,7 +193,7 @@ impl Sizes {
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// assert!(sizes.locking_gap().is_some_and(|gap| (gap - 0.1).abs() < 1e-12)); // half of the play, in mm
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())

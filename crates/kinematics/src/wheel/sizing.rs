@@ -43,7 +43,7 @@ impl Sizes {
         };
         let play = match choices.play {
             Some(play) => fitting_play(play)?,
-            None => Play::of((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
+            None => Play::from_slot((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
         };
         let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
         let slot_width = pin_diameter + play.slot;

@@ -172,7 +172,7 @@ fn the_outlines_are_as_near_as_is_said() {
 
 /// The sizes with the crescent that is often drawn: of the wheel's radius, about the wheel's axis in mid-index.
 fn customary(stations: u32, pin: f64) -> Sizes {
-    let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(0.0)), ..Choices::default() };
+    let choices = Choices { pin_diameter: Some(pin), play: Some(Play::from_slot(0.0)), ..Choices::default() };
     with_customary_cut(sized(stations, 1, &choices))
 }
 
@@ -188,7 +188,7 @@ fn the_customary_crescent_bites_as_deep_as_a_tips_path_tells() {
     // Worked out elsewhere, from the path of points of the rim in the driver's plane: a pin of 8 mm, a horn as thick, no
     // play, and a rim that is cut at the pin's centre.
     for (stations, depth) in [(3, 0.2478), (6, 0.5259), (12, 1.1794)] {
-        let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::of(0.0)), ..Choices::default() };
+        let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::from_slot(0.0)), ..Choices::default() };
         let mut sizes = sized(stations, 1, &choices);
         sizes.tip_radius = sizes.wheel_radius;
         sizes.wheel_radius = (sizes.tip_radius * sizes.tip_radius - 16.0).sqrt();
@@ -214,7 +214,7 @@ fn the_customary_crescent_bites() {
             assert!(between(&wheel, &disc.unwrap()) > found.distance - 0.01);
         }
         // With the cut of ours the same parts without play touch and no more.
-        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(0.0)), ..Choices::default() };
+        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::from_slot(0.0)), ..Choices::default() };
         let ours = sized(stations, 1, &choices);
         assert!(ours.clearance().closest_approach().distance.abs() < 1e-9, "{:?}", ours.clearance());
     }

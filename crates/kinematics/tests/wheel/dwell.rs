@@ -52,7 +52,7 @@ fn wheels() -> Vec<Sizes> {
     let counts = [(3, 1), (4, 1), (6, 1), (12, 1), (4, 2), (5, 2), (6, 2), (8, 2), (12, 2), (4, 3), (3, 5)];
     let mut all: Vec<_> = counts.map(|(stations, pins)| sized(stations, pins, &Choices::default())).into();
     for (stations, pin, play) in [(6, 4.0, 0.8), (6, 15.0, 6.0), (4, 10.0, 1.0), (8, 9.0, 0.02), (12, 2.0, 0.5)] {
-        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(play)), ..Choices::default() };
+        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::from_slot(play)), ..Choices::default() };
         all.push(sized(stations, 1, &choices));
     }
     let play = Some(Play { slot: 0.5, locking: 0.1, bore: 0.0 });
@@ -115,7 +115,7 @@ fn the_greatest_is_greatest_and_the_middle_holds_as_long_as_is_said() {
 
 #[test]
 fn without_play_there_is_none_and_without_a_dwell_nothing_is_told() {
-    let tight = sized(6, 1, &Choices { play: Some(Play::of(0.0)), ..Choices::default() });
+    let tight = sized(6, 1, &Choices { play: Some(Play::from_slot(0.0)), ..Choices::default() });
     let play = tight.dwell_play().unwrap();
     assert!(play.middle.abs() < 1e-12 && play.greatest < 1e-6, "{play:?}");
     let no_dwell = sized(4, 4, &Choices::default());

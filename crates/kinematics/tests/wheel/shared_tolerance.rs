@@ -63,7 +63,7 @@ fn comes_in(sizes: &Sizes, part: f64) -> bool {
 fn nothing_touches_with_all_errors_at_their_limits_together() {
     for stations in [3, 4, 5, 6, 7, 8, 10, 12, 16, 24] {
         for (radius, play) in [(25.0, None), (80.0, None), (80.0, Some(0.08)), (10.0, Some(0.04))] {
-            let choices = Choices { play: play.map(Play::of), ..Choices::default() };
+            let choices = Choices { play: play.map(Play::from_slot), ..Choices::default() };
             let sizes = Sizes::new(Wheel::new(stations).unwrap(), Scale::CrankRadius(radius), &choices).unwrap();
             let limit = sizes.shared_tolerance().unwrap();
             assert!(clear(&sizes, 1.0) > 0.0, "{stations}, {radius} mm, {play:?}: {} {limit:?}", clear(&sizes, 1.0));

@@ -44,7 +44,7 @@ fn seen(sizes: &Sizes) -> [Option<f64>; 3] {
 }
 
 fn pin(diameter: f64) -> Choices {
-    Choices { pin_diameter: Some(diameter), play: Some(Play::of(0.06)), ..Choices::default() }
+    Choices { pin_diameter: Some(diameter), play: Some(Play::from_slot(0.06)), ..Choices::default() }
 }
 
 #[test]
