@@ -62,7 +62,7 @@ pub(crate) fn loops(sizes: &Sizes, layout: Layout) -> Vec<(Layer, Loop)> {
         }
     };
     let mut loops = Vec::new();
-    let mut add = |layer, of: &Loop, turn, x| loops.push((layer, of.placed(turn, Vector2::new(x, 0.0))));
+    let mut add = |layer, of: &Loop, turn, x| loops.push((layer, of.transform(turn, Vector2::new(x, 0.0))));
     outline.wheel.loops().for_each(|of| add(Layer::Wheel, of, wheel_turn, 0.0));
     if let Some(disc) = &outline.disc {
         disc.loops().for_each(|of| add(Layer::LockingDisc, of, driver_turn, disc_at));

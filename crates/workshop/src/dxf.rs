@@ -183,9 +183,13 @@ mod tests {
                 if our_sweep.abs() >= 2.0 * PI {
                     return;
                 }
-                let ends = if our_sweep < 0.0 { [ours.to(), ours.from()] } else { [ours.from(), ours.to()] };
-                assert!((read.from() - ends[0]).norm() < 1e-12 * size, "{read:?} {ours:?}");
-                assert!((read.to() - ends[1]).norm() < 1e-12 * size, "{read:?} {ours:?}");
+                let ends = if our_sweep < 0.0 {
+                    [ours.end_point(), ours.start_point()]
+                } else {
+                    [ours.start_point(), ours.end_point()]
+                };
+                assert!((read.start_point() - ends[0]).norm() < 1e-12 * size, "{read:?} {ours:?}");
+                assert!((read.end_point() - ends[1]).norm() < 1e-12 * size, "{read:?} {ours:?}");
             }
             _ => panic!("{read:?} is read, {ours:?} was written"),
         }

@@ -29,7 +29,7 @@ pub(super) fn from_edge(edge: &Edge, p: &Point) -> f64 {
         Edge::Arc { centre, radius, start, sweep } => {
             let from = p - centre;
             let (begin, length) = if sweep < 0.0 { (start + sweep, -sweep) } else { (start, sweep) };
-            let ends = (p - edge.from()).norm().min((p - edge.to()).norm());
+            let ends = (p - edge.start_point()).norm().min((p - edge.end_point()).norm());
             if (from.y.atan2(from.x) - begin).rem_euclid(2.0 * PI) <= length {
                 ends.min((from.norm() - radius).abs())
             } else {
@@ -95,7 +95,7 @@ fn near_driver(wheel: &Loop, sizes: &Sizes) -> Loop {
     let axis = Point::new(sizes.centre_distance, 0.0);
     let near = |edge: &Edge| {
         let reach = sizes.crank_radius + sizes.pin_diameter;
-        [edge.from(), edge.to()].iter().any(|p| (p - axis).norm() < 1.5 * reach)
+        [edge.start_point(), edge.end_point()].iter().any(|p| (p - axis).norm() < 1.5 * reach)
     };
     Loop { edges: wheel.edges.iter().filter(|edge| near(edge)).copied().collect() }
 }
@@ -105,8 +105,8 @@ pub(super) fn placed(sizes: &Sizes, theta: f64) -> (Loop, Option<Loop>, Vec<Loop
     let motion = sizes.wheel.motion(0, theta).unwrap();
     let phi = motion.angle + 2.0 * sizes.wheel.half_pitch_angle() * motion.stations as f64;
     let axis = Point::new(sizes.centre_distance, 0.0);
-    let on_driver = |part: &Loop| part.placed(PI - theta, axis);
-    let wheel = outline.wheel.outer.placed(phi, Point::zeros());
+    let on_driver = |part: &Loop| part.transform(PI - theta, axis);
+    let wheel = outline.wheel.outer.transform(phi, Point::zeros());
     (wheel, outline.disc.map(|disc| on_driver(&disc.outer)), outline.pins.iter().map(on_driver).collect())
 }
 
@@ -250,7 +250,7 @@ fn the_wheel_turns_loosely_until_it_touches() {
         let touches = |theta: f64, by: f64| {
             let (wheel, _, pins) = placed(&sizes, theta);
             // What is turned into the other part is seen as soon as points of it are inside.
-            between(&wheel.placed(by, Point::zeros()), &pins[0])
+            between(&wheel.transform(by, Point::zeros()), &pins[0])
         };
         for share in [0.0, 0.5, 0.95] {
             let theta = share * sizes.wheel.engagement_half_angle();
@@ -269,7 +269,7 @@ pub(super) fn marched(sizes: &Sizes, error: f64) -> Option<(f64, f64)> {
 
 /// The first contact with a wheel that has turned forwards by an angle.
 pub(super) fn marched_to_drifted(sizes: &Sizes, error: f64, drift: f64) -> Option<(f64, f64)> {
-    let wheel = sizes.outline().wheel.outer.placed(drift - sizes.wheel.half_pitch_angle(), Point::zeros());
+    let wheel = sizes.outline().wheel.outer.transform(drift - sizes.wheel.half_pitch_angle(), Point::zeros());
     let axis = Point::new(sizes.centre_distance + error, 0.0);
     let wheel = near_driver(&wheel, sizes);
     let entry = sizes.wheel.engagement_half_angle();
@@ -339,7 +339,7 @@ fn areas_are_those_of_fine_polygons() {
             let (area, moment) = of_polygon(face);
             approx::assert_relative_eq!(face.area(), area, max_relative = 1e-7);
             approx::assert_relative_eq!(face.second_moment(), moment, max_relative = 1e-7);
-            let moved = face.placed(0.7, Point::new(3.0, -5.0));
+            let moved = face.transform(0.7, Point::new(3.0, -5.0));
             approx::assert_relative_eq!(moved.area(), face.area(), max_relative = 1e-12);
             // Steiner's theorem, for faces whose centroid is on the axis by symmetry.
             if pins > 1 || stations > 17 {
@@ -351,7 +351,10 @@ fn areas_are_those_of_fine_polygons() {
             for of in face.loops() {
                 let next = of.edges.iter().cycle().skip(1);
                 for (edge, after) in of.edges.iter().zip(next) {
-                    assert!((edge.to() - after.from()).norm() < 1e-12 * 200.0, "{stations}: a gap after {edge:?}");
+                    assert!(
+                        (edge.end_point() - after.start_point()).norm() < 1e-12 * 200.0,
+                        "{stations}: a gap after {edge:?}"
+                    );
                 }
             }
         }

@@ -13,8 +13,8 @@ fn seen(sizes: &Sizes, error: f64) -> f64 {
     let end = sizes.wheel.engagement_half_angle();
     let instants = (0..=40).map(|step| end * f64::from(step) / 40.0);
     let apart = |theta: f64, phi: f64| {
-        let wheel = outline.wheel.outer.placed(phi, Point::zeros());
-        let on_driver = |of: &geneva_kinematics::wheel::Loop| of.placed(PI - theta, axis);
+        let wheel = outline.wheel.outer.transform(phi, Point::zeros());
+        let on_driver = |of: &geneva_kinematics::wheel::Loop| of.transform(PI - theta, axis);
         let pins = outline.pins.iter().map(|pin| between(&wheel, &on_driver(pin)));
         pins.chain(outline.disc.iter().map(|disc| between(&wheel, &on_driver(&disc.outer))))
             .fold(f64::INFINITY, f64::min)
