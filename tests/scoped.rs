@@ -57,7 +57,7 @@ fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
 /// lever turns with the crank, and the sliding acceleration; none elsewhere. The crank makes one radian a second.
 fn by_the_formula(ground: f64, crank: f64, degrees: f64) -> Option<[f64; 2]> {
     let linkage = QuickReturn::new(ground, crank).ok()?;
-    let position = linkage.at_crank_degrees(degrees).ok()?;
+    let position = linkage.position_at_crank_degrees(degrees).ok()?;
     let motion = LeverMotion::new(&ground, &crank, &position.crank, &Drive::steady(1.0))?;
     let along = motion.velocities.sliding_velocity.dot(&position.lever.direction());
     let (turning, terms) = (motion.velocities.follower_speed, &motion.accelerations);

@@ -61,7 +61,7 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     let strokes = linkage.strokes();
     let limit = strokes.swing_limit.expect("it swings");
     let lever = limit * between(number, 3, 0.05, 0.95);
-    let position = linkage.at_lever_degrees(lever.to_degrees(), Branch::Far).expect("within the swing");
+    let position = linkage.position_at_lever_degrees(lever.to_degrees(), Branch::Far).expect("within the swing");
     let drive = Drive { speed, acceleration };
     let motion = LeverMotion::new(&ground, &crank, &position.crank, &drive).expect("off the pivot");
     let (velocities, terms) = (&motion.velocities, &motion.accelerations);

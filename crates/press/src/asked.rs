@@ -264,7 +264,7 @@ mod tests {
     fn the_senses_that_the_solutions_tell_are_those_of_the_motion() {
         let motion = |instant: Instant| instant.by_diagrams().expect("off the pivot");
         let mut ten = Instant::printed().expect("a mechanism");
-        ten.position = ten.linkage.at_lever_degrees(10.0, Branch::Far).expect("reached");
+        ten.position = ten.linkage.position_at_lever_degrees(10.0, Branch::Far).expect("reached");
         let (ten, near) = (motion(ten), motion(Instant::on(Branch::Near).expect("a mechanism")));
         // Of the lever's angular velocity and acceleration, of the sliding velocity: counter-clockwise, outwards.
         let senses = |of: &LeverMotion<f64>| {

@@ -84,7 +84,7 @@ impl Instant {
 
     fn at(lever: f64, branch: Branch) -> Result<Self, KinematicsError> {
         let linkage = QuickReturn::new(printed("quick-return.ground"), printed("quick-return.crank"))?;
-        let position = linkage.at_lever_degrees(lever, branch)?;
+        let position = linkage.position_at_lever_degrees(lever, branch)?;
         Ok(Self { linkage, position, drive: Drive::steady(printed("quick-return.driver-speed") * PI / 30.0) })
     }
 
