@@ -5,7 +5,7 @@ use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::{Inertias, Parameters, Pose, Sign};
-use geneva_kinematics::escapement::{ContinuousEscapement, possible};
+use geneva_kinematics::escapement::{ContinuousEscapement, possible_pairs};
 use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
 use geneva_ledger::tex::{By, Moment};
 
@@ -65,7 +65,7 @@ fn state(number: usize) -> Moment {
     let follower = libm::atan2(pin.y, pin.x);
     let start = escapement.acceleration(-half, 0.0).expect("one acceleration");
     let energy = Energy::of(&pose, speed, found.value, &inertias);
-    let all = possible();
+    let all = possible_pairs();
     let (count, pins) = *all.iter().find(|(count, _)| *count == mechanism.slots()).expect("one that is possible");
     let ratio = mechanism.wheel().centre_distance_ratio();
     let velocity = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)) * speed;

@@ -65,7 +65,7 @@ fn still() -> LeverMotion<f64> {
     let zero = Vector2::zeros;
     LeverMotion {
         crank: zero(),
-        velocities: PinMotion::carried(zero(), zero(), 0.0),
+        velocities: PinMotion::new(zero(), zero(), 0.0),
         pin_normal: zero(),
         pin_tangential: zero(),
         accelerations: SlotAccelerations {

@@ -21,4 +21,4 @@ pub mod entry_proofs;
 pub use clearance::{ApproachCoefficient, RimExcess};
 pub use configuration::{Configuration, HandOver, RelativePosition, Roots, Slot};
 pub use continuous::{ContinuityStep, ContinuousEscapement, HandOverMotion};
-pub use geometry::{EscapementError, Mechanism, pins_needed, possible};
+pub use geometry::{EscapementError, Mechanism, pins_needed, possible_pairs};

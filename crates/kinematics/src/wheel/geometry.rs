@@ -75,11 +75,11 @@ impl Wheel {
         if !(1..=most).contains(&pins) {
             return Err(KinematicsError::Pins { asked: pins, most, stations });
         }
-        Ok(Self::of_fitting_counts(stations, pins))
+        Ok(Self::from_fitting_counts(stations, pins))
     }
 
     /// A wheel of numbers that are known to fit.
-    pub(crate) fn of_fitting_counts(stations: u32, pins: u32) -> Self {
+    pub(crate) fn from_fitting_counts(stations: u32, pins: u32) -> Self {
         Self { stations, pins, constants: WheelConstants::new(stations) }
     }
 

@@ -171,7 +171,7 @@ impl Indexing for Wheel {
         let pin = libm::round(crank / pitch);
         let advances = turns.saturating_mul(i64::from(self.pins())).saturating_add(pin as i64);
         let behind = fraction_of_pi(2 * libm::fabs(pin) as u32, self.pins());
-        let from_pin = Double::from(crank).minus(if pin < 0.0 { behind.negated() } else { behind });
+        let from_pin = Double::from(crank).minus(if pin < 0.0 { behind.negate() } else { behind });
         match self.engaged_at(from_pin) {
             Ok(motion) => Ok(WheelMotion { stations: advances, ..motion }),
             Err(_) => {
@@ -216,7 +216,7 @@ impl Wheel {
             return Err(KinematicsError::OutsideEngagement { asked: crank.hi, most });
         }
         let before = crank.hi < 0.0;
-        let size = if before { crank.negated() } else { crank };
+        let size = if before { crank.negate() } else { crank };
         let (angle, acceleration, jerk) = self.constants.angle_acceleration_jerk(size);
         Ok(WheelMotion {
             phase: Phase::Advance,

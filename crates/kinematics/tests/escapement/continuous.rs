@@ -1,6 +1,6 @@
 //! Which pairs of pins and slots have one pin in a slot at all times, and which of them rest at the hand-over?
 
-use geneva_kinematics::escapement::{ContinuityStep, ContinuousEscapement, HandOverMotion, possible};
+use geneva_kinematics::escapement::{ContinuityStep, ContinuousEscapement, HandOverMotion, possible_pairs};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::{Expression, Field, Identity, Mechanism, Rational, Surd, Turn, prove};
 use std::f64::consts::PI;
@@ -46,7 +46,7 @@ fn the_axes_are_apart_exactly_where_a_pair_exists() {
 fn the_three_escapements_are_those_at_rest() {
     let resting: Vec<_> = all().filter(|at| at.hand_over_motion() == HandOverMotion::Rests).collect();
     let pairs: Vec<_> = resting.iter().rev().map(|at| (at.slots(), at.pins())).collect();
-    assert_eq!(pairs, possible());
+    assert_eq!(pairs, possible_pairs());
     for at in resting {
         let escapement = Mechanism::new(at.slots()).expect("one of the three");
         let close = |one: f64, other: f64| approx::assert_relative_eq!(one, other, max_relative = 1e-15);

@@ -89,8 +89,8 @@ impl WheelConstants {
         let near = Double::from(libm::acos(peak_cosine.hi));
         let (near_sine, near_versine) = series(near);
         let peak = near.plus(Double::ONE.minus(near_versine).minus(peak_cosine).over(near_sine));
-        let (twice_tangent_head, twice_tangent_tail) = tangent.twice().parted(TWO_TO_26);
-        let (half_cotangent_head, half_cotangent_tail) = cosine.over(sine.twice()).parted(TWO_TO_18);
+        let (twice_tangent_head, twice_tangent_tail) = tangent.twice().split(TWO_TO_26);
+        let (half_cotangent_head, half_cotangent_tail) = cosine.over(sine.twice()).split(TWO_TO_18);
         Self {
             entry,
             half_pitch_angle,

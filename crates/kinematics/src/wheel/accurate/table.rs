@@ -63,9 +63,9 @@ impl TableNode {
 
 /// Sine and versed sine of an angle between 0 and 2, by their power series, to about 100 bits.
 pub(super) const fn series(angle: Double) -> (Double, Double) {
-    let square = angle.times(angle).negated();
+    let square = angle.times(angle).negate();
     let (mut sine, mut versine) = (Double::from(0.0), Double::from(0.0));
-    let (mut odd, mut even) = (angle, square.half().negated());
+    let (mut odd, mut even) = (angle, square.half().negate());
     let mut order = 1.0;
     while odd.hi > 1e-34 || odd.hi < -1e-34 {
         (sine, versine) = (sine.plus(odd), versine.plus(even));
@@ -83,8 +83,8 @@ pub(super) const fn series(angle: Double) -> (Double, Double) {
 /// r³/6 and of r²/2.
 pub(super) fn sine_versine(angle: Double) -> (Double, Double) {
     if angle.hi < 0.0 {
-        let (sine, versine) = sine_versine(angle.negated());
-        return (sine.negated(), versine);
+        let (sine, versine) = sine_versine(angle.negate());
+        return (sine.negate(), versine);
     }
     let (node, Double { hi: rest, lo: low }) = TableNode::nearest(angle);
     let square = rest * rest;
