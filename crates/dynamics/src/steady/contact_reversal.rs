@@ -9,7 +9,7 @@
 
 use super::engagement::Engagement;
 use super::quadrature::NodalValues;
-use super::subinterval::{NodeMapping, Nodes, Solution};
+use super::subinterval::{NodeMapping, Nodes, SubintervalSolution};
 
 /// A step of Newton's method, over the subinterval, from which on u is taken on nodes of its own.
 pub(super) const COARSE: f64 = 1e-4;
@@ -45,7 +45,7 @@ pub(super) struct Split {
 #[derive(Clone, Debug)]
 pub(super) struct SplitPart {
     pub nodes: Nodes,
-    pub solution: Solution,
+    pub solution: SubintervalSolution,
 }
 
 /// What Newton's method ends with.

@@ -2,7 +2,7 @@
 
 use super::circle::{Circle, CirclePoint};
 use super::quadrature::{GaussLegendre, NODES, rule};
-use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisection_tree, middle};
+use super::subinterval::{NodeMapping, Nodes, NodesOf, SubintervalSolution, bisection_tree, middle};
 use crate::{DynamicsError, Parameters};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -68,7 +68,7 @@ pub struct Engagement {
 pub(super) struct Subinterval {
     pub nodes: NodesOf<'static>,
     /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
-    pub plus: Solution,
+    pub plus: SubintervalSolution,
     /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end, dimensionless.
     pub before: (f64, f64),
     /// Made when it is asked for: the motion has this sign from the contact reversal on only.
@@ -78,7 +78,7 @@ pub(super) struct Subinterval {
 /// The trailing flank: friction with the minus sign past the line of centres.
 #[derive(Clone, Debug)]
 pub(super) struct Trailing {
-    pub minus: Solution,
+    pub minus: SubintervalSolution,
     /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation, dimensionless.
     pub gap: f64,
 }
@@ -276,7 +276,7 @@ impl Engagement {
     }
 
     /// The solution at nodes with σ = S μ.
-    pub(super) fn solution(&self, nodes: &Nodes, sigma: f64) -> Solution {
+    pub(super) fn solution(&self, nodes: &Nodes, sigma: f64) -> SubintervalSolution {
         nodes.solution(self.rule, self.inertia, sigma)
     }
 

@@ -3,7 +3,7 @@
 use super::contact_reversal::{ContactReversal, Split};
 use super::engagement::{Engagement, exponents};
 use super::quadrature::{NODES, NodalValues};
-use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, middle};
+use super::subinterval::{NodeMapping, Nodes, NodesOf, SubintervalSolution, middle};
 use crate::DynamicsError;
 
 /// Motion over one engagement from one speed at entry.
@@ -320,7 +320,14 @@ impl<'a> March<'a> {
     }
 
     /// Goes on over nodes, which may be those of a subinterval; divides them if the energy changes too much.
-    fn add(&mut self, nodes: &Nodes, shared: Option<&'a Nodes>, solution: &Solution, mode: ContactMode, halvings: u32) {
+    fn add(
+        &mut self,
+        nodes: &Nodes,
+        shared: Option<&'a Nodes>,
+        solution: &SubintervalSolution,
+        mode: ContactMode,
+        halvings: u32,
+    ) {
         let engagement = self.engagement;
         let (squares, end) = solution.motion(mode == ContactMode::Approach, self.square);
         let (low, high) = (nodes.low, nodes.high);

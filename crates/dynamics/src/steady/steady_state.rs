@@ -9,7 +9,7 @@ use super::contact_reversal::{ContactReversal, Split, SplitPart};
 use super::engagement::{Engagement, Subinterval, Trailing, exponents};
 use super::extremes::Extreme;
 use super::quadrature::{NodalValues, dot};
-use super::subinterval::Solution;
+use super::subinterval::SubintervalSolution;
 use crate::DynamicsError;
 use std::cell::LazyCell;
 
@@ -259,7 +259,7 @@ impl Engagement {
 }
 
 /// What follows a part with the minus sign, put after it.
-fn on_with(minus: &Solution, rest: Rest, log: f64) -> Rest {
+fn on_with(minus: &SubintervalSolution, rest: Rest, log: f64) -> Rest {
     let factor = rest.on.0 * minus.factor_end;
     Rest { on: (factor, rest.on.1 + factor * minus.integral_end), log: rest.log + log }
 }

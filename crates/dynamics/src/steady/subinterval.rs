@@ -45,7 +45,7 @@ pub(super) struct Nodes {
 
 /// The solution with one sign over a subinterval, from its lower end.
 #[derive(Clone, Debug)]
-pub(super) struct Solution {
+pub(super) struct SubintervalSolution {
     /// e^Λ at the nodes.
     pub factor: NodalValues,
     /// J at the nodes.
@@ -117,7 +117,7 @@ impl Nodes {
     }
 
     /// The solution with the friction σ = S μ.
-    pub fn solution(&self, rule: &GaussLegendre, inertia: f64, sigma: f64) -> Solution {
+    pub fn solution(&self, rule: &GaussLegendre, inertia: f64, sigma: f64) -> SubintervalSolution {
         let (mut rate, mut force) = ([0.0; _], self.inert(inertia, sigma));
         for index in 0..rate.len() {
             let (rho, k) = (self.rho[index], self.k[index]);
@@ -132,7 +132,7 @@ impl Nodes {
             *force /= factor;
         }
         let (integral, integral_end) = rule.cumulative(&force);
-        Solution { factor, integral, factor_end, integral_end, exponent }
+        SubintervalSolution { factor, integral, factor_end, integral_end, exponent }
     }
 
     /// p with the plus sign less p with the minus sign, per unit of the rule: 4 μ i k²/(A₊ A₋) without cancellation.
@@ -147,7 +147,7 @@ impl Nodes {
     }
 }
 
-impl Solution {
+impl SubintervalSolution {
     /// The square's change over a subinterval: u at the nodes and at the end, from u at the start, dimensionless.
     pub fn motion(&self, mirrored: bool, start: f64) -> (NodalValues, f64) {
         if mirrored {
