@@ -9,7 +9,7 @@ use geneva_ledger::meyer::runs::study::by_deck;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::printed_value;
 use geneva_mimic::language::{CardLayout, Deck, Program, RememberedPoints, RunOptions, deck_named};
-use geneva_mimic::{Interpolation, Parameters, StepSolution};
+use geneva_mimic::{Interpolation, SolverParameters, StepSolution};
 
 /// The escapement's deck with some names set.
 #[track_caller]
@@ -199,9 +199,9 @@ fn the_results_do_not_hang_on_what_is_not_known() {
     let program = program(&as_listed());
     let with = |integrator| RunOptions { integrator, ..usual };
     let variants = [
-        with(Parameters { kept: StepSolution::FullStep, ..usual.integrator }),
-        with(Parameters { kept: StepSolution::Extrapolated, ..usual.integrator }),
-        with(Parameters { relative_tolerance: usual.integrator.relative_tolerance / 100.0, ..usual.integrator }),
+        with(SolverParameters { kept: StepSolution::FullStep, ..usual.integrator }),
+        with(SolverParameters { kept: StepSolution::Extrapolated, ..usual.integrator }),
+        with(SolverParameters { relative_tolerance: usual.integrator.relative_tolerance / 100.0, ..usual.integrator }),
         RunOptions { interpolation: Interpolation::Hold, ..usual },
         RunOptions { remembered: RememberedPoints::AsAsked, ..usual },
     ];

@@ -166,7 +166,7 @@ impl Hypothesis {
     }
 
     /// The run, read off the lines that the program prints; the true peak is not among them.
-    pub fn run_by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
+    pub fn run_by_program(&self, row: &Row, integrator: &geneva_mimic::SolverParameters) -> Option<Run> {
         let program = self.program(row)?;
         Run::read_off(&program.run(integrator).ok()?, program.reset)
     }
@@ -230,7 +230,7 @@ pub fn fitting_interval(rows: &[Row], by_steps: bool) -> f64 {
             let listing = row.given.listing;
             let interval = times * listing.interval;
             let largest = if by_steps {
-                let integrator = geneva_mimic::Parameters {
+                let integrator = geneva_mimic::SolverParameters {
                     print_interval: interval,
                     largest_step: interval,
                     initial_step: interval,

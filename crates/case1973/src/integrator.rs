@@ -2,7 +2,7 @@
 
 use crate::hypothesis::{Hypothesis, Lag};
 use crate::{EXPLAINED, Row, Run};
-use geneva_mimic::{Parameters as Integrator, StepSolution};
+use geneva_mimic::{SolverParameters as Integrator, StepSolution};
 
 /// One parameter of the integrator, set to something other than its default.
 pub struct Variant {

@@ -100,7 +100,7 @@ impl Program1973 {
     ///
     /// A reset angle that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that
     /// becomes too small, an angle at which the equation has no single solution.
-    pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, ProgramError> {
+    pub fn run(&self, integrator: &geneva_mimic::SolverParameters) -> Result<Printout, ProgramError> {
         use geneva_dynamics::DynamicsError::{NotFinite, NotPositive};
         if !(self.reset > 0.0 && self.reset.is_finite()) {
             Err(NotPositive { name: "reset angle", asked: self.reset })?;

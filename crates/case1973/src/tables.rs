@@ -69,10 +69,10 @@ impl Listing {
     /// The integrator as far as the listing tells, with the defaults for the rest.
     ///
     /// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.
-    pub fn integrator(&self) -> geneva_mimic::Parameters {
-        geneva_mimic::Parameters {
+    pub fn integrator(&self) -> geneva_mimic::SolverParameters {
+        geneva_mimic::SolverParameters {
             at_smallest_step: MinStepPolicy::Continue,
-            ..geneva_mimic::Parameters::new(self.interval, self.duration)
+            ..geneva_mimic::SolverParameters::new(self.interval, self.duration)
         }
     }
 }

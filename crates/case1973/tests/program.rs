@@ -8,13 +8,13 @@ fn parameters(mechanism: Mechanism, ratio: f64, friction: f64) -> Parameters {
     Parameters::new(mechanism, Inertias::new(ratio, 1.0).unwrap(), 1.0, friction).unwrap()
 }
 
-fn tight(run_length: f64) -> geneva_mimic::Parameters {
-    geneva_mimic::Parameters {
+fn tight(run_length: f64) -> geneva_mimic::SolverParameters {
+    geneva_mimic::SolverParameters {
         relative_tolerance: 1e-11,
         absolute_floor: 1.0,
         growth_below: 1.0 / 64.0,
         at_smallest_step: geneva_mimic::MinStepPolicy::Continue,
-        ..geneva_mimic::Parameters::new(run_length / 400.0, run_length)
+        ..geneva_mimic::SolverParameters::new(run_length / 400.0, run_length)
     }
 }
 
@@ -34,7 +34,7 @@ fn a_driver_without_friction_gains_what_the_torque_gives() {
 #[test]
 fn a_short_delay_changes_little_and_a_long_one_more() {
     let exact = Program1973::ideal(&parameters(Mechanism::FOUR_PIN, 0.06, 0.3));
-    let integrator = geneva_mimic::Parameters { largest_step: 1e-3, initial_step: 1e-3, ..tight(8.0) };
+    let integrator = geneva_mimic::SolverParameters { largest_step: 1e-3, initial_step: 1e-3, ..tight(8.0) };
     let at = |sign_rule| Program1973 { sign_rule, ..exact }.run(&integrator).unwrap().largest();
     let apart = |delay: f64| (at(SignRule::Delayed(delay)) - at(SignRule::Exact)).abs();
     let (short, long) = (apart(2e-3), apart(4e-2));

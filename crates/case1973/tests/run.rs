@@ -17,7 +17,7 @@ fn what_is_read_off_is_what_the_solver_has() {
         let parameters = parameters(mechanism);
         let steady = Engagement::new(&parameters).and_then(|of| of.steady_state()).expect("a steady state");
         let program = Program1973::ideal(&parameters);
-        let integrator = geneva_mimic::Parameters::new(steady.period / 200.0, 30.0 * steady.period);
+        let integrator = geneva_mimic::SolverParameters::new(steady.period / 200.0, 30.0 * steady.period);
         let read = Run::read_off(&program.run(&integrator).expect("a run"), program.reset).expect("readings");
         assert!((read.peak / steady.peak.speed - 1.0).abs() < 1e-3, "{read:?} {steady:?}");
         assert!((read.period / steady.period - 1.0).abs() < 1e-3, "{read:?} {steady:?}");
@@ -66,7 +66,7 @@ fn the_time_of_a_hand_over_is_exact_where_the_angle_is_a_cubic() {
 #[test]
 fn a_run_without_two_hand_overs_has_no_period() {
     let program = Program1973::ideal(&parameters(Mechanism::FOUR_PIN));
-    let integrator = geneva_mimic::Parameters::new(0.01, 0.4);
+    let integrator = geneva_mimic::SolverParameters::new(0.01, 0.4);
     let short = program.run(&integrator).expect("a run");
     assert!(Run::read_off(&short, program.reset).is_none());
 }

@@ -28,7 +28,7 @@ pub enum Extrapolation {
 /// need makes room.
 ///
 /// A run's error test does not see how well the past is read: the whole step and the two halves read the same entries.
-/// [`Parameters::largest_step`](crate::Parameters::largest_step) keeps the entries close.
+/// [`SolverParameters::largest_step`](crate::SolverParameters::largest_step) keeps the entries close.
 ///
 /// The thesis has one such line, the crank's angular acceleration a tenth of the print interval before; how MIMIC read
 /// between its entries is not said, nor what the third argument of `TDL`, 100, is: perhaps this capacity.

@@ -45,7 +45,7 @@ pub enum ParameterError {
     /// A number outside its range.
     #[error("{name} {asked:?}: it must be {allowed}; give a number that is")]
     Range {
-        /// The field of [`Parameters`](crate::Parameters).
+        /// The field of [`SolverParameters`](crate::SolverParameters).
         name: &'static str,
         /// What was asked for, in the field's own unit.
         asked: f64,

@@ -2,7 +2,7 @@
 
 use crate::{AllowedRange, ParameterError};
 
-/// The most that [`Parameters::most_steps`] may be: up to here the multiples of the print interval are well apart.
+/// The most that [`SolverParameters::most_steps`] may be: up to here the multiples of the print interval are well apart.
 pub const MOST_STEPS: u64 = 1_000_000_000_000;
 
 /// Value of a step with which the run goes on.
@@ -31,19 +31,19 @@ pub enum MinStepPolicy {
 /// it does not give them: a result that depends on them is not a result of the thesis. Work::Meyer1973, Appendix B.
 ///
 /// ```
-/// use geneva_mimic::{Parameters, integrate};
+/// use geneva_mimic::{SolverParameters, integrate};
 /// use nalgebra::Vector1;
 ///
 /// // A smaller tolerance costs more steps.
 /// let mut decay = |_: f64, x: &Vector1<f64>| -*x;
-/// let usual = Parameters::new(1.0, 2.0);
-/// let fine = Parameters { relative_tolerance: 1e-9, ..usual };
+/// let usual = SolverParameters::new(1.0, 2.0);
+/// let fine = SolverParameters { relative_tolerance: 1e-9, ..usual };
 /// let [few, many] = [usual, fine].map(|of| integrate(&mut decay, Vector1::new(1.0), &of, |_| ()));
 /// assert!(few?.work.accepted < many?.work.accepted);
 /// # Ok::<(), geneva_mimic::IntegrationError<1, std::convert::Infallible>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
+pub struct SolverParameters {
     /// `DT`, time between printed points, in the unit of the right-hand side's time, positive. No step passes a printed
     /// point.
     pub print_interval: f64,
@@ -107,7 +107,7 @@ pub struct Parameters {
     pub most_steps: u64,
 }
 
-impl Parameters {
+impl SolverParameters {
     /// How near a change that comes at kept points only is located: 2⁻²⁴ of the print interval, or the smallest step if
     /// that is longer; in the unit of the right-hand side's time.
     ///

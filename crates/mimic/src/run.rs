@@ -2,7 +2,7 @@
 
 use crate::print_times::{PrintTimes, SLIVER};
 use crate::step::{Attempt, non_finite};
-use crate::{Cause, EarlyStop, IntegrationError, MinStepPolicy, Parameters, SolverQuantity, System};
+use crate::{Cause, EarlyStop, IntegrationError, MinStepPolicy, SolverParameters, SolverQuantity, System};
 use nalgebra::SVector;
 
 /// A printed point.
@@ -51,16 +51,16 @@ pub struct Solution<const D: usize> {
 /// A step is refused if the whole step and two half steps differ by more than the tolerance in any component, if
 /// either is not finite, or if the system [`switches`](System::switches) at its end; it is then tried shorter. The way
 /// from point to point of the print grid does not change the times of the points. Work::Meyer1973, Appendix B, and
-/// [`Parameters`] for what is not said there.
+/// [`SolverParameters`] for what is not said there.
 ///
 /// ```
-/// use geneva_mimic::{Parameters, integrate};
+/// use geneva_mimic::{SolverParameters, integrate};
 /// use nalgebra::Vector1;
 ///
 /// // x' = −x from 1, printed at 0, 0.5, 1, 1.5 and 2.
 /// let mut decay = |_: f64, x: &Vector1<f64>| -*x;
 /// let mut times = Vec::new();
-/// let end = integrate(&mut decay, Vector1::new(1.0), &Parameters::new(0.5, 2.0), |point| times.push(point.time))?;
+/// let end = integrate(&mut decay, Vector1::new(1.0), &SolverParameters::new(0.5, 2.0), |point| times.push(point.time))?;
 /// assert_eq!(times, [0.0, 0.5, 1.0, 1.5, 2.0]);
 /// assert!((end.last.state[0] / (-2_f64).exp() - 1.0).abs() < 1e-5);
 /// # Ok::<(), geneva_mimic::IntegrationError<1, std::convert::Infallible>>(())
@@ -74,7 +74,7 @@ pub struct Solution<const D: usize> {
 pub fn integrate<S, const D: usize>(
     system: &mut S,
     start: SVector<f64, D>,
-    parameters: &Parameters,
+    parameters: &SolverParameters,
     mut print: impl FnMut(&Point<D>),
 ) -> Result<Solution<D>, IntegrationError<D, S::Fault>>
 where
@@ -107,7 +107,7 @@ where
 /// A run at the last point that it has accepted.
 struct Integration<'a, S, const D: usize> {
     system: &'a mut S,
-    parameters: &'a Parameters,
+    parameters: &'a SolverParameters,
     time: f64,
     state: SVector<f64, D>,
     derivative: SVector<f64, D>,

@@ -1,7 +1,7 @@
 //! Is one step the classical one, when does it ask the system, and what does a run make of its two results?
 
 use geneva_mimic::{
-    Cause, EarlyStop, IntegrationError, MinStepPolicy, Parameters, Solution, StepSolution, System, integrate,
+    Cause, EarlyStop, IntegrationError, MinStepPolicy, Solution, SolverParameters, StepSolution, System, integrate,
     runge_kutta_step,
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector3};
@@ -52,11 +52,11 @@ impl<const D: usize, F: Fn(&SVector<f64, D>) -> SVector<f64, D>> System<D> for A
 fn an_attempt_asks_at_the_quarters_and_hands_on_a_fault() {
     let rate = |x: &Vector2<f64>| Vector2::new(x[1], -x[0]);
     let mut asked = Asked { rate, times: Vec::new(), fails_beyond: f64::INFINITY };
-    integrate(&mut asked, Vector2::new(1.0, 0.0), &Parameters::with_fixed_step(4.0, 4.0, 8.0), |_| ()).unwrap();
+    integrate(&mut asked, Vector2::new(1.0, 0.0), &SolverParameters::with_fixed_step(4.0, 4.0, 8.0), |_| ()).unwrap();
     assert_eq!(asked.times[..10], [2.0, 2.0, 4.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0]);
     assert_eq!(asked.times[10..], [6.0, 6.0, 8.0, 5.0, 5.0, 6.0, 6.0, 7.0, 7.0, 8.0]);
     let mut faulty = Asked { rate: |x: &Vector1<f64>| *x, times: Vec::new(), fails_beyond: 1.7 };
-    let ended = integrate(&mut faulty, Vector1::new(1.0), &Parameters::with_fixed_step(1.0, 1.0, 2.0), |_| ());
+    let ended = integrate(&mut faulty, Vector1::new(1.0), &SolverParameters::with_fixed_step(1.0, 1.0, 2.0), |_| ());
     let Err(IntegrationError::EarlyStop(stopped)) = ended else { panic!("{ended:?}") };
     assert_eq!((stopped.time, stopped.cause), (1.0, Cause::System(2.0)));
 }
@@ -90,9 +90,9 @@ impl<const D: usize> System<D> for Scripted<D> {
 fn scripted<const D: usize>(
     full: SVector<f64, D>,
     halves: SVector<f64, D>,
-    change: impl FnOnce(&mut Parameters),
+    change: impl FnOnce(&mut SolverParameters),
 ) -> Result<Solution<D>, EarlyStop<D, Infallible>> {
-    let mut parameters = Parameters::with_fixed_step(12.0, 12.0, 12.0);
+    let mut parameters = SolverParameters::with_fixed_step(12.0, 12.0, 12.0);
     change(&mut parameters);
     let ended = integrate(&mut Scripted { full, halves, asked: 0 }, SVector::zeros(), &parameters, |_| ());
     ended.map_err(|error| match error {

@@ -1,6 +1,6 @@
 //! Problems with closed forms, integrators to solve them, and one judge for all of them.
 
-use geneva_mimic::{Parameters, Solution, StepSolution, integrate};
+use geneva_mimic::{Solution, SolverParameters, StepSolution, integrate};
 use nalgebra::{Vector2, Vector3};
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
@@ -68,7 +68,7 @@ pub fn largest_error(problem: &Problem, points: &Points) -> f64 {
 
 /// A run of a problem, with its printed points.
 #[track_caller]
-pub fn run(problem: &Problem, parameters: &Parameters) -> (Points, Solution<2>) {
+pub fn run(problem: &Problem, parameters: &SolverParameters) -> (Points, Solution<2>) {
     let mut rate = problem.rate;
     let mut points = Vec::new();
     let end = integrate(&mut rate, (problem.exact)(0.0), parameters, |point| points.push((point.time, point.state)));

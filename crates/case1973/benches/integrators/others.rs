@@ -26,10 +26,10 @@ pub fn run(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
 
 /// The run from rest as the program makes it, with the exact sign and the mechanism's own reset angle.
 pub fn program(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
-    let integrator = geneva_mimic::Parameters {
+    let integrator = geneva_mimic::SolverParameters {
         relative_tolerance: tolerance,
         at_smallest_step: MinStepPolicy::Continue,
-        ..geneva_mimic::Parameters::new(row.interval, row.duration)
+        ..geneva_mimic::SolverParameters::new(row.interval, row.duration)
     };
     let printout = Program1973::ideal(&row.escapement).run(&integrator).ok()?;
     let numbers = printout.lines.iter().skip(1).map(|line| line.speed).collect();

@@ -185,7 +185,7 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
                 let angular_acceleration = escapement.acceleration(angle, state[1].max(0.0)).expect("one acceleration");
                 Vector2::new(state[1], angular_acceleration.value)
             };
-            let parameters = geneva_mimic::Parameters {
+            let parameters = geneva_mimic::SolverParameters {
                 relative_tolerance: 1e-12,
                 kept: StepSolution::Extrapolated,
                 smallest_step: 1e-13,
@@ -193,7 +193,7 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
                 largest_step: 1.0 / 1024.0,
                 initial_step: 1.0 / 1024.0,
                 at_smallest_step: MinStepPolicy::Continue,
-                ..geneva_mimic::Parameters::new(0.125, 8.0)
+                ..geneva_mimic::SolverParameters::new(0.125, 8.0)
             };
             let (mut worst, mut number) = (0.0_f64, 0);
             geneva_mimic::integrate(&mut rates, Vector2::zeros(), &parameters, |point| {

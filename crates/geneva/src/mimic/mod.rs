@@ -430,7 +430,7 @@ fn choices(wanted: &RunArguments) -> RunOptions {
         DelayKeeps::All => RememberedPoints::All,
         DelayKeeps::AsAsked => RememberedPoints::AsAsked,
     };
-    let integrator = geneva_mimic::Parameters {
+    let integrator = geneva_mimic::SolverParameters {
         relative_tolerance: wanted.tolerance,
         absolute_floor: wanted.floor,
         kept,

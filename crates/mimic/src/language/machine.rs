@@ -5,7 +5,7 @@ use super::digits::eight_digits;
 use super::program::{Memory, Program, State, StateRule, TIME};
 use super::trouble::{FaultOrigin, Trouble};
 use crate::step::Attempt;
-use crate::{Cause, DelayError, DelayLine, Parameters, System};
+use crate::{Cause, DelayError, DelayLine, SolverParameters, System};
 use core::cell::Cell;
 use nalgebra::SVector;
 
@@ -238,7 +238,7 @@ impl Machine<'_> {
         time: f64,
         state: &SVector<f64, D>,
         cause: Cause<Stop>,
-        parameters: &Parameters,
+        parameters: &SolverParameters,
     ) -> Trouble {
         let program = self.program;
         match cause {
@@ -274,7 +274,7 @@ impl Machine<'_> {
         time: f64,
         state: &SVector<f64, D>,
         steps: u64,
-        parameters: &Parameters,
+        parameters: &SolverParameters,
     ) -> FaultOrigin {
         let program = self.program;
         let longest = parameters.largest_step;
@@ -303,7 +303,7 @@ impl Machine<'_> {
         time: f64,
         state: &SVector<f64, D>,
         step: f64,
-        parameters: &Parameters,
+        parameters: &SolverParameters,
     ) -> usize {
         let first = self.derivative(time, state).unwrap_or_else(|_| SVector::zeros());
         let attempt = Attempt::new(|time, state| self.derivative(time, state), time, time + step, state, &first);
@@ -318,7 +318,7 @@ impl Machine<'_> {
         state: &SVector<f64, D>,
         step: f64,
         excess: f64,
-        parameters: &Parameters,
+        parameters: &SolverParameters,
     ) -> Trouble {
         let worst = self.worst(time, state, step, parameters);
         let (card, name) = self.program.states.get(worst).map_or((0, String::new()), |of| (of.card, of.name.clone()));

@@ -6,7 +6,7 @@ use super::digits::eight_digits;
 use super::machine::{Machine, RecordedDelay, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
 use super::trouble::{RunError, Trouble};
-use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, SolverStats};
+use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, SolverParameters, SolverStats};
 use core::cell::Cell;
 use nalgebra::SVector;
 
@@ -42,9 +42,9 @@ pub struct RunOptions {
     /// Parameters of the integrator. Its print interval is DT where no DT card is; its run length and its least, greatest and
     /// first step are not used, because FIN, DTMIN and DTMAX give them.
     ///
-    /// Default: that of [`Parameters`], but a step that cannot be made smaller is kept, and counted: a deck may have
+    /// Default: that of [`SolverParameters`], but a step that cannot be made smaller is kept, and counted: a deck may have
     /// switches, and to pass one within the tolerance may take a step shorter than any.
-    pub integrator: Parameters,
+    pub integrator: SolverParameters,
     /// How a delay reads between the values that it keeps. Default: linearly.
     pub interpolation: Interpolation,
     /// How a delay reads behind its latest value, where a step is longer than the delay. Default: it holds the latest.
@@ -61,7 +61,7 @@ impl Default for RunOptions {
     fn default() -> Self {
         let at_smallest_step = crate::MinStepPolicy::Continue;
         Self {
-            integrator: Parameters { at_smallest_step, ..Parameters::new(0.1, 0.1) },
+            integrator: SolverParameters { at_smallest_step, ..SolverParameters::new(0.1, 0.1) },
             interpolation: Interpolation::Linear,
             extrapolation: Extrapolation::Hold,
             remembered: RememberedPoints::All,
@@ -290,7 +290,7 @@ impl Program {
     }
 
     /// How the integrator is to go, and whether the end of the run is known before it.
-    fn integrator(&self, registers: &[f64], choices: &RunOptions) -> Result<(Parameters, bool), Trouble> {
+    fn integrator(&self, registers: &[f64], choices: &RunOptions) -> Result<(SolverParameters, bool), Trouble> {
         let [interval, smallest, largest] = self.steps.map(|(register, _)| registers[register as usize]);
         let refused = |name, value, allowed| Err(Trouble::Step { name, value, allowed });
         for (name, value) in [("DT", interval), ("DTMIN", smallest), ("DTMAX", largest)] {
@@ -341,7 +341,7 @@ impl Program {
         }
         // A run whose end is not known before goes on until a value stops it, or rows without end do.
         let run_length = end.unwrap_or(interval * (most_steps as f64).min(self.most_rows(choices.at_once)));
-        let parameters = Parameters {
+        let parameters = SolverParameters {
             most_steps,
             print_interval: interval,
             run_length,

@@ -3,7 +3,7 @@
 //! `GENEVA_FUZZ` says how many random decks are tried, and `GENEVA_FUZZ_SEED` which.
 
 use fastrand::Rng;
-use geneva_mimic::Parameters;
+use geneva_mimic::SolverParameters;
 use geneva_mimic::language::{CardLayout, DECKS, DataSet, Deck, FUNCTIONS, Program, RunOptions, print_out};
 
 /// One of several words.
@@ -41,7 +41,7 @@ fn assert_is_plain(told: &str) {
 /// A run that cannot take long.
 fn short() -> RunOptions {
     let usual = RunOptions::default();
-    RunOptions { integrator: Parameters { most_steps: 2000, ..usual.integrator }, ..usual }
+    RunOptions { integrator: SolverParameters { most_steps: 2000, ..usual.integrator }, ..usual }
 }
 
 /// Reads, compiles and runs a text in both layouts; how far it came.

@@ -2,14 +2,14 @@
 
 use super::own;
 use geneva_mimic::language::{CardLayout, DECKS, Deck, DeckRun, Program, RunOptions};
-use geneva_mimic::{Extrapolation, Interpolation, MinStepPolicy, Parameters, System, integrate};
+use geneva_mimic::{Extrapolation, Interpolation, MinStepPolicy, SolverParameters, System, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dopri5, System as OtherSystem};
 
 /// The integrator as the language uses it.
-fn like(print_interval: f64, run_length: f64) -> Parameters {
-    Parameters { at_smallest_step: MinStepPolicy::Continue, ..Parameters::new(print_interval, run_length) }
+fn like(print_interval: f64, run_length: f64) -> SolverParameters {
+    SolverParameters { at_smallest_step: MinStepPolicy::Continue, ..SolverParameters::new(print_interval, run_length) }
 }
 
 #[track_caller]
@@ -24,7 +24,7 @@ fn same<const D: usize, S: System<D>>(
     printed: &DeckRun,
     mut system: S,
     start: SVector<f64, D>,
-    parameters: &Parameters,
+    parameters: &SolverParameters,
     columns: impl Fn(&SVector<f64, D>) -> Vec<f64>,
 ) {
     let mut rows = Vec::new();
@@ -163,7 +163,7 @@ fn the_delayed_oscillator_is_that_of_rust_and_its_swing_grows_as_it_must() {
         let printed = run("delayed", &[late]);
         let line = geneva_mimic::DelayLine::new(late, 0.0, Interpolation::Linear, Extrapolation::Hold);
         let system = Delayed { line: line.expect("a line") };
-        let parameters = Parameters { largest_step: 0.01, initial_step: 0.01, ..like(0.1, 20.0) };
+        let parameters = SolverParameters { largest_step: 0.01, initial_step: 0.01, ..like(0.1, 20.0) };
         same(&printed, system, Vector2::new(0.0, 1.0), &parameters, |state| vec![state[1], state[0]]);
         // s² = −e^(−s late) by Newton's steps from i: the real part is the growth.
         let [mut re, mut im] = [0.0_f64, 1.0_f64];

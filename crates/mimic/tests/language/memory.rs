@@ -2,14 +2,14 @@
 
 use super::{own, program, runs};
 use geneva_mimic::language::{DataSet, DeckRun, Program, RunOptions};
-use geneva_mimic::{Parameters, StepSolution};
+use geneva_mimic::{SolverParameters, StepSolution};
 
 /// A run with each kept value and some tolerances.
 fn in_all_ways(program: &Program, set: &DataSet, mut check: impl FnMut(&DeckRun, f64)) {
     let usual = RunOptions::default();
     for kept in [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated] {
         for relative_tolerance in [1e-4, 5e-6, 1e-8, 1e-11] {
-            let integrator = Parameters { kept, relative_tolerance, ..usual.integrator };
+            let integrator = SolverParameters { kept, relative_tolerance, ..usual.integrator };
             let run = program
                 .run(set, &RunOptions { integrator, ..usual })
                 .unwrap_or_else(|trouble| panic!("{kept:?} {relative_tolerance} {trouble}"));
@@ -102,7 +102,7 @@ fn of_two_cards_that_count_the_last_in_the_sorted_order_does() {
 fn a_gap_too_narrow_to_stay_in_ends_with_the_card_and_the_time() {
     let usual = RunOptions::default();
     let choices = |relative_tolerance: f64| {
-        let integrator = Parameters { most_steps: 20_000, relative_tolerance, ..usual.integrator };
+        let integrator = SolverParameters { most_steps: 20_000, relative_tolerance, ..usual.integrator };
         RunOptions { integrator, ..usual }
     };
     let (program, set) = own("thermostat", &[20.0, 20.000_1, 4.0]);

@@ -4,7 +4,7 @@ use super::{deck, own, program, runs};
 use geneva_mimic::language::{
     DataSet, DeckRun, Plot, Program, RememberedPoints, RunOptions, Trouble, line_plot, print_out,
 };
-use geneva_mimic::{MinStepPolicy, Parameters, StepSolution};
+use geneva_mimic::{MinStepPolicy, SolverParameters, StepSolution};
 
 #[track_caller]
 fn trouble(text: &str) -> String {
@@ -63,7 +63,7 @@ fn a_tolerance_costs_steps_and_gives_accuracy() {
     let (program, set) = own("oscillator", &[1.0, 0.0, 1.0, 0.0, 1.0]);
     let usual = RunOptions::default();
     let error = |relative_tolerance: f64, kept: StepSolution| {
-        let integrator = Parameters { relative_tolerance, kept, ..usual.integrator };
+        let integrator = SolverParameters { relative_tolerance, kept, ..usual.integrator };
         let run = program.run(&set, &RunOptions { integrator, ..usual }).unwrap_or_else(|trouble| panic!("{trouble}"));
         let error = run.rows.iter().map(|row| (row[1] - libm::cos(row[0])).abs()).fold(0.0, f64::max);
         (error, run.work.accepted)
@@ -109,7 +109,7 @@ fn a_step_below_dtmin_stops_a_run_that_is_to_be_stopped() {
     let program = super::program(&text);
     let kept = program.run(&DataSet::default(), &usual).unwrap_or_else(|trouble| panic!("{trouble}"));
     assert!(kept.work.forced > 0 && print_out(&kept, "").contains("missed the tolerance"));
-    let integrator = Parameters { at_smallest_step: MinStepPolicy::Stop, ..usual.integrator };
+    let integrator = SolverParameters { at_smallest_step: MinStepPolicy::Stop, ..usual.integrator };
     let told = program.run(&DataSet::default(), &RunOptions { integrator, ..usual }).expect_err("it stops");
     let Trouble::StepTooSmall { time, card, name, .. } = &told else { panic!("{told}") };
     assert!((0.5..0.512_345).contains(time) && *card == 3 && name == "X", "{told}");
@@ -155,7 +155,7 @@ fn what_cannot_be_run_is_refused() {
     }
     // The usual number of steps is in a case above; a small one is reached sooner.
     let usual = RunOptions::default();
-    let few = RunOptions { integrator: Parameters { most_steps: 50_000, ..usual.integrator }, ..usual };
+    let few = RunOptions { integrator: SolverParameters { most_steps: 50_000, ..usual.integrator }, ..usual };
     let told = trouble_by(&few, " X INT(-X,1.)\n DTMAX 1.E-9\n OUT(T,X)\n FIN(-X,1.)\n END\n");
     let words = "FIN is not reached after 50000 steps; most are as long as DTMAX, 1e-9, allows; give a larger";
     assert!(told.contains(words), "{told}");
@@ -278,7 +278,7 @@ fn small_integrals_are_followed_as_large_ones() {
     let program = program(" V INT(-X,0.)\n X INT(V,1.E-9)\n Y INT(1.,1.)\n DT 5.\n OUT(T,X)\n FIN(T,50.)\n END\n");
     let error = |absolute_floor: f64| {
         let usual = RunOptions::default();
-        let integrator = Parameters { absolute_floor, ..usual.integrator };
+        let integrator = SolverParameters { absolute_floor, ..usual.integrator };
         let run = program.run(&DataSet::default(), &RunOptions { integrator, ..usual }).expect("it runs");
         run.rows.iter().map(|row| (row[1] - 1e-9 * libm::cos(row[0])).abs()).fold(0.0, f64::max)
     };

@@ -2,7 +2,7 @@
 
 use super::program;
 use geneva_mimic::language::{DataSet, DeckRun, DeckRuns, Program, RunOptions};
-use geneva_mimic::{Parameters, SolverStats};
+use geneva_mimic::{SolverParameters, SolverStats};
 
 /// Most steps of all runs, counted once for each integral and each delay.
 const MOST_OF_ALL: u64 = 300_000_000;
@@ -32,7 +32,7 @@ fn many_integrals_have_fewer_steps() {
         program(&format!("{all}{cards} OUT(T)\n END\n"))
     };
     let usual = RunOptions::default();
-    let few = RunOptions { integrator: Parameters { most_steps: 7, ..usual.integrator }, ..usual };
+    let few = RunOptions { integrator: SolverParameters { most_steps: 7, ..usual.integrator }, ..usual };
     let refused = |program: &Program, choices: &RunOptions| {
         program.run(&DataSet::default(), choices).expect_err("too many steps").to_string()
     };

@@ -132,7 +132,7 @@ fn angle() -> Vec<Claim> {
                         reset: hypothesis.angle(row),
                         ..Program1973::ideal(&hypothesis.parameters(row)?)
                     };
-                    let integrator = geneva_mimic::Parameters::new(listing().interval, listing().duration);
+                    let integrator = geneva_mimic::SolverParameters::new(listing().interval, listing().duration);
                     let lines = program.run(&integrator).ok()?.lines;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })

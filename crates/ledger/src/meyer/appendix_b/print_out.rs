@@ -53,7 +53,7 @@ fn by_program() -> &'static [Option<Vec<Columns>>] {
 
 /// The time of the last line of the first run by the program, if runs end at this time, in s.
 pub fn last_line(end: f64) -> Option<f64> {
-    let integrator = geneva_mimic::Parameters { run_length: end, ..listing().integrator() };
+    let integrator = geneva_mimic::SolverParameters { run_length: end, ..listing().integrator() };
     let lines = Hypothesis::AS_RUN.program(rows().first()?)?.run(&integrator).ok()?.lines;
     lines.last().map(|line| line.time)
 }
@@ -135,7 +135,7 @@ fn output() -> Claim {
             // The program translated by hand has none of these cards; it has the numbers of FIN.
             let length = listing().duration * stated.pick(1.0, 0.5);
             let translated = |row: &Row| {
-                let integrator = geneva_mimic::Parameters { run_length: length, ..listing().integrator() };
+                let integrator = geneva_mimic::SolverParameters { run_length: length, ..listing().integrator() };
                 Hypothesis { constants: Constants::Exact, ..Hypothesis::AS_RUN }.program(row)?.run(&integrator).ok()
             };
             let same = |(row, by_deck): (&Row, &Option<Vec<Vec<f64>>>)| {
