@@ -4,12 +4,12 @@
 //! With the angle, π and the inertias of the thesis it must give what the thesis prints, and what the program that was
 //! translated by hand gives.
 
-use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, deck, within_one};
+use geneva_case1973::{Column, EXPLAINED, Hypothesis, PeakReading, Reset, Row, Run, deck, within_one};
 use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::study::by_deck;
 use geneva_documents::meyer::runs::table::{listing, rows};
-use geneva_mimic::language::{Choices, Deck, Layout, Program, RememberedPoints, deck_named};
-use geneva_mimic::{Interpolation, Kept, Parameters};
+use geneva_mimic::language::{CardLayout, Deck, Program, RememberedPoints, RunOptions, deck_named};
+use geneva_mimic::{Interpolation, SolverParameters, StepSolution};
 
 /// The escapement's deck with some names set.
 #[track_caller]
@@ -28,7 +28,7 @@ fn changed(change: impl Fn(&str) -> String) -> Deck {
     let text = deck_named("escapement").expect("a deck");
     let cards = change(text);
     assert_ne!(cards, text);
-    let mut deck = Deck::read(&cards, Layout::of(&cards)).unwrap_or_else(|faults| panic!("{faults}"));
+    let mut deck = Deck::read(&cards, CardLayout::detect(&cards)).unwrap_or_else(|faults| panic!("{faults}"));
     for (name, value) in as_listed() {
         assert!(deck.set(name, value));
     }
@@ -37,7 +37,7 @@ fn changed(change: impl Fn(&str) -> String) -> Deck {
 
 /// The names of the deck with other values in the program of the thesis, with its numbers.
 fn as_listed() -> [(&'static str, f64); 2] {
-    deck::as_listed(&listing())
+    deck::listed_settings(&listing())
 }
 
 fn quarter_turn() -> f64 {
@@ -46,13 +46,13 @@ fn quarter_turn() -> f64 {
 
 /// A row by a program that resets the angle after a quarter of a turn.
 #[track_caller]
-fn run(program: &Program, row: &Row, choices: &Choices) -> Run {
+fn run(program: &Program, row: &Row, choices: &RunOptions) -> Run {
     deck::run(program, row, quarter_turn(), choices).unwrap_or_else(|| panic!("{}: no run", row.slug()))
 }
 
 /// All rows by a program with the angle and π of the thesis.
 fn runs(program: &Program) -> Vec<Run> {
-    rows().iter().map(|row| run(program, row, &Choices::default())).collect()
+    rows().iter().map(|row| run(program, row, &RunOptions::default())).collect()
 }
 
 /// All rows as they are run.
@@ -89,7 +89,7 @@ fn with_its_own_reset_angles_the_deck_gives_the_corrected_tables() {
     let mut otherwise = 0;
     for (row, as_run) in rows().iter().zip(as_run()) {
         let reset = 2.0 * row.mechanism.engagement_half_angle();
-        let own = deck::run(&program, row, reset, &Choices::default()).expect("a run");
+        let own = deck::run(&program, row, reset, &RunOptions::default()).expect("a run");
         let right = Hypothesis::IDEAL.run(row).expect("a steady state");
         // The printed peak may miss the true one, and the lag of the sign shifts both.
         for column in [Column::Minimum, Column::Period] {
@@ -117,8 +117,10 @@ fn the_statements_of_the_start_matter_at_the_start_alone() {
     }));
     let usual = program(&as_listed());
     let first_acceleration = |program: &Program, row: &Row| {
-        program.run(&deck::data(program, row), &Choices::default()).unwrap_or_else(|trouble| panic!("{trouble}")).rows
-            [0][3]
+        program
+            .run(&deck::data(program, row), &RunOptions::default())
+            .unwrap_or_else(|trouble| panic!("{trouble}"))
+            .rows[0][3]
     };
     assert_eq!(first_acceleration(&without, &rows()[20]), 0.0, "nothing says how it begins");
     assert!(first_acceleration(&usual, &rows()[20]) > 0.0);
@@ -143,7 +145,7 @@ fn where_the_delay_begins_with_zero_the_line_of_the_motion_needs_no_statements_o
     for row in rows() {
         let [one, other] = [&alone, &usual].map(|program| {
             program
-                .run(&deck::data(program, row), &Choices::default())
+                .run(&deck::data(program, row), &RunOptions::default())
                 .unwrap_or_else(|trouble| panic!("{trouble}"))
                 .rows
         });
@@ -169,11 +171,11 @@ fn another_print_interval_explains_fewer_of_the_printed_peaks() {
 fn a_tenth_of_the_print_interval_finds_the_true_peaks() {
     let interval = LEDGER.printed_value("meyer.listing.print-interval").expect("a number");
     let fine = program(&[&as_listed()[..], &[("DT", interval / 10.0)]].concat());
-    let exact = Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
+    let exact = Hypothesis { reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG };
     let mut missed = [0.0_f64; 2];
     for at in (0..rows().len()).step_by(7) {
         let right = exact.run(&rows()[at]).expect("a steady state");
-        let fine = run(&fine, &rows()[at], &Choices::default());
+        let fine = run(&fine, &rows()[at], &RunOptions::default());
         for (missed, found) in missed.iter_mut().zip([&fine, &as_run()[at]]) {
             *missed = missed.max((found.peak / right.peak - 1.0).abs());
         }
@@ -184,24 +186,24 @@ fn a_tenth_of_the_print_interval_finds_the_true_peaks() {
 
 #[test]
 fn no_statement_is_dead_unless_nothing_printed_needs_it() {
-    assert!(program(&[]).sorted().iter().all(|of| !of.is_dead));
+    assert!(program(&[]).execution_order().iter().all(|of| !of.is_dead));
     let more = changed(|text| text.replace("         FOLLOW =", "         DEGREE = ANGLE*180./PI\n         FOLLOW ="));
     let program = compiled(&more);
-    let dead: Vec<_> = program.sorted().iter().filter(|of| of.is_dead).map(|of| of.result.as_str()).collect();
+    let dead: Vec<_> = program.execution_order().iter().filter(|of| of.is_dead).map(|of| of.result.as_str()).collect();
     assert_eq!(dead, ["DEGREE"]);
 }
 
 #[test]
 fn the_results_do_not_hang_on_what_is_not_known() {
-    let usual = Choices::default();
+    let usual = RunOptions::default();
     let program = program(&as_listed());
-    let with = |integrator| Choices { integrator, ..usual };
+    let with = |integrator| RunOptions { integrator, ..usual };
     let variants = [
-        with(Parameters { kept: Kept::FullStep, ..usual.integrator }),
-        with(Parameters { kept: Kept::Extrapolated, ..usual.integrator }),
-        with(Parameters { relative_tolerance: usual.integrator.relative_tolerance / 100.0, ..usual.integrator }),
-        Choices { interpolation: Interpolation::Hold, ..usual },
-        Choices { remembered: RememberedPoints::AsAsked, ..usual },
+        with(SolverParameters { kept: StepSolution::FullStep, ..usual.integrator }),
+        with(SolverParameters { kept: StepSolution::Extrapolated, ..usual.integrator }),
+        with(SolverParameters { relative_tolerance: usual.integrator.relative_tolerance / 100.0, ..usual.integrator }),
+        RunOptions { interpolation: Interpolation::Hold, ..usual },
+        RunOptions { remembered: RememberedPoints::AsAsked, ..usual },
     ];
     for (number, choices) in variants.iter().enumerate() {
         for at in [0, 5, 20, 30, 40] {

@@ -244,8 +244,8 @@ fn the_drawings_are_those_of_the_figures_and_stand_alone() {
         let [ground, crank, degrees, rpm] = [ground, crank, degrees, rpm].map(|text| text.parse().expect("a number"));
         let linkage = QuickReturn::new(ground, crank).expect("possible");
         let position = match angle {
-            "--lever-angle" => linkage.at_lever_degrees(degrees, Branch::Far),
-            _ => linkage.at_crank_degrees(degrees),
+            "--lever-angle" => linkage.position_at_lever_degrees(degrees, Branch::Far),
+            _ => linkage.position_at_crank_degrees(degrees),
         };
         let (position, drive) = (position.expect("possible"), Drive::steady(rpm * PI / 30.0));
         for (options, draw) in [

@@ -2,8 +2,8 @@
 
 use geneva_chapters::asked;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
-use geneva_kinematics::wheel::{Choices, Contact, Scale, Sizes, Wheel};
+use geneva_kinematics::quick_return::{Drive, LeverMotion, QuickReturn};
+use geneva_kinematics::wheel::{Choices, ContactPair, Scale, Sizes, Wheel};
 
 /// A number of the answer to a question.
 fn number(question: &str, key: &str) -> f64 {
@@ -47,9 +47,9 @@ fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
     // On the side of the arc, half a pitch from the slot, the pin in the middle of its slot leaves so much.
     let limit = sizes.slot_gap() * sizes.wheel.half_pitch_angle().cos();
     assert!((number(question, "centres_nearer_mm") / limit - 1.0).abs() < 0.01);
-    let nearest = sizes.clearance_at(sizes.centre_distance - 1.02 * limit).expect("possible").least();
+    let nearest = sizes.clearance_at(sizes.centre_distance - 1.02 * limit).expect("possible").closest_approach();
     let before_entry = sizes.wheel.engagement_half_angle() - nearest.crank_angle.abs();
-    assert!(nearest.distance < 0.0 && nearest.contact == Contact::Crescent, "{nearest:?}");
+    assert!(nearest.distance < 0.0 && nearest.contact == ContactPair::Crescent, "{nearest:?}");
     assert!((0.0..0.1).contains(&before_entry), "{} rad past entry", before_entry);
 }
 
@@ -57,8 +57,8 @@ fn axes_too_close_together_bring_the_discs_rim_to_the_arc_just_after_entry() {
 /// lever turns with the crank, and the sliding acceleration; none elsewhere. The crank makes one radian a second.
 fn by_the_formula(ground: f64, crank: f64, degrees: f64) -> Option<[f64; 2]> {
     let linkage = QuickReturn::new(ground, crank).ok()?;
-    let position = linkage.at_crank_degrees(degrees).ok()?;
-    let motion = Motion::at(&ground, &crank, &position.crank, &Drive::steady(1.0))?;
+    let position = linkage.position_at_crank_degrees(degrees).ok()?;
+    let motion = LeverMotion::new(&ground, &crank, &position.crank, &Drive::steady(1.0))?;
     let along = motion.velocities.sliding_velocity.dot(&position.lever.direction());
     let (turning, terms) = (motion.velocities.follower_speed, &motion.accelerations);
     if along >= -1e-9 || turning <= 1e-9 {

@@ -261,17 +261,17 @@ fn a_witness_shares_no_code_with_what_it_vouches_for() {
         "Engagement",
         ".engagement(",
         ".run(",
-        ".by_program(",
+        ".run_by_program(",
         "printout(",
         "read_off(",
         ".likelihoods",
         ".log_likelihood(",
         ".margin(",
-        ".of(&",
+        ".maximum_likelihood(",
         "expected_cells",
         "Dealer",
         "golden_section",
-        "Freed",
+        "InertiaFit",
     ];
     let code = |text: &str| {
         let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));

@@ -6,7 +6,7 @@ use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::{Inertias, Parameters, Pose, Sign};
 use geneva_evidence::tex::{By, Moment};
-use geneva_kinematics::escapement::{Continuous, possible};
+use geneva_kinematics::escapement::{ContinuousEscapement, possible_pairs};
 use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
@@ -26,8 +26,8 @@ pub fn over_the_angle() -> Vec<Moment> {
 
 /// Other numbers of pins and slots than those of the three mechanisms too, as one pin takes over from the next.
 pub fn taking_over(number: usize) -> Moment {
-    let pairs = (2..=8).flat_map(|pins| (3..=8).filter_map(move |slots| Continuous::new(pins, slots)));
-    let pairs: Vec<Continuous> = pairs.collect();
+    let pairs = (2..=8).flat_map(|pins| (3..=8).filter_map(move |slots| ContinuousEscapement::new(pins, slots)));
+    let pairs: Vec<ContinuousEscapement> = pairs.collect();
     let pair = pairs[number % pairs.len()];
     let (ratio, speed) = (pair.centre_distance_ratio(), 0.2 + 4.0 * spread(number, 5));
     let follower = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(pair.engagement_half_angle())) * speed;
@@ -65,7 +65,7 @@ fn state(number: usize) -> Moment {
     let follower = libm::atan2(pin.y, pin.x);
     let start = escapement.acceleration(-half, 0.0).expect("one acceleration");
     let energy = Energy::of(&pose, speed, found.value, &inertias);
-    let all = possible();
+    let all = possible_pairs();
     let (count, pins) = *all.iter().find(|(count, _)| *count == mechanism.slots()).expect("one that is possible");
     let ratio = mechanism.wheel().centre_distance_ratio();
     let velocity = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)) * speed;

@@ -6,7 +6,7 @@ use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_evidence::tex::{By, Moment, Value};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::series::polar_rates;
-use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
+use geneva_kinematics::quick_return::{Branch, Drive, LeverMotion, QuickReturn};
 use geneva_kinematics::wheel::{Choices, Scale, Sizes};
 use geneva_kinematics::wheel::{Wheel, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration};
 use geneva_kinematics::{Turn, pin_slot, pin_triangle, pin_vectors};
@@ -61,9 +61,9 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     let strokes = linkage.strokes();
     let limit = strokes.swing_limit.expect("it swings");
     let lever = limit * between(number, 3, 0.05, 0.95);
-    let position = linkage.at_lever_degrees(lever.to_degrees(), Branch::Far).expect("within the swing");
+    let position = linkage.position_at_lever_degrees(lever.to_degrees(), Branch::Far).expect("within the swing");
     let drive = Drive { speed, acceleration };
-    let motion = Motion::at(&ground, &crank, &position.crank, &drive).expect("off the pivot");
+    let motion = LeverMotion::new(&ground, &crank, &position.crank, &drive).expect("off the pivot");
     let (velocities, terms) = (&motion.velocities, &motion.accelerations);
     // As the source counts: towards the pivot along the lever; across it, as the pin's acceleration points.
     let (along, across) = (position.lever.direction(), pin_vectors::quarter_turn(&position.lever.direction()));
@@ -161,7 +161,7 @@ pub fn making(number: usize) -> Moment {
     let (crank, speed) = (half * between(number, 0, -0.98, -0.02), between(number, 2, 0.5, 3.0));
     let (inertia, friction) = (between(number, 3, 0.1, 2.0), between(number, 4, 0.1, 2.0));
     let loads = WheelLoads::new(&wheel, inertia, friction, speed).expect("loads");
-    let load = loads.at(crank).expect("in the slot");
+    let load = loads.load(crank).expect("in the slot");
     let motion = wheel.engaged(crank).expect("in the slot");
     let arm = wheel.pin_in_slot(crank).expect("in the slot").radius * radius;
     let force = load.pin_moment / radius;

@@ -26,7 +26,7 @@ fn the_cycle_has_a_row_for_each_degree_and_is_that_of_the_library() {
         assert_eq!(rows.len(), 361);
         for (row, degrees) in rows.iter().zip(-180..=180) {
             let degrees = f64::from(degrees);
-            let motion = wheel.at(0, degrees.to_radians()).expect("in the turn");
+            let motion = wheel.motion(0, degrees.to_radians()).expect("in the turn");
             let is_engaged = motion.phase == Phase::Advance;
             let pin = is_engaged.then(|| wheel.pin_in_slot(degrees.to_radians()).expect("engaged"));
             let angle = 72.0 * motion.stations as f64 + motion.angle.to_degrees();

@@ -6,7 +6,7 @@ use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 #[test]
 fn the_parts_are_those_of_the_library() {
     let wheel = Wheel::with_pins(7, 2).expect("possible");
-    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::of(0.04)), ..Choices::default() };
+    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::from_slot(0.04)), ..Choices::default() };
     for (option, scale) in [
         ("--crank-radius", Scale::CrankRadius(45.0)),
         ("--centre-distance", Scale::CentreDistance(45.0)),
@@ -15,7 +15,7 @@ fn the_parts_are_those_of_the_library() {
         let found =
             object(&["wheel", "--stations", "7", "--pins", "2", option, "45", "--pin-diameter", "6", "--play", "0.04"]);
         let sizes = Sizes::new(wheel, scale, &choices).expect("it fits");
-        let least = sizes.clearance().least();
+        let least = sizes.clearance().closest_approach();
         let disc = sizes.locking_disc.expect("a dwell");
         let shared = sizes.shared_tolerance().expect("play enough");
         let (tolerance, play) = (sizes.centre_tolerance(), sizes.dwell_play().expect("a dwell"));

@@ -3,7 +3,7 @@
 use crate::{assert_is_drawn, refused, stdout};
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{Layout, Solid, dxf, scad, stl};
+use geneva_workshop::{PartLayout, Solid, dxf, scad, stl};
 
 const WHEEL: [&str; 9] =
     ["wheel", "--stations", "5", "--centre-distance", "80", "--pin-diameter", "6", "--play", "0.1"];
@@ -12,7 +12,7 @@ const WHEEL: [&str; 9] =
 fn chosen() -> Sizes {
     let choices = Choices {
         pin_diameter: Some(6.0),
-        play: Some(Play::of(0.1)),
+        play: Some(Play::from_slot(0.1)),
         bottom_clearance: Some(0.2),
         horn_thickness: Some(7.5),
         wheel_shaft: Some(12.0),
@@ -22,16 +22,16 @@ fn chosen() -> Sizes {
 }
 
 fn sizes() -> Sizes {
-    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::of(0.1)), ..Choices::default() };
+    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::from_slot(0.1)), ..Choices::default() };
     Sizes::new(Wheel::new(5).expect("possible"), Scale::CentreDistance(80.0), &choices).expect("it fits")
 }
 
 #[test]
 fn the_files_are_those_of_the_workshop() {
     let file = |options: &[&str]| stdout(&[&WHEEL[..], options].concat(), 0);
-    assert_eq!(file(&["--format", "dxf"]), dxf(&sizes(), Layout::Apart));
+    assert_eq!(file(&["--format", "dxf"]), dxf(&sizes(), PartLayout::Apart));
     let own = ["--horn", "7.5", "--wheel-shaft", "12", "--driver-shaft", "5", "--bottom-clearance", "0.2"];
-    assert_eq!(file(&[&own[..], &["--format", "dxf"]].concat()), dxf(&chosen(), Layout::Apart));
+    assert_eq!(file(&[&own[..], &["--format", "dxf"]].concat()), dxf(&chosen(), PartLayout::Apart));
     // A tenth of the play is what a chord may leave its arc by.
     let solid = Solid { thickness: 4.0, tolerance: 0.1 * 0.1 };
     assert_eq!(file(&["--format", "scad", "--thickness", "4"]), scad(&sizes(), solid).expect("solid"));
@@ -54,7 +54,7 @@ fn a_file_goes_where_it_is_asked_for() {
     let path = folder.path().join("wheel.dxf");
     let asked = path.to_str().expect("UTF-8");
     assert_eq!(stdout(&[&WHEEL[..], &["--format", "dxf", "--output", asked]].concat(), 0), "");
-    assert_eq!(std::fs::read_to_string(path).expect("written"), dxf(&sizes(), Layout::Apart));
+    assert_eq!(std::fs::read_to_string(path).expect("written"), dxf(&sizes(), PartLayout::Apart));
 }
 
 #[test]

@@ -46,7 +46,7 @@ pub enum Error {
     Escapement(#[from] EscapementError),
     /// A motion or a load that there is not.
     #[error(transparent)]
-    Dynamics(#[from] geneva_dynamics::Error),
+    Dynamics(#[from] geneva_dynamics::DynamicsError),
     /// Parts of a wheel that don't fit, with the arguments that change them.
     #[error("{error}{}", typed(arguments))]
     Sizes {

@@ -3,14 +3,13 @@
 //! The expectation is counted exactly, from the pairs of a row and a computed number that agree. The distribution is
 //! sampled.
 
-use crate::rise_times::Tried;
 use crate::scores::Score;
 use crate::{Column, EXPLAINED, Row};
 use geneva_kinematics::Mechanism;
 
 /// Which printed numbers may trade places in a shuffle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shuffled {
+pub enum ShuffleScope {
     /// All numbers of a column of a table.
     InTables,
     /// Only the numbers of a column of a table whose rows have the same torque.
@@ -18,7 +17,7 @@ pub enum Shuffled {
 }
 
 /// For the printed number of each row, of which rows the computed numbers are within a unit.
-type Near = Vec<Vec<bool>>;
+type Agreements = Vec<Vec<bool>>;
 
 /// Cells of these mechanisms' peaks, minima and periods within one unit of the last place, if the computed numbers of each
 /// column of each table are dealt out at random: how many are to be expected. None if a run came to no end.
@@ -33,7 +32,7 @@ pub(crate) fn expected_rises(rows: &[Row], times: &[f64]) -> f64 {
 }
 
 /// Each computed number comes to each row of its table equally often.
-fn expected(near: &Near, rows: &[Row], mechanisms: &[Mechanism]) -> f64 {
+fn expected(near: &Agreements, rows: &[Row], mechanisms: &[Mechanism]) -> f64 {
     let of = |mechanism: &Mechanism| {
         let own = places(rows, &[*mechanism]);
         let pairs: usize = own.iter().map(|at| own.iter().filter(|of| near[*at][**of]).count()).sum();
@@ -46,27 +45,31 @@ fn expected(near: &Near, rows: &[Row], mechanisms: &[Mechanism]) -> f64 {
 pub fn shuffles_of_cells(score: &Score, mechanisms: &[Mechanism], shuffles: usize) -> Option<Vec<usize>> {
     let columns = columns(score)?;
     let own = places(score.rows, mechanisms);
-    let mut dealer = Dealer::new(score.rows, Shuffled::InTables);
+    let mut dealer = Dealer::new(score.rows, ShuffleScope::InTables);
     let mut one = || -> usize { columns.iter().map(|near| explained_by(near, dealer.deal(), &own)).sum() };
     Some((0..shuffles).map(|_| one()).collect())
 }
 
-/// How many printed rise times the best of all definitions explains, of the runs or of the mechanisms, in each of some
+/// How many printed rise times the best of some lists of computed times explains, a time for each row, in each of some
 /// shuffles of the printed times.
-pub fn shuffles_of_definitions(rows: &[Row], tried: &[Tried], shuffled: Shuffled, shuffles: usize) -> Vec<usize> {
-    let both = |tried: &Tried| [&tried.as_run, &tried.ideal].map(|of| rises(rows, &of.times));
-    let definitions: Vec<Near> = tried.iter().flat_map(both).collect();
+pub(crate) fn shuffles_of_rises<'a>(
+    rows: &[Row],
+    times: impl Iterator<Item = &'a [f64]>,
+    shuffled: ShuffleScope,
+    shuffles: usize,
+) -> Vec<usize> {
+    let agreements: Vec<Agreements> = times.map(|times| rises(rows, times)).collect();
     let all: Vec<usize> = (0..rows.len()).collect();
     let mut dealer = Dealer::new(rows, shuffled);
     let mut one = || {
         let dealt = dealer.deal();
-        definitions.iter().map(|near| explained_by(near, dealt, &all)).max().unwrap_or(0)
+        agreements.iter().map(|near| explained_by(near, dealt, &all)).max().unwrap_or(0)
     };
     (0..shuffles).map(|_| one()).collect()
 }
 
 /// Peaks, minima and periods: which computed numbers are near which printed ones.
-fn columns(score: &Score) -> Option<Vec<Near>> {
+fn columns(score: &Score) -> Option<Vec<Agreements>> {
     let of = |(at, column)| {
         let computed = score.results.iter().map(|results| Some(results.as_ref()?[at]));
         Some(near(column, score.rows, &computed.collect::<Option<Vec<_>>>()?))
@@ -75,17 +78,17 @@ fn columns(score: &Score) -> Option<Vec<Near>> {
 }
 
 /// Rise times: which computed ones are near which printed ones.
-fn rises(rows: &[Row], times: &[f64]) -> Near {
+fn rises(rows: &[Row], times: &[f64]) -> Agreements {
     near(Column::Rise, rows, times)
 }
 
-fn near(column: Column, rows: &[Row], computed: &[f64]) -> Near {
+fn near(column: Column, rows: &[Row], computed: &[f64]) -> Agreements {
     let of = |row: &Row| computed.iter().map(|computed| column.is_within_one(row.number(column), *computed)).collect();
     rows.iter().map(of).collect()
 }
 
 /// How many of these rows have a computed number near the printed one, if each has the number of the row dealt to it.
-fn explained_by(near: &Near, dealt: &[usize], own: &[usize]) -> usize {
+fn explained_by(near: &Agreements, dealt: &[usize], own: &[usize]) -> usize {
     own.iter().filter(|at| near[**at][dealt[**at]]).count()
 }
 
@@ -105,13 +108,13 @@ struct Dealer {
 
 impl Dealer {
     /// A dealer of these rows, of which only some may trade places.
-    fn new(rows: &[Row], shuffled: Shuffled) -> Self {
+    fn new(rows: &[Row], shuffled: ShuffleScope) -> Self {
         let mut hands: Vec<Vec<usize>> = Vec::new();
         for (at, row) in rows.iter().enumerate() {
             let alike = |hand: &&mut Vec<usize>| {
                 let other = &rows[hand[0]];
                 let torque = || other.printed(Column::Torque) == row.printed(Column::Torque);
-                other.mechanism == row.mechanism && (shuffled == Shuffled::InTables || torque())
+                other.mechanism == row.mechanism && (shuffled == ShuffleScope::InTables || torque())
             };
             match hands.iter_mut().find(alike) {
                 Some(hand) => hand.push(at),

@@ -3,7 +3,7 @@
 //! This is the one place where a row is run: by the solution over the angle, or by the program if it is to have its own
 //! faults. Every score, table, figure and page asks here.
 
-use crate::program::{Contact, Printout, Program};
+use crate::program::{Printout, Program1973, SignRule};
 use crate::{Row, Run};
 use geneva_dynamics::steady::{Engagement, Rise};
 use geneva_dynamics::{Inertias, Parameters};
@@ -30,7 +30,7 @@ pub enum SixPin {
 
 /// Which speed is the greatest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum PeakReading {
     /// The greatest in the steady cycle.
     True,
     /// The greatest of the printed ones.
@@ -65,7 +65,7 @@ pub struct Hypothesis {
     /// The inertias of the six-pin runs.
     pub six_pin: SixPin,
     /// The reading of the peaks.
-    pub reading: Reading,
+    pub reading: PeakReading,
     /// The constants.
     pub constants: Constants,
     /// The lag of the sign.
@@ -86,13 +86,13 @@ impl Hypothesis {
     pub const WITHOUT_LAG: Self = Self {
         reset: Reset::QuarterTurn,
         six_pin: SixPin::AsDrawn,
-        reading: Reading::OnTheGrid,
+        reading: PeakReading::OnTheGrid,
         constants: Constants::Exact,
         lag: Lag::None,
     };
 
     /// The mechanism as it is.
-    pub const IDEAL: Self = Self { reset: Reset::OfTheMechanism, reading: Reading::True, ..Self::WITHOUT_LAG };
+    pub const IDEAL: Self = Self { reset: Reset::OfTheMechanism, reading: PeakReading::True, ..Self::WITHOUT_LAG };
 
     /// The hypothesis of what was run: [`WITHOUT_LAG`](Self::WITHOUT_LAG) with the listing's constants and lagged sign.
     pub const AS_RUN: Self = Self { constants: Constants::AsListed, lag: Lag::AsListed, ..Self::WITHOUT_LAG };
@@ -135,7 +135,7 @@ impl Hypothesis {
     /// is no such motion.
     pub fn run(&self, row: &Row) -> Option<Run> {
         if self.has_faults() {
-            return self.by_program(row, &row.given.listing.integrator());
+            return self.run_by_program(row, &row.given.listing.integrator());
         }
         let [peak, minimum, period] = self.results(row)?;
         let first_minimum = self.engagement(row)?.first_minimum().ok()?.map_or(f64::NAN, |minimum| minimum.time);
@@ -147,13 +147,13 @@ impl Hypothesis {
     pub fn results(&self, row: &Row) -> Option<[f64; 3]> {
         let listing = &row.given.listing;
         if self.has_faults() {
-            return Some(self.by_program(row, &listing.integrator())?.results());
+            return Some(self.run_by_program(row, &listing.integrator())?.results());
         }
         let engagement = self.engagement(row)?;
         let steady = engagement.steady_state().ok()?;
         let peak = match self.reading {
-            Reading::True => steady.peak.speed,
-            Reading::OnTheGrid => {
+            PeakReading::True => steady.peak.speed,
+            PeakReading::OnTheGrid => {
                 engagement.largest_printed(listing.interval, listing.first_line, listing.duration).ok()?
             }
         };
@@ -166,7 +166,7 @@ impl Hypothesis {
     }
 
     /// The run, read off the lines that the program prints; the true peak is not among them.
-    pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
+    pub fn run_by_program(&self, row: &Row, integrator: &geneva_mimic::SolverParameters) -> Option<Run> {
         let program = self.program(row)?;
         Run::read_off(&program.run(integrator).ok()?, program.reset)
     }
@@ -177,18 +177,18 @@ impl Hypothesis {
     }
 
     /// The program of the thesis with a row's cards.
-    pub fn program(&self, row: &Row) -> Option<Program> {
-        let exact = Program::of(&self.parameters(row)?);
+    pub fn program(&self, row: &Row) -> Option<Program1973> {
+        let exact = Program1973::ideal(&self.parameters(row)?);
         let ratio = match self.constants {
             Constants::Exact => exact.ratio,
             Constants::AsListed => 1.0 / libm::sin(row.given.listing.pi / f64::from(row.mechanism.slots())),
         };
-        let contact = match self.lag {
-            Lag::None => Contact::Exact,
-            Lag::AsListed => Contact::Delayed(row.given.listing.delay),
-            Lag::Of(delay) => Contact::Delayed(delay),
+        let sign_rule = match self.lag {
+            Lag::None => SignRule::Exact,
+            Lag::AsListed => SignRule::Delayed(row.given.listing.delay),
+            Lag::Of(delay) => SignRule::Delayed(delay),
         };
-        Some(Program { reset: self.angle(row), ratio, contact, ..exact })
+        Some(Program1973 { reset: self.angle(row), ratio, sign_rule, ..exact })
     }
 
     /// The numbers of a row's run in the order of the program's parameters: slots, crank angle at the start in radians,
@@ -212,8 +212,8 @@ impl Hypothesis {
             SixPin::AsDrawn => "as in Fig. 11",
         };
         let reading = match self.reading {
-            Reading::True => "true peaks",
-            Reading::OnTheGrid => "printed peaks",
+            PeakReading::True => "true peaks",
+            PeakReading::OnTheGrid => "printed peaks",
         };
         let constants = (self.constants == Constants::AsListed).then_some("listed π");
         let sign = (self.lag != Lag::None).then_some("lagged sign");
@@ -230,7 +230,7 @@ pub fn fitting_interval(rows: &[Row], by_steps: bool) -> f64 {
             let listing = row.given.listing;
             let interval = times * listing.interval;
             let largest = if by_steps {
-                let integrator = geneva_mimic::Parameters {
+                let integrator = geneva_mimic::SolverParameters {
                     print_interval: interval,
                     largest_step: interval,
                     initial_step: interval,

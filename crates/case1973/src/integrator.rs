@@ -2,7 +2,7 @@
 
 use crate::hypothesis::{Hypothesis, Lag};
 use crate::{EXPLAINED, Row, Run};
-use geneva_mimic::{Kept, Parameters as Integrator};
+use geneva_mimic::{SolverParameters as Integrator, StepSolution};
 
 /// One parameter of the integrator, set to something other than its default.
 pub struct Variant {
@@ -13,10 +13,10 @@ pub struct Variant {
 
 /// The variants. The print interval, the length of the run and the relative error are the thesis's own.
 pub const VARIANTS: [Variant; 9] = [
-    Variant { name: "the full step is kept", change: |by| Integrator { kept: Kept::FullStep, ..by } },
+    Variant { name: "the full step is kept", change: |by| Integrator { kept: StepSolution::FullStep, ..by } },
     Variant {
         name: "the two half steps, extrapolated, are kept",
-        change: |by| Integrator { kept: Kept::Extrapolated, ..by },
+        change: |by| Integrator { kept: StepSolution::Extrapolated, ..by },
     },
     Variant {
         name: "no floor below which errors are absolute",
@@ -53,7 +53,7 @@ pub struct Change {
 pub fn changes(rows: &[Row]) -> Option<Vec<(&'static Variant, [Change; 2])>> {
     let hypotheses = [Lag::None, Lag::AsListed].map(|lag| Hypothesis { lag, ..Hypothesis::WITHOUT_LAG });
     let runs = |of: &Hypothesis, change: fn(Integrator) -> Integrator| -> Option<Vec<Run>> {
-        rows.iter().map(|row| of.by_program(row, &change(row.given.listing.integrator()))).collect()
+        rows.iter().map(|row| of.run_by_program(row, &change(row.given.listing.integrator()))).collect()
     };
     let [exact, late] = hypotheses.map(|of| runs(&of, |by| by));
     let before = [exact?, late?];

@@ -19,9 +19,9 @@
 //! let rows = [Row::read(Mechanism::FOUR_PIN, ".22 .04 99 14 .036 .053", given)?];
 //!
 //! // All three results are explained by what was run, and with four pins by the mechanism as well.
-//! assert_eq!(Score::of(Hypothesis::AS_RUN, &rows).within_one(), 3);
-//! assert_eq!(Score::of(Hypothesis::IDEAL, &rows).within_one(), 3);
-//! # Ok::<(), geneva_case1973::Unreadable>(())
+//! assert_eq!(Score::new(Hypothesis::AS_RUN, &rows).within_one(), 3);
+//! assert_eq!(Score::new(Hypothesis::IDEAL, &rows).within_one(), 3);
+//! # Ok::<(), geneva_case1973::UnreadableRow>(())
 //! ```
 //!
 //! - [`Row`]: a printed run, and what is given for it besides; [`series`], [`weakest`] and others: which rows stand for others.
@@ -50,11 +50,11 @@ mod tables;
 pub mod weighing;
 pub mod witness;
 
-pub use hypothesis::{Constants, Hypothesis, Lag, Reading, Reset, SixPin, fitting_interval};
+pub use hypothesis::{Constants, Hypothesis, Lag, PeakReading, Reset, SixPin, fitting_interval};
 pub use run::Run;
-pub use scores::{Cell, Fit, Score, compared, delays, within_one};
+pub use scores::{ColumnFit, ComparedCell, Score, compared_hypotheses, delays, within_one};
 pub use tables::{
-    Column, EXPLAINED, Given, Listing, Row, Trend, Unreadable, least_braked, obeys, pairs_by_friction, pairs_by_torque,
-    rows_of, series, slug, strongest, weakest, with_friction,
+    Column, EXPLAINED, Given, Listing, Row, Trend, UnreadableRow, obeys, pairs_by_friction, pairs_by_torque, rows_of,
+    rows_with_friction, rows_with_least_friction, series, slug, strongest, weakest,
 };
 pub use weighing::Weighing;

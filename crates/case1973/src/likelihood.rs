@@ -49,13 +49,13 @@ impl Law {
     }
 
     /// The likelihood of deviations of this size, in units, with the spread that suits them best.
-    pub fn of(self, units: &[f64]) -> Likelihood {
+    pub fn maximum_likelihood(self, units: &[f64]) -> Likelihood {
         let at = |octaves: f64| {
             let spread = LEAST_SPREAD * libm::exp2(octaves);
             Likelihood { spread, log: self.log_likelihood(units, spread) }
         };
-        type Found = (f64, Likelihood);
-        let better = |a: Found, b: Found| if b.1.log > a.1.log { b } else { a };
+        type Trial = (f64, Likelihood);
+        let better = |a: Trial, b: Trial| if b.1.log > a.1.log { b } else { a };
         let tried = |octaves: f64| (octaves, at(octaves));
         // First in steps, then between the neighbours of the best.
         let rough = (1..=OCTAVES * PER_OCTAVE).map(|step| f64::from(step) / f64::from(PER_OCTAVE));

@@ -7,19 +7,21 @@
 //! [`steady`](geneva_dynamics::steady).
 //! Work::Meyer1973, Appendix B.
 
-use geneva_dynamics::steady::Printed;
+use geneva_dynamics::steady::PrintedLine;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Pose, Sign};
 use geneva_kinematics::{Mechanism, Turn};
-use geneva_mimic::{DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, System, Work, integrate};
+use geneva_mimic::{
+    DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, SolverStats, System, integrate,
+};
 use nalgebra::Vector2;
 use std::fmt;
 
 /// Why there is no run.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Error {
+pub enum ProgramError {
     /// The numbers on the data card make no escapement.
     #[error(transparent)]
-    Escapement(#[from] geneva_dynamics::Error),
+    Escapement(#[from] geneva_dynamics::DynamicsError),
     /// The integrator stopped, in its own words.
     #[error("{0}")]
     Stopped(String),
@@ -27,7 +29,7 @@ pub enum Error {
 
 /// Rule by which the program chooses between the two signs of C θ'² + D θ''.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Contact {
+pub enum SignRule {
     /// The one sign that agrees with itself.
     Exact,
     /// By the acceleration of so long ago, in units of time.
@@ -38,7 +40,7 @@ pub enum Contact {
 
 /// One run's data cards, and what the program makes of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Program {
+pub struct Program1973 {
     /// Pins, slots and centre distance.
     pub mechanism: Mechanism,
     /// The two moments of inertia.
@@ -54,17 +56,17 @@ pub struct Program {
     /// Angle in radians after which the driver's angle is reset to the start.
     pub reset: f64,
     /// How the sign of the friction term is chosen.
-    pub contact: Contact,
+    pub sign_rule: SignRule,
 }
 
 /// What can go wrong at an instant of a run.
 #[derive(Clone, Debug, PartialEq)]
-enum Fault {
-    NoSolution { angle: f64, error: geneva_dynamics::Error },
+enum ProgramFault {
+    NoSolution { angle: f64, error: geneva_dynamics::DynamicsError },
     Delay(DelayError),
 }
 
-impl fmt::Display for Fault {
+impl fmt::Display for ProgramFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSolution { angle, error } => write!(f, "at the crank angle {angle} rad: {error}"),
@@ -73,11 +75,11 @@ impl fmt::Display for Fault {
     }
 }
 
-impl std::error::Error for Fault {}
+impl std::error::Error for ProgramFault {}
 
-impl Program {
+impl Program1973 {
     /// The program for a mechanism as it is: reset after one engagement, the sign exact.
-    pub fn of(parameters: &Parameters) -> Self {
+    pub fn ideal(parameters: &Parameters) -> Self {
         let mechanism = parameters.mechanism();
         let half = mechanism.engagement_half_angle();
         Self {
@@ -88,7 +90,7 @@ impl Program {
             ratio: mechanism.centre_distance_ratio(),
             start: -half,
             reset: 2.0 * half,
-            contact: Contact::Exact,
+            sign_rule: SignRule::Exact,
         }
     }
 
@@ -98,8 +100,8 @@ impl Program {
     ///
     /// A reset angle that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that
     /// becomes too small, an angle at which the equation has no single solution.
-    pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, Error> {
-        use geneva_dynamics::Error::{NotFinite, NotPositive};
+    pub fn run(&self, integrator: &geneva_mimic::SolverParameters) -> Result<Printout, ProgramError> {
+        use geneva_dynamics::DynamicsError::{NotFinite, NotPositive};
         if !(self.reset > 0.0 && self.reset.is_finite()) {
             Err(NotPositive { name: "reset angle", asked: self.reset })?;
         }
@@ -110,13 +112,13 @@ impl Program {
         }
         // Checks the ranges of torque and friction; the friction's limit is that of the mechanism as it is.
         Parameters::new(self.mechanism, self.inertias, self.torque, self.friction)?;
-        let sign_source = SignSource::new(&self.contact).map_err(|error| Error::Stopped(error.to_string()))?;
-        let mut motion = Motion { program: *self, sign_source, acceleration: 0.0 };
+        let sign_source = SignSource::new(&self.sign_rule).map_err(|error| ProgramError::Stopped(error.to_string()))?;
+        let mut motion = ProgramMotion { program: *self, sign_source, acceleration: 0.0 };
         let mut lines = Vec::new();
         let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
             let turned = point.state[0];
             let (angle, pose) = self.pose(turned);
-            lines.push(Printed {
+            lines.push(PrintedLine {
                 time: point.time,
                 turned,
                 angle,
@@ -126,7 +128,7 @@ impl Program {
                 engagement: (turned / self.reset) as usize,
             });
         });
-        let stopped = |error: IntegrationError<2, Fault>| Error::Stopped(error.to_string());
+        let stopped = |error: IntegrationError<2, ProgramFault>| ProgramError::Stopped(error.to_string());
         Ok(Printout { lines, work: outcome.map_err(stopped)?.work })
     }
 
@@ -141,9 +143,9 @@ impl Program {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Printout {
     /// The lines, the start included. Their crank angles and the velocity ratio of the follower's speed are of the reset angle.
-    pub lines: Vec<Printed>,
+    pub lines: Vec<PrintedLine>,
     /// Steps and evaluations.
-    pub work: Work,
+    pub work: SolverStats,
 }
 
 impl Printout {
@@ -167,10 +169,10 @@ enum SignSource {
 
 impl SignSource {
     /// A source for this rule, with no accelerations kept yet.
-    fn new(contact: &Contact) -> Result<Self, DelayError> {
-        Ok(match contact {
-            Contact::Exact => Self::Exact,
-            Contact::Delayed(delay) => {
+    fn new(sign_rule: &SignRule) -> Result<Self, DelayError> {
+        Ok(match sign_rule {
+            SignRule::Exact => Self::Exact,
+            SignRule::Delayed(delay) => {
                 Self::Delayed(Box::new(DelayLine::new(*delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?))
             }
         })
@@ -178,23 +180,24 @@ impl SignSource {
 }
 
 /// The motion as the integrator sees it: θ and θ'.
-struct Motion {
-    program: Program,
+struct ProgramMotion {
+    program: Program1973,
     sign_source: SignSource,
     /// θ'' at the point that was asked for last.
     acceleration: f64,
 }
 
-impl System<2> for Motion {
-    type Fault = Fault;
+impl System<2> for ProgramMotion {
+    type Fault = ProgramFault;
 
-    fn derivative(&mut self, time: f64, state: &Vector2<f64>) -> Result<Vector2<f64>, Fault> {
+    fn derivative(&mut self, time: f64, state: &Vector2<f64>) -> Result<Vector2<f64>, ProgramFault> {
         let (angle, pose) = self.program.pose(state[0]);
         let drive = self.program.torque / self.program.inertias.follower();
-        let coefficients = Coefficients::of_pose(&pose, &self.program.inertias.ratio(), &self.program.friction, &drive);
+        let coefficients =
+            Coefficients::from_pose(&pose, &self.program.inertias.ratio(), &self.program.friction, &drive);
         let (a, d) = (coefficients.a, coefficients.d.abs());
         if a.partial_cmp(&d) != Some(std::cmp::Ordering::Greater) {
-            return Err(Fault::NoSolution { angle, error: geneva_dynamics::Error::NotUnique { a, d } });
+            return Err(ProgramFault::NoSolution { angle, error: geneva_dynamics::DynamicsError::NotUnique { a, d } });
         }
         let speed = state[1];
         let sign = match &self.sign_source {
@@ -202,7 +205,7 @@ impl System<2> for Motion {
             // At rest the friction opposes the driver, whatever was before.
             SignSource::Delayed(_) if time <= 0.0 => Sign::from_number(coefficients.d),
             SignSource::Delayed(line) => {
-                let before = line.value(time).map_err(Fault::Delay)?;
+                let before = line.value(time).map_err(ProgramFault::Delay)?;
                 Sign::from_number(coefficients.between_the_bars(&speed, &before))
             }
         };
@@ -210,10 +213,10 @@ impl System<2> for Motion {
         Ok(Vector2::new(speed, self.acceleration))
     }
 
-    fn accepted(&mut self, time: f64, _: &Vector2<f64>, derivative: &Vector2<f64>) -> Result<(), Fault> {
+    fn accepted(&mut self, time: f64, _: &Vector2<f64>, derivative: &Vector2<f64>) -> Result<(), ProgramFault> {
         match &mut self.sign_source {
             SignSource::Exact => Ok(()),
-            SignSource::Delayed(line) => line.record(time, derivative[1]).map_err(Fault::Delay),
+            SignSource::Delayed(line) => line.record(time, derivative[1]).map_err(ProgramFault::Delay),
         }
     }
 }

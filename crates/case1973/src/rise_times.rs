@@ -1,8 +1,8 @@
 //! Which definition of a rise time the tables could use, and how the tables agree with the thesis's own words.
 
-use crate::chance::expected_rises;
+use crate::chance::{ShuffleScope, expected_rises, shuffles_of_rises};
 use crate::{Column, Hypothesis, Row, series};
-use geneva_dynamics::steady::{Cycle, Engagement, Extreme, Printed, Rise};
+use geneva_dynamics::steady::{Engagement, Extreme, PrintedLine, Rise, RiseCycle};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -11,7 +11,7 @@ pub struct Definition {
     /// The definition in words.
     pub name: &'static str,
     /// The time, in s.
-    time: fn(&Start, Near) -> Option<f64>,
+    time: fn(&Start, RiseTolerance) -> Option<f64>,
     /// Whether the steady value in question is the average terminal velocity itself, of which a part is the same as of this.
     is_of_the_average: bool,
     /// Whether the tables print the value that this velocity comes to.
@@ -40,7 +40,7 @@ pub enum Target {
 
 /// How far a velocity may still be from the one that it comes to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
+pub struct RiseTolerance {
     /// The part that may be missing, dimensionless.
     pub part: f64,
     /// Of what.
@@ -49,7 +49,7 @@ pub struct Near {
     pub target: Target,
 }
 
-impl Near {
+impl RiseTolerance {
     /// All ways to be near with a part: in the order of the kinds of whole, to the computed and then to the printed values.
     const WAYS: [(Target, Whole); 6] = [
         (Target::Computed, Whole::Itself),
@@ -71,7 +71,7 @@ struct Start {
     engagement: Engagement,
     rise: Rise,
     first_minimum: Option<Extreme>,
-    lines: Vec<Printed>,
+    lines: Vec<PrintedLine>,
     /// Peak and minimum as printed.
     printed: [f64; 2],
     /// A unit of the tables' speeds.
@@ -107,7 +107,7 @@ impl Start {
     }
 
     /// How far a quantity may be from this value.
-    fn allowed(&self, near: Near, value: f64) -> f64 {
+    fn allowed(&self, near: RiseTolerance, value: f64) -> f64 {
         let whole = match near.whole {
             Whole::Itself => value,
             Whole::TerminalVelocity => self.terminal(near.target),
@@ -117,12 +117,12 @@ impl Start {
     }
 
     /// The first engagement of which a quantity is near a value.
-    fn first(&self, near: Near, value: f64, quantity: fn(&Cycle) -> f64) -> Option<&Cycle> {
+    fn first(&self, near: RiseTolerance, value: f64, quantity: fn(&RiseCycle) -> f64) -> Option<&RiseCycle> {
         let allowed = self.allowed(near, value);
         self.rise.cycles.iter().find(|cycle| (quantity(cycle) - value).abs() <= allowed)
     }
 
-    fn until_profile(&self, near: Near) -> Option<f64> {
+    fn until_profile(&self, near: RiseTolerance) -> Option<f64> {
         match near.whole {
             Whole::Itself => self.engagement.until_profile(near.part).ok(),
             Whole::TerminalVelocity | Whole::Units => {
@@ -131,10 +131,10 @@ impl Start {
         }
     }
 
-    fn until_average(&self, near: Near) -> Option<f64> {
+    fn until_average(&self, near: RiseTolerance) -> Option<f64> {
         let value = self.terminal(near.target);
         let allowed = self.allowed(near, value);
-        let is_near = |cycle: &&Cycle| {
+        let is_near = |cycle: &&RiseCycle| {
             // The start at rest is no minimum.
             let first = self.first_minimum.filter(|first| cycle.start == 0.0 && first.time < cycle.end);
             let minimum = first.map_or(cycle.minimum.speed, |first| first.speed);
@@ -143,22 +143,22 @@ impl Start {
         self.rise.cycles.iter().find(is_near).map(|cycle| cycle.end)
     }
 
-    fn until_entry_speed(&self, near: Near) -> Option<f64> {
+    fn until_entry_speed(&self, near: RiseTolerance) -> Option<f64> {
         self.first(near, self.rise.steady.entry_speed, |cycle| cycle.entry_speed).map(|cycle| cycle.start)
     }
 
-    fn until_peak(&self, near: Near) -> Option<f64> {
+    fn until_peak(&self, near: RiseTolerance) -> Option<f64> {
         let [peak, _] = self.extremes(near.target);
         self.first(near, peak, |cycle| cycle.peak.speed).map(|cycle| cycle.peak.time)
     }
 
-    fn until_minimum(&self, near: Near) -> Option<f64> {
+    fn until_minimum(&self, near: RiseTolerance) -> Option<f64> {
         let [_, minimum] = self.extremes(near.target);
         self.first(near, minimum, |cycle| cycle.minimum.speed).map(|cycle| cycle.minimum.time)
     }
 
     /// The first minimum, the first peak or a later minimum that is near the one it comes to, whichever comes first.
-    fn until_extreme(&self, near: Near) -> Option<f64> {
+    fn until_extreme(&self, near: RiseTolerance) -> Option<f64> {
         let [_, minimum] = self.extremes(near.target);
         let allowed = self.allowed(near, minimum);
         let first = self.first_minimum.filter(|first| (first.speed - minimum).abs() <= allowed);
@@ -167,13 +167,13 @@ impl Start {
     }
 
     /// When the speed is first as great as the average terminal velocity, but for the part that may be missing.
-    fn until_average_is_passed(&self, near: Near) -> Option<f64> {
+    fn until_average_is_passed(&self, near: RiseTolerance) -> Option<f64> {
         let average = self.terminal(near.target);
         let enough = average - self.allowed(near, average);
         self.lines.iter().find(|line| line.speed >= enough).map(|line| line.time)
     }
 
-    fn until_mean_speed(&self, near: Near) -> Option<&Cycle> {
+    fn until_mean_speed(&self, near: RiseTolerance) -> Option<&RiseCycle> {
         self.first(near, self.rise.steady.mean_speed, |cycle| cycle.mean_speed)
     }
 
@@ -186,7 +186,7 @@ impl Start {
     /// The first printed line that is slower than its neighbours and near the steady minimum.
     fn printed_minimum(&self) -> Option<f64> {
         let steady = self.rise.steady.minimum.speed;
-        let is_it = |w: &&[Printed]| {
+        let is_it = |w: &&[PrintedLine]| {
             let [before, here, after] = [w[0].speed, w[1].speed, w[2].speed];
             here < before && here <= after && (here / steady - 1.0).abs() <= self.missing
         };
@@ -202,24 +202,24 @@ pub fn parts(missing: f64) -> [f64; 4] {
 
 impl Definition {
     /// A definition by a quantity whose steady value the tables do not print.
-    const fn by(name: &'static str, time: fn(&Start, Near) -> Option<f64>) -> Self {
+    const fn new(name: &'static str, time: fn(&Start, RiseTolerance) -> Option<f64>) -> Self {
         Self { name, time, is_of_the_average: false, is_printed: false }
     }
 
     /// A definition by a quantity whose steady value the tables print.
-    const fn printed(name: &'static str, time: fn(&Start, Near) -> Option<f64>) -> Self {
-        Self { is_printed: true, ..Self::by(name, time) }
+    const fn with_printed_value(name: &'static str, time: fn(&Start, RiseTolerance) -> Option<f64>) -> Self {
+        Self { is_printed: true, ..Self::new(name, time) }
     }
 
     /// A definition by the average terminal velocity.
-    const fn average(name: &'static str, time: fn(&Start, Near) -> Option<f64>) -> Self {
-        Self { is_of_the_average: true, ..Self::printed(name, time) }
+    const fn with_average(name: &'static str, time: fn(&Start, RiseTolerance) -> Option<f64>) -> Self {
+        Self { is_of_the_average: true, ..Self::with_printed_value(name, time) }
     }
 
     /// The ways to be near that differ for this quantity.
     fn ways(&self) -> impl Iterator<Item = (Target, Whole)> {
         let (average, printed) = (self.is_of_the_average, self.is_printed);
-        Near::WAYS.into_iter().filter(move |(target, whole)| {
+        RiseTolerance::WAYS.into_iter().filter(move |(target, whole)| {
             (printed || *target == Target::Computed) && !(average && *whole == Whole::TerminalVelocity)
         })
     }
@@ -228,19 +228,19 @@ impl Definition {
 /// The definitions nearest to the thesis's, with each of the parts: the time until some velocity of the motion is that
 /// near to the steady one.
 pub const OF_A_PART: [Definition; 9] = [
-    Definition::by("the velocity at every angle from then on", Start::until_profile),
-    Definition::average("the average of peak and minimum of an engagement, to its end", Start::until_average),
-    Definition::by("the entry speed", Start::until_entry_speed),
-    Definition::printed("a peak", Start::until_peak),
-    Definition::printed("a minimum", Start::until_minimum),
-    Definition::printed("a peak or a minimum, whichever is first", Start::until_extreme),
-    Definition::by("the mean speed of an engagement, to its end", |start, near| {
+    Definition::new("the velocity at every angle from then on", Start::until_profile),
+    Definition::with_average("the average of peak and minimum of an engagement, to its end", Start::until_average),
+    Definition::new("the entry speed", Start::until_entry_speed),
+    Definition::with_printed_value("a peak", Start::until_peak),
+    Definition::with_printed_value("a minimum", Start::until_minimum),
+    Definition::with_printed_value("a peak or a minimum, whichever is first", Start::until_extreme),
+    Definition::new("the mean speed of an engagement, to its end", |start, near| {
         start.until_mean_speed(near).map(|cycle| cycle.end)
     }),
-    Definition::by("the mean speed of an engagement, to its start", |start, near| {
+    Definition::new("the mean speed of an engagement, to its start", |start, near| {
         start.until_mean_speed(near).map(|cycle| cycle.start)
     }),
-    Definition::average(
+    Definition::with_average(
         "the velocity, when it first comes up to the average of the steady peak and minimum",
         Start::until_average_is_passed,
     ),
@@ -248,38 +248,38 @@ pub const OF_A_PART: [Definition; 9] = [
 
 /// Other events of a start. Two of them are looked for in the lines of the print-out, which have a time of their own.
 pub const EVENTS: [Definition; 5] = [
-    Definition::by("the first minimum", |start, _| start.first_minimum.map(|minimum| minimum.time)),
-    Definition::by("the first minimum after a hand-over", |start, _| start.rise.until_first_minimum()),
-    Definition::by("the greatest speed of the first engagement", |start, _| {
+    Definition::new("the first minimum", |start, _| start.first_minimum.map(|minimum| minimum.time)),
+    Definition::new("the first minimum after a hand-over", |start, _| start.rise.until_first_minimum()),
+    Definition::new("the greatest speed of the first engagement", |start, _| {
         start.rise.cycles.first().map(|cycle| cycle.peak.time)
     }),
-    Definition::by("a printed speed within 1% of the largest printed one", |start, _| start.printed_near_largest()),
-    Definition::by("a printed minimum within 1%", |start, _| start.printed_minimum()),
+    Definition::new("a printed speed within 1% of the largest printed one", |start, _| start.printed_near_largest()),
+    Definition::new("a printed minimum within 1%", |start, _| start.printed_minimum()),
 ];
 
 /// The result of trying a definition.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tried {
+pub struct DefinitionTrial {
     /// The definition in words.
     pub name: &'static str,
     /// How near the velocity must be; none for an event.
-    pub near: Option<Near>,
+    pub near: Option<RiseTolerance>,
     /// For the runs as they were.
-    pub as_run: Explained,
+    pub as_run: RiseFit,
     /// For the mechanisms as they are.
-    pub ideal: Explained,
+    pub ideal: RiseFit,
 }
 
-impl Tried {
+impl DefinitionTrial {
     /// Whether the definition lets so large a part be missing of the quantity itself, with its computed steady value.
     pub fn is_to_a_part_of_itself(&self, part: f64) -> bool {
-        self.near == Some(Near { part, whole: Whole::Itself, target: Target::Computed })
+        self.near == Some(RiseTolerance { part, whole: Whole::Itself, target: Target::Computed })
     }
 }
 
 /// How a definition does on the printed rise times.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Explained {
+pub struct RiseFit {
     /// The computed time of each row, in s; not a number if there is none.
     pub times: Vec<f64>,
     /// Rows within one unit of the last place: with six, four and three pins.
@@ -291,7 +291,7 @@ pub struct Explained {
     pub range: [f64; 2],
 }
 
-impl Explained {
+impl RiseFit {
     fn new(rows: &[Row], times: Vec<f64>) -> Self {
         let by_chance = expected_rises(rows, &times);
         let mut found = Self { times, within_one: [0; 3], by_chance, range: [f64::INFINITY, 0.0] };
@@ -313,22 +313,34 @@ impl Explained {
 /// [`OF_A_PART`], [`parts`] and [`EVENTS`].
 ///
 /// `missing` is the part of a velocity that may be missing by the source's own words.
-pub fn explained(rows: &[Row], missing: f64) -> Vec<Tried> {
+pub fn try_definitions(rows: &[Row], missing: f64) -> Vec<DefinitionTrial> {
     let starts = [Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL]
         .map(|of| rows.iter().map(|row| Start::new(&of, row, missing)).collect::<Vec<_>>());
-    let tried = |definition: &Definition, near: Option<Near>| {
-        let own = near.unwrap_or(Near { part: missing, whole: Whole::Itself, target: Target::Computed });
+    let tried = |definition: &Definition, near: Option<RiseTolerance>| {
+        let own = near.unwrap_or(RiseTolerance { part: missing, whole: Whole::Itself, target: Target::Computed });
         let [as_run, ideal] = starts.each_ref().map(|starts| {
             let time = |start: &Option<Start>| (definition.time)(start.as_ref()?, own);
-            Explained::new(rows, starts.iter().map(|start| time(start).unwrap_or(f64::NAN)).collect())
+            RiseFit::new(rows, starts.iter().map(|start| time(start).unwrap_or(f64::NAN)).collect())
         });
-        Tried { name: definition.name, near, as_run, ideal }
+        DefinitionTrial { name: definition.name, near, as_run, ideal }
     };
     let of_parts = OF_A_PART.iter().flat_map(|definition| {
-        let near = |(target, whole)| parts(missing).map(|part| Near { part, whole, target });
+        let near = |(target, whole)| parts(missing).map(|part| RiseTolerance { part, whole, target });
         definition.ways().flat_map(near).map(|near| tried(definition, Some(near))).collect::<Vec<_>>()
     });
     of_parts.chain(EVENTS.iter().map(|definition| tried(definition, None))).collect()
+}
+
+/// How many printed rise times the best of all definitions explains, of the runs or of the mechanisms, in each of some
+/// shuffles of the printed times.
+pub fn shuffles_of_definitions(
+    rows: &[Row],
+    tried: &[DefinitionTrial],
+    shuffled: ShuffleScope,
+    shuffles: usize,
+) -> Vec<usize> {
+    let times = tried.iter().flat_map(|tried| [&*tried.as_run.times, &*tried.ideal.times]);
+    shuffles_of_rises(rows, times, shuffled, shuffles)
 }
 
 /// The greatest relative change, dimensionless and without its sign, of the time until the velocity is the steady one at every angle, but for a
@@ -367,7 +379,7 @@ pub fn is_steady_from_the_first_minimum(row: &Row) -> Option<bool> {
 
 /// Rows of one mechanism and one friction: only the torque changes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Group<'a> {
+pub struct TorqueGroup<'a> {
     /// The mechanism.
     pub mechanism: Mechanism,
     /// The printed friction.
@@ -391,7 +403,7 @@ pub struct Misread<'a> {
 }
 
 /// All groups. By the law of similarity a time that only the motion defines goes as 1/√K within each.
-pub fn groups<'a>(rows: &'a [Row]) -> Vec<Group<'a>> {
+pub fn groups<'a>(rows: &'a [Row]) -> Vec<TorqueGroup<'a>> {
     let slack = |row: &Row| Column::Rise.unit() + row.given.listing.interval;
     // The times √K that all of these rows allow.
     let allowed = |rows: &[&Row]| {
@@ -411,7 +423,7 @@ pub fn groups<'a>(rows: &'a [Row]) -> Vec<Group<'a>> {
             (low <= high).then(|| Misread { torque: left_out.printed(Column::Torque), between })
         };
         let misread = if possible { Vec::new() } else { own.iter().filter_map(without).collect() };
-        Some(Group { mechanism, friction, scaled, possible, misread })
+        Some(TorqueGroup { mechanism, friction, scaled, possible, misread })
     };
     series(rows).filter_map(group).collect()
 }

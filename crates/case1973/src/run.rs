@@ -2,7 +2,7 @@
 
 use crate::program::Printout;
 use crate::{Column, EXPLAINED};
-use geneva_dynamics::steady::Printed;
+use geneva_dynamics::steady::PrintedLine;
 use geneva_kinematics::bisection::bisect_times;
 
 /// What a run gives.
@@ -60,14 +60,14 @@ fn lowest(before: f64, middle: f64, next: f64) -> f64 {
 
 /// When the driver is first at its slowest: where the printed acceleration changes to plus, as if it were straight
 /// between two lines.
-fn slowest(lines: &[Printed]) -> Option<f64> {
+fn slowest(lines: &[PrintedLine]) -> Option<f64> {
     let pair = lines.windows(2).find(|w| w[0].acceleration < 0.0 && w[1].acceleration >= 0.0)?;
     let part = pair[0].acceleration / (pair[0].acceleration - pair[1].acceleration);
     Some(pair[0].time + part * (pair[1].time - pair[0].time))
 }
 
 /// When the driver has turned so far: between two lines by the cubic through angles and speeds.
-fn passing(lines: &[Printed], turned: f64) -> Option<f64> {
+fn passing(lines: &[PrintedLine], turned: f64) -> Option<f64> {
     let after = lines.partition_point(|line| line.turned < turned);
     let [a, b] = [lines.get(after.checked_sub(1)?)?, lines.get(after)?];
     let step = b.time - a.time;

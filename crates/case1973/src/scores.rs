@@ -1,13 +1,13 @@
 //! How well each hypothesis about the runs explains the printed cells.
 
-use crate::hypothesis::{Constants, Hypothesis, Lag, Reading, Reset, SixPin};
+use crate::hypothesis::{Constants, Hypothesis, Lag, PeakReading, Reset, SixPin};
 use crate::likelihood::{Law, Likelihood};
 use crate::{Column, EXPLAINED, Row, Run};
 use geneva_kinematics::Mechanism;
 
 /// How a set of runs does on one column of the tables. The mean and the worst are over the runs that came to an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fit {
+pub struct ColumnFit {
     /// Cells that the computed number rounds to.
     pub exact: usize,
     /// Cells within one unit of the last place.
@@ -20,7 +20,7 @@ pub struct Fit {
     pub likelihoods: [Likelihood; 2],
 }
 
-impl Fit {
+impl ColumnFit {
     /// How well computed numbers explain the printed ones of a column, row by row; a run that came to nothing explains
     /// nothing.
     ///
@@ -40,7 +40,7 @@ impl Fit {
             within_one: units.iter().filter(|off| **off <= 1.0 + 1e-9).count(),
             mean: cells.iter().map(relative).sum::<f64>() / cells.len() as f64,
             worst: cells.iter().map(relative).fold(0.0, further),
-            likelihoods: Law::ALL.map(|law| if whole { law.of(&units) } else { impossible }),
+            likelihoods: Law::ALL.map(|law| if whole { law.maximum_likelihood(&units) } else { impossible }),
         }
     }
 }
@@ -56,26 +56,26 @@ pub struct Score<'a> {
     /// end.
     pub results: Vec<Option<[f64; 3]>>,
     /// The hypothesis's fit to peak, minimum and period.
-    pub fits: [Fit; 3],
+    pub fits: [ColumnFit; 3],
 }
 
 impl<'a> Score<'a> {
     /// The score of a hypothesis.
-    pub fn of(hypothesis: Hypothesis, rows: &'a [Row]) -> Self {
-        Self::of_results(hypothesis, rows, rows.iter().map(|row| hypothesis.results(row)).collect())
+    pub fn new(hypothesis: Hypothesis, rows: &'a [Row]) -> Self {
+        Self::from_results(hypothesis, rows, rows.iter().map(|row| hypothesis.results(row)).collect())
     }
 
     /// The score of a hypothesis whose runs have been made, row by row.
-    pub fn of_results(hypothesis: Hypothesis, rows: &'a [Row], results: Vec<Option<[f64; 3]>>) -> Self {
+    pub fn from_results(hypothesis: Hypothesis, rows: &'a [Row], results: Vec<Option<[f64; 3]>>) -> Self {
         let fits = [0, 1, 2].map(|at| {
             let computed: Vec<_> = results.iter().map(|of| of.map(|numbers| numbers[at])).collect();
-            Fit::new(EXPLAINED[at], rows, &computed)
+            ColumnFit::new(EXPLAINED[at], rows, &computed)
         });
         Self { hypothesis, rows, results, fits }
     }
 
     /// The fit to a column; none for a column that is not to be explained.
-    pub fn on(&self, column: Column) -> Option<&Fit> {
+    pub fn fit(&self, column: Column) -> Option<&ColumnFit> {
         self.fits.iter().zip(EXPLAINED).find(|(_, of)| *of == column).map(|(fit, _)| fit)
     }
 
@@ -96,10 +96,10 @@ impl<'a> Score<'a> {
     }
 
     /// The printed cells and the computed numbers, row by row; not a number where a run came to no end.
-    pub fn cells(&self) -> impl Iterator<Item = Cell> + '_ {
+    pub fn cells(&self) -> impl Iterator<Item = ComparedCell> + '_ {
         self.rows.iter().zip(&self.results).flat_map(|(row, results)| {
             let computed = results.unwrap_or([f64::NAN; 3]);
-            [0, 1, 2].map(|at| Cell {
+            [0, 1, 2].map(|at| ComparedCell {
                 mechanism: row.mechanism,
                 printed: row.number(EXPLAINED[at]) / EXPLAINED[at].unit(),
                 computed: computed[at] / EXPLAINED[at].unit(),
@@ -110,7 +110,7 @@ impl<'a> Score<'a> {
 
 /// One printed number and the computed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
+pub struct ComparedCell {
     /// The mechanism whose table contains the number.
     pub mechanism: Mechanism,
     /// As printed, in units of the last printed place.
@@ -119,7 +119,7 @@ pub struct Cell {
     pub computed: f64,
 }
 
-impl Cell {
+impl ComparedCell {
     /// Whether the two are no more than a unit apart.
     pub fn is_within_one(&self) -> bool {
         (self.printed - self.computed).abs() <= 1.0 + 1e-9
@@ -133,11 +133,11 @@ pub fn within_one(column: Column, rows: &[Row], runs: &[Run]) -> usize {
 
 /// The hypotheses that are compared: all choices of reset angle, inertias and reading, from the mechanism as it is to
 /// the runs but for the program's own faults; then with its constants, and all that is in the listing.
-pub fn compared() -> Vec<Hypothesis> {
+pub fn compared_hypotheses() -> Vec<Hypothesis> {
     let mut all = Vec::new();
     for reset in [Reset::OfTheMechanism, Reset::QuarterTurn] {
         for six_pin in [SixPin::AsHeaded, SixPin::AsDrawn] {
-            for reading in [Reading::True, Reading::OnTheGrid] {
+            for reading in [PeakReading::True, PeakReading::OnTheGrid] {
                 all.push(Hypothesis { reset, six_pin, reading, ..Hypothesis::WITHOUT_LAG });
             }
         }
@@ -157,7 +157,7 @@ pub fn delays(rows: &[Row]) -> Vec<(f64, Score<'_>)> {
     let of = |part: f64| {
         let lag = if part > 0.0 { Lag::Of(interval * part) } else { Lag::None };
         let hypothesis = Hypothesis { constants: Constants::AsListed, lag, ..Hypothesis::WITHOUT_LAG };
-        (interval * part, Score::of(hypothesis, rows))
+        (interval * part, Score::new(hypothesis, rows))
     };
     PARTS.map(of).to_vec()
 }

@@ -3,7 +3,7 @@
 
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Mechanism, Turn};
-use geneva_mimic::AtSmallestStep;
+use geneva_mimic::MinStepPolicy;
 
 /// The columns of a table, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,10 +69,10 @@ impl Listing {
     /// The integrator as far as the listing tells, with the defaults for the rest.
     ///
     /// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.
-    pub fn integrator(&self) -> geneva_mimic::Parameters {
-        geneva_mimic::Parameters {
-            at_smallest_step: AtSmallestStep::Continue,
-            ..geneva_mimic::Parameters::new(self.interval, self.duration)
+    pub fn integrator(&self) -> geneva_mimic::SolverParameters {
+        geneva_mimic::SolverParameters {
+            at_smallest_step: MinStepPolicy::Continue,
+            ..geneva_mimic::SolverParameters::new(self.interval, self.duration)
         }
     }
 }
@@ -92,7 +92,7 @@ pub struct Given {
 /// A row that cannot be read, and what is wrong with it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the row `{row}`: give friction, torque, peak, minimum, rise time and period, {wrong}")]
-pub struct Unreadable {
+pub struct UnreadableRow {
     row: String,
     wrong: &'static str,
 }
@@ -115,8 +115,8 @@ impl Row {
     /// # Errors
     ///
     /// More or fewer than six numbers, or a cell that is no finite number.
-    pub fn read(mechanism: Mechanism, text: &str, given: Given) -> Result<Self, Unreadable> {
-        let unreadable = |wrong| Unreadable { row: text.chars().take(80).collect(), wrong };
+    pub fn read(mechanism: Mechanism, text: &str, given: Given) -> Result<Self, UnreadableRow> {
+        let unreadable = |wrong| UnreadableRow { row: text.chars().take(80).collect(), wrong };
         let is_between = |sign: char| sign == ',' || sign.is_whitespace();
         let cells: Vec<String> = text.split(is_between).filter(|cell| !cell.is_empty()).map(str::to_owned).collect();
         let cells: [String; 6] = cells.try_into().map_err(|_| unreadable("six numbers in all"))?;
@@ -205,13 +205,13 @@ pub fn strongest(rows: &[Row]) -> impl Iterator<Item = &Row> {
 }
 
 /// The rows of a mechanism with the least friction, by rising torque; their engagements differ longest.
-pub fn least_braked(rows: &[Row], mechanism: Mechanism) -> Option<&[Row]> {
+pub fn rows_with_least_friction(rows: &[Row], mechanism: Mechanism) -> Option<&[Row]> {
     let own = series(rows).filter(|own| own[0].mechanism == mechanism);
     own.min_by(|a, b| a[0].friction().total_cmp(&b[0].friction()))
 }
 
 /// The rows of a mechanism with a friction, as printed, that the others were run with too, by rising torque.
-pub fn with_friction<'a>(rows: &'a [Row], mechanism: Mechanism, friction: &str) -> Option<&'a [Row]> {
+pub fn rows_with_friction<'a>(rows: &'a [Row], mechanism: Mechanism, friction: &str) -> Option<&'a [Row]> {
     series(rows).find(|own| own[0].mechanism == mechanism && own[0].printed(Column::Friction) == friction)
 }
 
@@ -248,7 +248,7 @@ pub struct Trend {
 
 impl Trend {
     /// The trend of a column.
-    pub fn of<'a>(column: Column, pairs: impl Iterator<Item = [&'a Row; 2]>) -> Self {
+    pub fn count<'a>(column: Column, pairs: impl Iterator<Item = [&'a Row; 2]>) -> Self {
         pairs.fold(Self::default(), |all, pair| {
             let [before, after] = pair.map(|row| row.number(column));
             let (up, equal) = (usize::from(after > before), usize::from(after == before));

@@ -2,7 +2,7 @@
 
 use crate::likelihood::{LEAST_SPREAD, Law};
 use crate::scores::Score;
-use crate::{EXPLAINED, Hypothesis, Reading, Row, series};
+use crate::{EXPLAINED, Hypothesis, PeakReading, Row, series};
 use geneva_kinematics::Mechanism;
 
 /// How the errors of the printed numbers are taken, and which rows count.
@@ -36,7 +36,7 @@ impl Others {
         match self {
             Self::AnotherReset => other.reset != own.reset,
             Self::AnotherResetOrInertias => (other.reset, other.six_pin) != (own.reset, own.six_pin),
-            Self::TruePeaks => *other == Hypothesis { reading: Reading::True, ..own },
+            Self::TruePeaks => *other == Hypothesis { reading: PeakReading::True, ..own },
         }
     }
 }
@@ -84,7 +84,7 @@ impl Weighing {
     pub fn log_likelihood(&self, score: &Score, law: Law) -> f64 {
         let of = |units: Option<Vec<f64>>| {
             let units = units?;
-            let best = law.of(&units);
+            let best = law.maximum_likelihood(&units);
             // The likelihood falls to either side of the best spread.
             Some(if best.spread < self.least_spread { law.log_likelihood(&units, self.least_spread) } else { best.log })
         };

@@ -1,7 +1,7 @@
 //! Do both routes find the data with which the tables were made?
 
 use crate::tables::tables;
-use geneva_case1973::fitted::{self, Freed, Motions, most_within_one, ratios};
+use geneva_case1973::fitted::{self, InertiaFit, Motions, most_within_one, ratios};
 use geneva_case1973::witness::gauss_newton;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, rows_of};
 use geneva_kinematics::Mechanism;
@@ -37,14 +37,14 @@ fn both_routes_find_the_inertias_friction_and_torque_of_the_runs() {
 fn no_inertias_make_up_for_the_wrong_reset() {
     for mechanism in [Mechanism::SIX_PIN, Mechanism::THREE_PIN] {
         let table = rows_of(tables(), mechanism);
-        let of = |reset| Freed::inertias(table, reset).expect("a motion");
+        let of = |reset| InertiaFit::new(table, reset).expect("a motion");
         let [own, program] = [Reset::OfTheMechanism, Reset::QuarterTurn].map(of);
         assert!(own.within_one() < program.within_one() && own.mean_misfit() > 4.0 * program.mean_misfit());
         let most = |reset| most_within_one(table, reset).expect("a motion");
         assert!(most(Reset::OfTheMechanism) >= own.within_one() && most(Reset::QuarterTurn) >= program.within_one());
         assert!(most(Reset::OfTheMechanism) < most(Reset::QuarterTurn));
     }
-    assert_eq!(Freed::inertias(&[], Reset::QuarterTurn), None);
+    assert_eq!(InertiaFit::new(&[], Reset::QuarterTurn), None);
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn trying_followers_one_by_one_brings_nearly_as_many_results_near_and_never_more
     let [least, greatest] = ratios(table, 1.0).expect("a motion").map(libm::log);
     let of = |step: u32| {
         let ratio = libm::exp(least + (greatest - least) * f64::from(step) / 100.0);
-        let motions = Motions::of(table, angle, 1.0, ratio)?;
+        let motions = Motions::new(table, angle, 1.0, ratio)?;
         let near = |follower: f64| motions.misfits(follower).iter().filter(|off| off.abs() <= 1.0 + 1e-9).count();
         (0..400).map(|step| near(1e-6 * libm::pow(1.015, f64::from(step)))).max()
     };

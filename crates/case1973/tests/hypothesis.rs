@@ -6,14 +6,14 @@ use geneva_case1973::rise_times::parts;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::densities;
 use geneva_case1973::{
-    Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin, Weighing, compared,
-    delays, fitting_interval,
+    Column, Constants, EXPLAINED, Hypothesis, Lag, Listing, PeakReading, Reset, Row, Score, SixPin, Weighing,
+    compared_hypotheses, delays, fitting_interval,
 };
 use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 
 fn scores() -> Vec<Score<'static>> {
-    compared().into_iter().map(|hypothesis| Score::of(hypothesis, tables())).collect()
+    compared_hypotheses().into_iter().map(|hypothesis| Score::new(hypothesis, tables())).collect()
 }
 
 #[test]
@@ -75,10 +75,10 @@ fn the_likelihoods_are_those_of_the_densities_summed_directly() {
 
 #[test]
 fn a_run_without_end_makes_the_tables_impossible_unless_its_row_does_not_count() {
-    let whole = Score::of(Hypothesis::WITHOUT_LAG, tables());
+    let whole = Score::new(Hypothesis::WITHOUT_LAG, tables());
     let mut results = whole.results.clone();
     results[1] = None;
-    let score = Score::of_results(whole.hypothesis, tables(), results);
+    let score = Score::from_results(whole.hypothesis, tables(), results);
     assert_eq!(score.likelihoods(), [f64::NEG_INFINITY; 2]);
     assert_eq!(score.within_one() + tables()[1].explained_by(&whole.results[1].expect("a run")), whole.within_one());
     assert!(score.fits.iter().all(|fit| fit.mean.is_finite()) && score.cells().any(|cell| cell.computed.is_nan()));
@@ -106,14 +106,14 @@ fn each_choice_of_a_hypothesis_changes_the_run_of_six_pins() {
     for changed in [
         Hypothesis { reset: Reset::OfTheMechanism, ..Hypothesis::WITHOUT_LAG },
         Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG },
-        Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG },
+        Hypothesis { reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG },
         Hypothesis { constants: Constants::AsListed, ..Hypothesis::WITHOUT_LAG },
         Hypothesis { lag: Lag::AsListed, ..Hypothesis::WITHOUT_LAG },
     ] {
         assert_ne!(run(changed), usual, "{}", changed.brief_words());
         assert_ne!(changed.brief_words(), Hypothesis::WITHOUT_LAG.brief_words());
     }
-    assert!(run(Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG }).peak > usual.peak);
+    assert!(run(Hypothesis { reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG }).peak > usual.peak);
 }
 
 #[test]

@@ -40,9 +40,9 @@ fn errors(law: Law) -> Vec<f64> {
 fn the_spread_found_is_that_of_the_errors_and_their_own_law_is_the_likelier() {
     for (law, other) in [(Law::Normal, Law::Exponential), (Law::Exponential, Law::Normal)] {
         let errors = errors(law);
-        let found = law.of(&errors);
+        let found = law.maximum_likelihood(&errors);
         assert!((found.spread - 3.0).abs() < 0.15, "{law:?} {}", found.spread);
-        assert!(found.log < 0.0 && found.log > other.of(&errors).log, "{law:?}");
+        assert!(found.log < 0.0 && found.log > other.maximum_likelihood(&errors).log, "{law:?}");
     }
 }
 
@@ -50,7 +50,7 @@ fn the_spread_found_is_that_of_the_errors_and_their_own_law_is_the_likelier() {
 fn certain_cells_cost_nothing_and_distant_ones_much() {
     for law in Law::ALL {
         // Not quite certain: no spread that is tried is zero.
-        assert!(law.of(&[0.0; 9]).log > -1e-5, "{law:?}");
-        assert!(law.of(&[1e4; 9]).log < -50.0, "{law:?}");
+        assert!(law.maximum_likelihood(&[0.0; 9]).log > -1e-5, "{law:?}");
+        assert!(law.maximum_likelihood(&[1e4; 9]).log < -50.0, "{law:?}");
     }
 }

@@ -86,7 +86,7 @@ fn a_pair_differs_in_one_value_and_the_next_row_has_more_of_it() {
     assert!(by_torque().all(|pair| alike(&pair, Column::Friction) && pair[0].torque() < pair[1].torque()));
     assert!(by_friction().all(|pair| alike(&pair, Column::Torque) && pair[0].friction() < pair[1].friction()));
     // More friction, less speed; and a stronger spring, more.
-    assert_eq!(Trend::of(Column::Minimum, by_friction()), Trend { pairs: 12, up: 0, equal: 0 });
-    assert_eq!(Trend::of(Column::Minimum, by_torque()), Trend { pairs: 18, up: 18, equal: 0 });
-    assert_eq!(Trend::of(Column::Friction, by_torque()), Trend { pairs: 18, up: 0, equal: 18 });
+    assert_eq!(Trend::count(Column::Minimum, by_friction()), Trend { pairs: 12, up: 0, equal: 0 });
+    assert_eq!(Trend::count(Column::Minimum, by_torque()), Trend { pairs: 18, up: 18, equal: 0 });
+    assert_eq!(Trend::count(Column::Friction, by_torque()), Trend { pairs: 18, up: 0, equal: 18 });
 }

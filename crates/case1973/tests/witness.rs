@@ -1,18 +1,18 @@
 //! Compares the second routes with the first, on tables that are from no source.
 
 use crate::tables::{LISTING, tables};
-use geneva_case1973::witness::{lagged, lagged_by, steps};
+use geneva_case1973::witness::{lagged_run, run_with_lag, steps};
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Run};
 
 /// The program of a row of four pins with an exact π, whose sign is late by this, run by the second route.
 fn late(delay: f64, duration: f64) -> Option<Run> {
-    lagged_by(&Hypothesis::WITHOUT_LAG.program(&tables()[8]).expect("a program"), delay, LISTING.interval, duration)
+    run_with_lag(&Hypothesis::WITHOUT_LAG.program(&tables()[8]).expect("a program"), delay, LISTING.interval, duration)
 }
 
 #[test]
 fn the_lagged_runs_are_those_of_the_program() {
     for row in tables().iter().step_by(3) {
-        let (program, witness) = (Hypothesis::AS_RUN.run(row).expect("a run"), lagged(row).expect("a run"));
+        let (program, witness) = (Hypothesis::AS_RUN.run(row).expect("a run"), lagged_run(row).expect("a run"));
         for column in EXPLAINED {
             let apart = (witness.number(column) / program.number(column) - 1.0).abs();
             assert!(apart < 1e-3, "{}: {column:?} {apart:e}", row.slug());

@@ -195,7 +195,7 @@ fn unit(field: &Field) -> String {
 mod tests {
     use super::*;
     use geneva_documents::quick_return::Instant;
-    use geneva_kinematics::quick_return::{Branch, Motion};
+    use geneva_kinematics::quick_return::{Branch, LeverMotion};
 
     #[test]
     fn a_number_is_said_with_its_unit_and_the_digits_that_are_asked_for() {
@@ -264,17 +264,17 @@ mod tests {
     fn the_senses_that_the_solutions_tell_are_those_of_the_motion() {
         let motion = |instant: Instant| instant.by_diagrams().expect("off the pivot");
         let mut ten = Instant::printed().expect("a mechanism");
-        ten.position = ten.linkage.at_lever_degrees(10.0, Branch::Far).expect("reached");
+        ten.position = ten.linkage.position_at_lever_degrees(10.0, Branch::Far).expect("reached");
         let (ten, near) = (motion(ten), motion(Instant::on(Branch::Near).expect("a mechanism")));
         // Of the lever's angular velocity and acceleration, of the sliding velocity: counter-clockwise, outwards.
-        let senses = |of: &Motion<f64>| {
+        let senses = |of: &LeverMotion<f64>| {
             let outwards = of.velocities.sliding_velocity.dot(&of.velocities.position);
             [of.velocities.follower_speed, of.accelerations.follower_acceleration, outwards].map(f64::signum)
         };
         assert_eq!(senses(&ten), [1.0, -1.0, -1.0]);
         assert_eq!(senses(&near), [-1.0, -1.0, -1.0]);
-        let along = |of: &Motion<f64>| of.accelerations.sliding_tangential.dot(&of.velocities.position).signum();
-        let across = |of: &Motion<f64>| of.velocities.position.perp(&of.accelerations.coriolis).signum();
+        let along = |of: &LeverMotion<f64>| of.accelerations.sliding_tangential.dot(&of.velocities.position).signum();
+        let across = |of: &LeverMotion<f64>| of.velocities.position.perp(&of.accelerations.coriolis).signum();
         assert_eq!([along(&ten), across(&ten)], [-1.0, -1.0]);
         assert_eq!([along(&near), across(&near)], [1.0, 1.0]);
     }

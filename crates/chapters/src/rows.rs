@@ -2,7 +2,7 @@
 
 use crate::asked;
 use anyhow::Context;
-use geneva_case1973::{Column, Hypothesis, Row, Score, least_braked};
+use geneva_case1973::{Column, Hypothesis, Row, Score, rows_with_least_friction};
 use geneva_documents::meyer::runs::study::scores;
 use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
@@ -37,7 +37,7 @@ pub fn numbers<'a>(rows: impl Iterator<Item = &'a Row>, key: &str) -> anyhow::Re
 
 /// The four-pin run that brakes least, with the weakest spring: the example wherever one run stands for all.
 pub fn example() -> anyhow::Result<&'static Row> {
-    weakest(least_braked(rows(), Mechanism::FOUR_PIN))
+    weakest(rows_with_least_friction(rows(), Mechanism::FOUR_PIN))
 }
 
 /// The score of a hypothesis among those compared.

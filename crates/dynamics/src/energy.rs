@@ -81,10 +81,10 @@ impl Identity<7> for EnergyBalance {
         let moving = pose.moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
         let follower = moving.velocity_ratio() * Jet::from_coefficients([Expression::ONE, angular_acceleration]);
         let sliding = moving.radius_squared.rate() / 2;
-        let lost = self.normal.of(follower.rate()) * self.sliding.of(sliding) / square;
+        let lost = self.normal.apply(follower.rate()) * self.sliding.apply(sliding) / square;
         let growth = inertia * angular_acceleration + follower.value() * follower.rate();
         let balance = growth - drive + friction * lost;
-        let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
+        let coefficients = Coefficients::from_pose(&pose, &inertia, &friction, &drive);
         balance - coefficients.residual(&Expression::ONE, &angular_acceleration, self.normal.times(self.sliding))
     }
 }

@@ -14,7 +14,7 @@
 //! positive: the sign of the numerator is the sign of the friction term. Proven in
 //! [`equation_proofs`](crate::equation_proofs).
 
-use crate::{Error, Pose, Sign};
+use crate::{DynamicsError, Pose, Sign};
 use geneva_kinematics::{Field, Turn};
 
 /// A: inertia that the driver feels, over the follower's, dimensionless: I_D / I_f + (a cos θ − 1)² / R⁴.
@@ -100,7 +100,7 @@ pub fn coefficient_d<S: Field>(pose: &Pose<S>, friction: &S) -> S {
 /// let speed = 5.0; // rad/s
 /// assert_eq!(coefficients.acceleration(speed)?.value, 2.0); // rad/s²
 /// assert_eq!(coefficients.residual(&speed, &2.0, Sign::Plus), 0.0); // it obeys the equation of motion
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coefficients<S> {
@@ -120,12 +120,12 @@ impl<S: Field> Coefficients<S> {
     /// The coefficients at centre distance over crank radius `ratio` and crank angle `crank`, for I_D / I_f, μ and K /
     /// I_f.
     pub fn new(ratio: &S, crank: &Turn<S>, inertia_ratio: &S, friction: &S, drive: &S) -> Self {
-        Self::of_pose(&Pose::new(ratio, crank), inertia_ratio, friction, drive)
+        Self::from_pose(&Pose::new(ratio, crank), inertia_ratio, friction, drive)
     }
 
     /// The coefficients of a pose, for I_D / I_f, μ and K / I_f.
     #[inline]
-    pub fn of_pose(pose: &Pose<S>, inertia_ratio: &S, friction: &S, drive: &S) -> Self {
+    pub fn from_pose(pose: &Pose<S>, inertia_ratio: &S, friction: &S, drive: &S) -> Self {
         Self {
             a: coefficient_a(pose, inertia_ratio),
             b: coefficient_b(pose),
@@ -148,7 +148,7 @@ impl<S: Field> Coefficients<S> {
         let square = speed.clone() * speed.clone();
         self.a.clone() * angular_acceleration.clone()
             + self.b.clone() * square
-            + sign.of(self.between_the_bars(speed, angular_acceleration))
+            + sign.apply(self.between_the_bars(speed, angular_acceleration))
             - self.e.clone()
     }
 
@@ -156,8 +156,8 @@ impl<S: Field> Coefficients<S> {
     /// of time. Meyer 1973, Appendix B.
     #[inline]
     pub fn acceleration_with(&self, speed: &S, sign: Sign) -> S {
-        let both = self.b.clone() + sign.of(self.c.clone());
-        (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.of(self.d.clone()))
+        let both = self.b.clone() + sign.apply(self.c.clone());
+        (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.apply(self.d.clone()))
     }
 
     /// [A (E − B θ'²) + C D θ'² − `size`] / (A² − D²), with the size of the [switching
@@ -192,23 +192,23 @@ impl Coefficients<f64> {
     /// The driver's unique acceleration at a speed (≥ 0, radians per unit of time), with the sign of the bars.
     ///
     /// ```
-    /// use geneva_dynamics::{Coefficients, Error};
+    /// use geneva_dynamics::{Coefficients, DynamicsError};
     ///
     /// // A = 1 is less than |D| = 2: with E = 1 the two signs of the bars would give two accelerations.
     /// let jamming = Coefficients { a: 1.0, b: 0.0, c: 0.0, d: 2.0, e: 1.0 };
-    /// assert!(matches!(jamming.acceleration(0.0), Err(Error::NotUnique { .. })));
+    /// assert!(matches!(jamming.acceleration(0.0), Err(DynamicsError::NotUnique { .. })));
     /// ```
     ///
     /// # Errors
     ///
-    /// [`Error::Speed`] for a speed that is negative or not finite; [`Error::NotUnique`] unless A > |D|.
-    pub fn acceleration(&self, speed: f64) -> Result<Acceleration, Error> {
+    /// [`DynamicsError::Speed`] for a speed that is negative or not finite; [`DynamicsError::NotUnique`] unless A > |D|.
+    pub fn acceleration(&self, speed: f64) -> Result<Acceleration, DynamicsError> {
         if !(speed >= 0.0 && speed.is_finite()) {
-            return Err(Error::Speed { name: "driver speed", asked: speed });
+            return Err(DynamicsError::Speed { name: "driver speed", asked: speed });
         }
         let single = self.a > self.d.abs();
         if !single {
-            return Err(Error::NotUnique { a: self.a, d: self.d.abs() });
+            return Err(DynamicsError::NotUnique { a: self.a, d: self.d.abs() });
         }
         Ok(self.with_own_sign(speed))
     }

@@ -53,30 +53,30 @@ impl Identity<6> for SwitchingFunctionDecidesSign {
 
 /// The solution of either sign is [one formula](Coefficients::acceleration_in_one_formula) with the size of the switching
 /// function: that function with this sign before it. Variables: A + D, A − D, B, C, E, θ'.
-pub struct InOneFormula(
+pub struct OneFormulaSolution(
     /// The sign of the bars, which is the sign of the switching function.
     pub Sign,
 );
 
-impl Identity<6> for InOneFormula {
+impl Identity<6> for OneFormulaSolution {
     fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
         let coefficients = of_slopes([plus, minus, b, c, e]);
-        let size = self.0.of(coefficients.sign_switching_function(&speed));
+        let size = self.0.apply(coefficients.sign_switching_function(&speed));
         coefficients.acceleration_in_one_formula(&speed, &size) - coefficients.acceleration_with(&speed, self.0)
     }
 }
 
 /// On one piece the left side grows by A + S D per unit of θ''. Variables: A, B, C, D, E, θ', θ'' and its growth.
-pub struct Slope(
+pub struct SlopeOfOneSign(
     /// The sign of the bars.
     pub Sign,
 );
 
-impl Identity<8> for Slope {
+impl Identity<8> for SlopeOfOneSign {
     fn difference(&self, [a, b, c, d, e, speed, angular_acceleration, growth]: [Expression; 8]) -> Expression {
         let coefficients = Coefficients { a, b, c, d, e };
         let after = coefficients.residual(&speed, &(angular_acceleration + growth), self.0);
-        let slope = a + self.0.of(d);
+        let slope = a + self.0.apply(d);
         after - coefficients.residual(&speed, &angular_acceleration, self.0) - slope * growth
     }
 }

@@ -2,7 +2,7 @@
 
 /// A value that no escapement can have, or a motion that it does not have.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Error {
+pub enum DynamicsError {
     /// A quantity that must be positive and finite is not.
     #[error("{name} {asked}: it must be positive and finite; give a number above zero")]
     NotPositive {
@@ -218,11 +218,11 @@ fn four_digits(value: f64) -> String {
 }
 
 /// The value, if it is positive and finite.
-pub(crate) fn positive(name: &'static str, asked: f64) -> Result<f64, Error> {
-    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(Error::NotPositive { name, asked }) }
+pub(crate) fn positive(name: &'static str, asked: f64) -> Result<f64, DynamicsError> {
+    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(DynamicsError::NotPositive { name, asked }) }
 }
 
 /// The value, if it is finite and not negative.
-pub(crate) fn not_negative(name: &'static str, asked: f64) -> Result<f64, Error> {
-    if asked >= 0.0 && asked.is_finite() { Ok(asked) } else { Err(Error::Negative { name, asked }) }
+pub(crate) fn not_negative(name: &'static str, asked: f64) -> Result<f64, DynamicsError> {
+    if asked >= 0.0 && asked.is_finite() { Ok(asked) } else { Err(DynamicsError::Negative { name, asked }) }
 }

@@ -25,7 +25,7 @@
 //! The algebra is proven in [`existence_proofs`](crate::existence_proofs).
 
 use crate::error::{not_negative, positive};
-use crate::{Error, Pose, equation};
+use crate::{DynamicsError, Pose, equation};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::bisection::{bisect, bisect_times};
 
@@ -72,13 +72,13 @@ pub fn margin(pose: &Pose<f64>, inertia_ratio: f64, friction: f64) -> f64 {
 /// let there = least_margin(Mechanism::FOUR_PIN, 0.1, critical.friction)?;
 /// assert!(there.margin.abs() < 1e-12); // A = |D|, once in the engagement,
 /// assert!((there.angle - critical.angle).abs() < 1e-5); // at this angle in rad
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::NotPositive`].
-pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<CriticalFriction, Error> {
+/// [`DynamicsError::NotPositive`].
+pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<CriticalFriction, DynamicsError> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
     let half = Half::new(mechanism);
     // All over 1 + i, so that no inertia ratio is too great.
@@ -102,7 +102,7 @@ pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<Cri
 /// let critical = critical_friction(Mechanism::FOUR_PIN, 0.1)?.friction;
 /// assert!(surely_below_critical(Mechanism::FOUR_PIN, 0.1, critical / 2.0));
 /// assert!(!surely_below_critical(Mechanism::FOUR_PIN, 0.1, critical));
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 pub fn surely_below_critical(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> bool {
     let inertia = inertia_ratio;
@@ -141,13 +141,13 @@ const BISECTIONS: u32 = 6;
 /// // Without friction the driver feels least inertia where the follower is at rest: its own.
 /// let least = least_margin(Mechanism::FOUR_PIN, 0.1, 0.0)?;
 /// assert!((least.margin - 0.1).abs() < 1e-15 && (least.angle - FRAC_PI_4).abs() < 1e-15);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::NotPositive`] for the inertias, [`Error::Negative`] for the friction.
-pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, Error> {
+/// [`DynamicsError::NotPositive`] for the inertias, [`DynamicsError::Negative`] for the friction.
+pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, DynamicsError> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
     let (worst, angle) = worst(mechanism, not_negative("friction coefficient", friction)?);
     Ok(LeastMargin { margin: inertia - worst, angle })
@@ -164,13 +164,13 @@ pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> 
 /// let friction = critical_friction(Mechanism::FOUR_PIN, 0.1)?.friction;
 /// assert!((critical_inertia_ratio(Mechanism::FOUR_PIN, friction)? - 0.1).abs() < 1e-12);
 /// assert_eq!(critical_inertia_ratio(Mechanism::FOUR_PIN, 0.0)?, 0.0);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::Negative`] for a friction that is negative or not finite.
-pub fn critical_inertia_ratio(mechanism: Mechanism, friction: f64) -> Result<f64, Error> {
+/// [`DynamicsError::Negative`] for a friction that is negative or not finite.
+pub fn critical_inertia_ratio(mechanism: Mechanism, friction: f64) -> Result<f64, DynamicsError> {
     Ok(worst(mechanism, not_negative("friction coefficient", friction)?).0)
 }
 

@@ -4,7 +4,7 @@
 //! bears on the flank ahead of it; a negative one holds it back, so the pin bears on the flank behind it. Friction acts
 //! along the slot, against the sliding, with the moment arm c |sin φ| = |dR/dθ| about the driver's axis.
 
-use crate::{Error, Parameters};
+use crate::{DynamicsError, Parameters};
 
 /// The flank of the slot that the pin bears on; ahead and behind as the follower turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,13 +56,13 @@ impl Parameters {
     /// assert!((entry.normal_moment - 2.0 * 3.0 * 3.0).abs() < 1e-12); // N m: I_f θ'²
     /// assert!((entry.friction_torque - 0.2 * entry.normal_moment).abs() < 1e-12); // N m
     /// assert_eq!(entry.flank, Flank::Leading);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Parameters::acceleration`].
-    pub fn contact_forces(&self, angle: f64, speed: f64) -> Result<ContactForces, Error> {
+    pub fn contact_forces(&self, angle: f64, speed: f64) -> Result<ContactForces, DynamicsError> {
         let angular_acceleration = self.acceleration(angle, speed)?.value;
         let pose = self.pose(angle);
         let follower_acceleration = pose.follower_acceleration(&speed, &angular_acceleration);

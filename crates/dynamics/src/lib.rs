@@ -23,7 +23,7 @@
 //! // A wheel of four stations with 1e-3 kg m² and no friction, at 10 rad/s.
 //! let wheel = Wheel::new(4)?;
 //! let loads = WheelLoads::new(&wheel, 1e-3, 0.0, 10.0)?;
-//! let entry = loads.at(-wheel.engagement_half_angle())?;
+//! let entry = loads.load(-wheel.engagement_half_angle())?;
 //! assert!((entry.wheel_torque - 0.1).abs() < 1e-12); // N m: J ω² tan 45°
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -36,7 +36,7 @@
 //! - **Angles** are in radians. The crank angle θ is zero on the line of centres, negative before it and positive past it.
 //!   The follower's angle φ is zero there too. Driver and follower turn in opposite senses, and both angles grow.
 //! - **Lengths** are in crank radii. So a force becomes a moment, force times crank radius, until you give the radius.
-//! - **Errors** name the value, the allowed range and what to change: [`Error`].
+//! - **Errors** name the value, the allowed range and what to change: [`DynamicsError`].
 //!
 //! Notation: `r` crank radius, `c = a r` centre distance, `R` distance of the pin from the follower's pivot, μ friction
 //! between pin and slot, `K` torque on the driver, `I_D` and `I_f` moments of inertia of driver and follower. A prime is a
@@ -83,7 +83,7 @@ pub mod timer;
 pub mod wheel_loads;
 
 pub use equation::{Acceleration, Coefficients};
-pub use error::Error;
+pub use error::DynamicsError;
 pub use parameters::{Inertias, Parameters};
 pub use pose::Pose;
 pub use sign::Sign;

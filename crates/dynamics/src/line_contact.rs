@@ -8,7 +8,7 @@
 //! pin that stands askew; wear; and yielding, which begins below the surface ([`pressure_at_yield`]). It is a first look,
 //! not a proof of strength.
 
-use crate::error::{Error, not_negative, positive};
+use crate::error::{DynamicsError, not_negative, positive};
 use std::f64::consts::PI;
 
 /// An elastic material.
@@ -52,7 +52,7 @@ pub const MATERIALS: [Material; 5] = [
 /// // Over the width the pressure is half an ellipse, which carries the force.
 /// assert!((PI / 4.0 * pressure * width * 0.01 - 200.0).abs() < 1e-10); // N
 /// assert!((contact.pressure(800.0)? / pressure - 2.0).abs() < 1e-14); // it goes as the root of the force
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineContact {
@@ -104,8 +104,8 @@ impl LineContact {
     ///
     /// # Errors
     ///
-    /// [`Error::NotPositive`] for other lengths, and for materials whose modulus is not positive.
-    pub fn new(pin_radius: f64, length: f64, pin: &Material, wall: &Material) -> Result<Self, Error> {
+    /// [`DynamicsError::NotPositive`] for other lengths, and for materials whose modulus is not positive.
+    pub fn new(pin_radius: f64, length: f64, pin: &Material, wall: &Material) -> Result<Self, DynamicsError> {
         Ok(Self {
             pin_radius: positive("pin radius", pin_radius)?,
             length: positive("length of contact", length)?,
@@ -117,8 +117,8 @@ impl LineContact {
     ///
     /// # Errors
     ///
-    /// [`Error::Negative`] for another force.
-    pub fn pressure(&self, force: f64) -> Result<f64, Error> {
+    /// [`DynamicsError::Negative`] for another force.
+    pub fn pressure(&self, force: f64) -> Result<f64, DynamicsError> {
         let by_length = not_negative("force", force)? / self.length;
         Ok((by_length * self.modulus / (PI * self.pin_radius)).sqrt())
     }
@@ -128,8 +128,8 @@ impl LineContact {
     ///
     /// # Errors
     ///
-    /// [`Error::Negative`] for another force.
-    pub fn width(&self, force: f64) -> Result<f64, Error> {
+    /// [`DynamicsError::Negative`] for another force.
+    pub fn width(&self, force: f64) -> Result<f64, DynamicsError> {
         let by_length = not_negative("force", force)? / self.length;
         Ok(4.0 * (by_length * self.pin_radius / (PI * self.modulus)).sqrt())
     }

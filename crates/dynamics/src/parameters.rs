@@ -5,7 +5,7 @@
 
 use crate::error::{not_negative, positive};
 use crate::existence;
-use crate::{Acceleration, Coefficients, Error, Pose};
+use crate::{Acceleration, Coefficients, DynamicsError, Pose};
 use geneva_kinematics::{Mechanism, Turn};
 
 /// Moments of inertia of the two members about their own axes.
@@ -16,7 +16,7 @@ use geneva_kinematics::{Mechanism, Turn};
 /// let inertias = Inertias::new(2e-6, 1e-6)?; // driver and follower, kg m²
 /// assert_eq!(inertias.ratio(), 2.0);
 /// assert!(Inertias::new(0.0, 1e-6).is_err());
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertias {
@@ -33,8 +33,8 @@ impl Inertias {
     ///
     /// # Errors
     ///
-    /// [`Error::NotPositive`] for an inertia, or a quotient of the two, that is not positive and finite.
-    pub fn new(driver: f64, follower: f64) -> Result<Self, Error> {
+    /// [`DynamicsError::NotPositive`] for an inertia, or a quotient of the two, that is not positive and finite.
+    pub fn new(driver: f64, follower: f64) -> Result<Self, DynamicsError> {
         let inertias =
             Self { driver: positive("driver inertia", driver)?, follower: positive("follower inertia", follower)? };
         positive("driver inertia over follower inertia", inertias.ratio())?;
@@ -60,15 +60,15 @@ impl Inertias {
 /// An escapement whose equation of motion has one solution wherever a pin is in its slot.
 ///
 /// ```
-/// use geneva_dynamics::{Error, Inertias, Parameters};
+/// use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 /// use geneva_kinematics::Mechanism;
 ///
 /// let inertias = Inertias::new(2e-6, 1e-6)?; // driver and follower, kg m²
 /// let timer = Parameters::new(Mechanism::FOUR_PIN, inertias, 1e-3, 0.2)?; // torque in N m, friction coefficient
 /// assert!((timer.drive() - 1000.0).abs() < 1e-9); // K / I_f, per s²
 /// let rough = Parameters::new(Mechanism::FOUR_PIN, inertias, 1e-3, 1e3);
-/// assert!(matches!(rough, Err(Error::TooMuchFriction { .. }))); // it might jam
-/// # Ok::<(), Error>(())
+/// assert!(matches!(rough, Err(DynamicsError::TooMuchFriction { .. }))); // it might jam
+/// # Ok::<(), DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
@@ -85,9 +85,9 @@ impl Parameters {
     ///
     /// # Errors
     ///
-    /// [`Error::NotPositive`] for a torque, or one over I_f, that is not positive and finite; [`Error::Negative`] for a
-    /// friction that is negative or not finite; [`Error::TooMuchFriction`] from the critical friction on.
-    pub fn new(mechanism: Mechanism, inertias: Inertias, torque: f64, friction: f64) -> Result<Self, Error> {
+    /// [`DynamicsError::NotPositive`] for a torque, or one over I_f, that is not positive and finite; [`DynamicsError::Negative`] for a
+    /// friction that is negative or not finite; [`DynamicsError::TooMuchFriction`] from the critical friction on.
+    pub fn new(mechanism: Mechanism, inertias: Inertias, torque: f64, friction: f64) -> Result<Self, DynamicsError> {
         let torque = positive("torque", torque)?;
         positive("torque over follower inertia", torque / inertias.follower)?;
         let friction = not_negative("friction coefficient", friction)?;
@@ -95,7 +95,7 @@ impl Parameters {
             let critical = existence::critical_friction(mechanism, inertias.ratio())?;
             if friction >= critical.friction {
                 let (limit, angle) = (critical.friction, critical.angle);
-                return Err(Error::TooMuchFriction { asked: friction, limit, angle });
+                return Err(DynamicsError::TooMuchFriction { asked: friction, limit, angle });
             }
         }
         Ok(Self { mechanism, inertias, torque, friction })
@@ -106,7 +106,7 @@ impl Parameters {
     /// # Errors
     ///
     /// As for [`Parameters::new`].
-    pub fn with_friction(&self, friction: f64) -> Result<Self, Error> {
+    pub fn with_friction(&self, friction: f64) -> Result<Self, DynamicsError> {
         Self::new(self.mechanism, self.inertias, self.torque, friction)
     }
 
@@ -143,7 +143,7 @@ impl Parameters {
 
     /// Coefficients of Eq. (1-19) at a crank angle in radians from the line of centres.
     pub fn coefficients(&self, angle: f64) -> Coefficients<f64> {
-        Coefficients::of_pose(&self.pose(angle), &self.inertias.ratio(), &self.friction, &self.drive())
+        Coefficients::from_pose(&self.pose(angle), &self.inertias.ratio(), &self.friction, &self.drive())
     }
 
     /// The driver's acceleration at a crank angle (radians) and a speed (≥ 0, radians per unit of time).
@@ -160,15 +160,15 @@ impl Parameters {
     /// let timer = Parameters::new(Mechanism::FOUR_PIN, inertias, 3.0, 0.2)?; // N m
     /// let entry = -timer.mechanism().engagement_half_angle(); // rad
     /// assert!((timer.acceleration(entry, 0.0)?.value - 3.0 / 0.5).abs() < 1e-12); // rad/s²
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`Error::NotFinite`] for an angle that is not finite; those of [`Coefficients::acceleration`].
-    pub fn acceleration(&self, angle: f64, speed: f64) -> Result<Acceleration, Error> {
+    /// [`DynamicsError::NotFinite`] for an angle that is not finite; those of [`Coefficients::acceleration`].
+    pub fn acceleration(&self, angle: f64, speed: f64) -> Result<Acceleration, DynamicsError> {
         if !angle.is_finite() {
-            return Err(Error::NotFinite { name: "crank angle", asked: angle });
+            return Err(DynamicsError::NotFinite { name: "crank angle", asked: angle });
         }
         self.coefficients(angle).acceleration(speed)
     }

@@ -8,7 +8,7 @@ use geneva_kinematics::Field;
 /// use geneva_dynamics::Sign;
 ///
 /// let torque: f64 = -3.0; // N m
-/// assert_eq!(Sign::from_number(torque).of(torque), torque.abs());
+/// assert_eq!(Sign::from_number(torque).apply(torque), torque.abs());
 /// assert_eq!(Sign::Minus.times(Sign::Minus), Sign::Plus);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -25,7 +25,7 @@ impl Sign {
 
     /// `value` with this sign before it, in its own unit.
     #[inline]
-    pub fn of<S: Field>(self, value: S) -> S {
+    pub fn apply<S: Field>(self, value: S) -> S {
         match self {
             Self::Plus => value,
             Self::Minus => -value,

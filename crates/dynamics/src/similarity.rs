@@ -13,7 +13,7 @@ use geneva_kinematics::{Expression, Identity};
 /// use geneva_dynamics::similarity::Scaling;
 ///
 /// // Four times the torque on the same inertias: twice the speed, half the time.
-/// let scaling = Scaling::of_drive(1.0, 4.0).expect("positive torques");
+/// let scaling = Scaling::from_drives(1.0, 4.0).expect("positive torques");
 /// assert_eq!((scaling.speed, scaling.acceleration, scaling.time), (2.0, 4.0, 0.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub struct Scaling {
 
 impl Scaling {
     /// The scale factor from the old and the new K/I_f; `None` unless their quotient is positive and finite.
-    pub fn of_drive(old: f64, new: f64) -> Option<Self> {
+    pub fn from_drives(old: f64, new: f64) -> Option<Self> {
         let acceleration = new / old;
         let speed = acceleration.sqrt();
         (acceleration > 0.0 && acceleration.is_finite()).then_some(Self { speed, acceleration, time: 1.0 / speed })

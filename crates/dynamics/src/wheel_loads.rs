@@ -15,7 +15,7 @@
 //! crank torque of an internal wheel of three stations, which can have two maxima; so a root is looked for in each of 32
 //! parts, and the greatest is taken. The tests compare with a fine scan.
 
-use crate::error::{Error, not_negative, positive};
+use crate::error::{DynamicsError, not_negative, positive};
 use crate::steady::quadrature::rule;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::bisection::bisect;
@@ -88,11 +88,11 @@ pub struct Peaks {
 /// let wheel = Wheel::new(4)?;
 /// let loads = WheelLoads::new(&wheel, 1e-3, 0.5, 10.0)?; // kg m², N m, rad/s
 /// // As the pin enters: the inertia asks for J ω² tan 45°, the friction for 0.5 N m.
-/// let entry = loads.at(-wheel.engagement_half_angle())?;
+/// let entry = loads.load(-wheel.engagement_half_angle())?;
 /// assert!((entry.wheel_torque - (1e-3 * 10.0 * 10.0 + 0.5)).abs() < 1e-12); // N m
 /// assert!(entry.power.abs() < 1e-12); // N m/s: the wheel is still at rest
 /// // On the line of centres only friction is left, and the pin is √2 − 1 crank radii from the wheel's axis.
-/// assert!((loads.at(0.0)?.pin_moment - 0.5 / (2_f64.sqrt() - 1.0)).abs() < 1e-12); // N m
+/// assert!((loads.load(0.0)?.pin_moment - 0.5 / (2_f64.sqrt() - 1.0)).abs() < 1e-12); // N m
 /// // Over an index the inertia gives back what it took; friction takes its torque times a quarter of a turn.
 /// assert!((loads.work() - 0.5 * PI / 2.0).abs() < 1e-12); // N m
 /// assert_eq!(loads.mean_crank_torque(), 0.5 / 4.0); // N m
@@ -112,8 +112,8 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
     ///
     /// # Errors
     ///
-    /// [`Error::Negative`] and [`Error::NotPositive`] for other values, and for what is not finite.
-    pub fn new(wheel: &'w W, inertia: f64, friction_torque: f64, driver_speed: f64) -> Result<Self, Error> {
+    /// [`DynamicsError::Negative`] and [`DynamicsError::NotPositive`] for other values, and for what is not finite.
+    pub fn new(wheel: &'w W, inertia: f64, friction_torque: f64, driver_speed: f64) -> Result<Self, DynamicsError> {
         let speed = positive("driver speed", driver_speed)?;
         let inertia_torque = not_negative("moment of inertia", inertia)? * speed * speed;
         Ok(Self {
@@ -130,7 +130,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
     ///
     /// [`KinematicsError::OutsideEngagement`] for an angle at which no pin is in a slot: the locking disc holds the wheel,
     /// and the driver turns free.
-    pub fn at(&self, crank: f64) -> Result<Load, KinematicsError> {
+    pub fn load(&self, crank: f64) -> Result<Load, KinematicsError> {
         let (motion, pin) = (self.wheel.engaged(crank)?, self.wheel.pin_in_slot(crank)?);
         let wheel_torque = self.inertia_torque * motion.acceleration + self.friction_torque;
         let crank_torque = wheel_torque * motion.velocity;
@@ -170,7 +170,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         if self.inertia_torque * peak.ratio <= self.friction_torque {
             return None;
         }
-        let torque = |crank: f64| self.at(crank).map_or(0.0, |load| load.wheel_torque);
+        let torque = |crank: f64| self.load(crank).map_or(0.0, |load| load.wheel_torque);
         let from = if self.friction_torque > 0.0 { root(torque, 0.0, peak.angle) } else { 0.0 };
         let until = if torque(end) > 0.0 { root(|crank| -torque(crank), peak.angle, end) } else { end };
         Some((from, until))
@@ -222,7 +222,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         let (mut peak, mut sum) = (0.0_f64, 0.0);
         for step in 0..STEPS {
             let crank = end * (2.0 * (f64::from(step) + 0.5) / f64::from(STEPS) - 1.0);
-            let (load, pin) = (self.at(crank)?, self.wheel.pin_in_slot(crank)?);
+            let (load, pin) = (self.load(crank)?, self.wheel.pin_in_slot(crank)?);
             let torque = load.crank_torque + friction * (load.pin_moment * pin.radius_rate).abs();
             peak = peak.max(torque);
             sum += torque * 2.0 * end / f64::from(STEPS);
@@ -232,7 +232,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
 
     /// The greatest in the first half, and the least where the pin holds the wheel back.
     fn peaks(&self, of: fn(&Load) -> f64, rate: impl Fn(f64) -> f64) -> Peaks {
-        let value = |crank: f64| self.at(crank).map_or(0.0, |load| of(&load));
+        let value = |crank: f64| self.load(crank).map_or(0.0, |load| of(&load));
         let driving = greatest(value, &rate, -self.wheel.engagement_half_angle(), 0.0);
         let braking = self.reversal().map(|(from, until)| {
             let peak = greatest(|crank| -value(crank), |crank| -rate(crank), from, until);
@@ -262,7 +262,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
             let half = end / f64::from(parts);
             let part = |k: u32| {
                 let middle = half * f64::from(2 * k + 1) - end;
-                let value = |node: f64| self.at(middle + half * node).map_or(0.0, |load| of(&load));
+                let value = |node: f64| self.load(middle + half * node).map_or(0.0, |load| of(&load));
                 half * rule().integral(&rule().nodes.map(value))
             };
             (0..parts).map(part).sum::<f64>()

@@ -40,7 +40,7 @@ fn a_pair_of_any_length_gives_the_same_coefficients() {
     };
     let [inertia, friction, drive] = [rational(1, 3), rational(2, 5), rational(7, 2)];
     assert_eq!(
-        Coefficients::of_pose(&pose, &inertia, &friction, &drive),
+        Coefficients::from_pose(&pose, &inertia, &friction, &drive),
         Coefficients::new(&ratio, &crank, &inertia, &friction, &drive)
     );
 }

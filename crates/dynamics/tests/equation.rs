@@ -1,6 +1,6 @@
 //! Is there one acceleration where A exceeds |D|, and does floating point agree?
 
-use geneva_dynamics::{Coefficients, Error, Sign};
+use geneva_dynamics::{Coefficients, DynamicsError, Sign};
 use geneva_kinematics::{Field, Rational, rational};
 
 /// Accelerations that obey the equation with the sign that their own friction term has, without repetition.
@@ -8,11 +8,11 @@ fn solutions(coefficients: &Coefficients<Rational>, speed: &Rational) -> Vec<(Ra
     let zero = rational(0, 1);
     let mut found: Vec<(Rational, Sign)> = Vec::new();
     for sign in Sign::BOTH {
-        if coefficients.a.clone() + sign.of(coefficients.d.clone()) == zero {
+        if coefficients.a.clone() + sign.apply(coefficients.d.clone()) == zero {
             continue;
         }
         let angular_acceleration = coefficients.acceleration_with(speed, sign);
-        let valid = sign.of(coefficients.between_the_bars(speed, &angular_acceleration)) >= zero;
+        let valid = sign.apply(coefficients.between_the_bars(speed, &angular_acceleration)) >= zero;
         if valid && found.iter().all(|(other, _)| *other != angular_acceleration) {
             found.push((angular_acceleration, sign));
         }
@@ -94,7 +94,7 @@ fn one_formula_has_the_solution_of_either_sign() {
 fn what_cannot_be_solved_is_said() {
     let sound = Coefficients { a: 2.0, b: 1.0, c: -1.0, d: 1.0, e: 3.0 };
     for speed in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(sound.acceleration(speed), Err(Error::Speed { .. })), "{speed}");
+        assert!(matches!(sound.acceleration(speed), Err(DynamicsError::Speed { .. })), "{speed}");
     }
     for d in [2.0, -3.0, f64::NAN] {
         let error = Coefficients { d, ..sound.clone() }.acceleration(1.0).expect_err("A does not exceed |D|");

@@ -2,8 +2,10 @@
 
 use crate::proving::holds;
 use geneva_dynamics::Sign;
-use geneva_dynamics::equation_proofs::InOneFormula;
-use geneva_dynamics::equation_proofs::{Slope, SolutionOfOneSign, SolutionsMeet, SwitchingFunctionDecidesSign};
+use geneva_dynamics::equation_proofs::OneFormulaSolution;
+use geneva_dynamics::equation_proofs::{
+    SlopeOfOneSign, SolutionOfOneSign, SolutionsMeet, SwitchingFunctionDecidesSign,
+};
 
 #[test]
 fn the_sign_and_the_single_solution_are_proven() {
@@ -11,7 +13,7 @@ fn the_sign_and_the_single_solution_are_proven() {
     for sign in Sign::BOTH {
         holds("solution", &SolutionOfOneSign(sign));
         holds("sign", &SwitchingFunctionDecidesSign(sign));
-        holds("one formula", &InOneFormula(sign));
-        holds("slope", &Slope(sign));
+        holds("one formula", &OneFormulaSolution(sign));
+        holds("slope", &SlopeOfOneSign(sign));
     }
 }

@@ -1,6 +1,6 @@
 //! Are impossible values named, and does every pose of a sound escapement have one acceleration?
 
-use geneva_dynamics::{Error, Inertias, Parameters, existence};
+use geneva_dynamics::{DynamicsError, Inertias, Parameters, existence};
 use geneva_kinematics::Mechanism;
 
 #[test]
@@ -13,12 +13,12 @@ fn impossible_values_are_named() {
     }
     for friction in &bad[1..] {
         let error = Parameters::new(Mechanism::FOUR_PIN, sound, 1.0, *friction).expect_err("bad friction");
-        assert!(matches!(error, Error::Negative { .. }), "{error}");
+        assert!(matches!(error, DynamicsError::Negative { .. }), "{error}");
     }
     assert!(Inertias::new(f64::MAX, f64::MIN_POSITIVE).is_err(), "their ratio overflows");
     assert!(Inertias::new(f64::MIN_POSITIVE, f64::MAX).is_err(), "their ratio vanishes");
     let error = Parameters::new(Mechanism::FOUR_PIN, sound, 1.0, 3.0).expect_err("too much friction");
-    assert!(matches!(error, Error::TooMuchFriction { .. }), "{error}");
+    assert!(matches!(error, DynamicsError::TooMuchFriction { .. }), "{error}");
     assert!(Parameters::new(Mechanism::FOUR_PIN, sound, 1.0, 0.0).is_ok());
 }
 
@@ -39,13 +39,13 @@ fn every_pose_of_a_sound_escapement_has_one_acceleration() {
                     let scale = coefficients.e + coefficients.b.abs() * speed * speed;
                     assert!(residual.abs() < 1e-12 * scale, "{mechanism:?} {angle} {speed}");
                     let bars = coefficients.between_the_bars(&speed, &acceleration.value);
-                    assert!(acceleration.sign.of(bars) >= -1e-12 * scale, "{mechanism:?} {angle} {speed}");
+                    assert!(acceleration.sign.apply(bars) >= -1e-12 * scale, "{mechanism:?} {angle} {speed}");
                 }
             }
         }
         let escapement = Parameters::new(mechanism, inertias, 7.0, 0.0).expect("no friction");
         for angle in [f64::NAN, f64::INFINITY] {
-            assert!(matches!(escapement.acceleration(angle, 1.0), Err(Error::NotFinite { .. })));
+            assert!(matches!(escapement.acceleration(angle, 1.0), Err(DynamicsError::NotFinite { .. })));
         }
     }
 }

@@ -18,7 +18,7 @@ fn a_stronger_spring_drives_the_same_motion_faster() {
     let inertias = Inertias::new(3.0, 50.0).expect("sound");
     let weak = Parameters::new(Mechanism::FOUR_PIN, inertias, 2.0, 1.0 / 3.0).expect("sound");
     let strong = Parameters::new(Mechanism::FOUR_PIN, inertias, 14.0, 1.0 / 3.0).expect("sound");
-    let scaling = Scaling::of_drive(weak.drive(), strong.drive()).expect("both positive");
+    let scaling = Scaling::from_drives(weak.drive(), strong.drive()).expect("both positive");
     for step in -20..=20 {
         let angle = Mechanism::FOUR_PIN.engagement_half_angle() * f64::from(step) / 20.0;
         for speed in [0.0, 1.0, 4.0] {
@@ -27,7 +27,7 @@ fn a_stronger_spring_drives_the_same_motion_faster() {
             approx::assert_relative_eq!(fast.value, slow.value * scaling.acceleration, max_relative = 1e-12);
         }
     }
-    assert_eq!(Scaling::of_drive(0.0, 1.0), None);
-    assert_eq!(Scaling::of_drive(1.0, -1.0), None);
-    assert_eq!(Scaling::of_drive(f64::NAN, 1.0), None);
+    assert_eq!(Scaling::from_drives(0.0, 1.0), None);
+    assert_eq!(Scaling::from_drives(1.0, -1.0), None);
+    assert_eq!(Scaling::from_drives(f64::NAN, 1.0), None);
 }

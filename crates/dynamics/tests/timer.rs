@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::runaway::{Drag, Runaway, foliot_power};
 use geneva_dynamics::timer::{Accelerations, Crossing, EntryBlow, Sensitivities, Settling};
-use geneva_dynamics::{Error, Inertias, Parameters, existence};
+use geneva_dynamics::{DynamicsError, Inertias, Parameters, existence};
 use geneva_kinematics::Mechanism;
 
 fn escapement(mechanism: Mechanism, driver: f64, follower: f64, torque: f64, friction: f64) -> Parameters {
@@ -81,10 +81,10 @@ fn a_small_change_of_each_quantity_changes_the_mean_speed_as_its_power_says() {
         assert!(found.friction < 0.0, "friction brakes");
     }
     let free = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, 0.0);
-    assert!(matches!(Sensitivities::new(&free), Err(Error::NoTerminalSpeed { .. })));
+    assert!(matches!(Sensitivities::new(&free), Err(DynamicsError::NoTerminalSpeed { .. })));
     let limit = existence::critical_friction(Mechanism::FOUR_PIN, 1.0).expect("a limit").friction;
     let near = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, limit * (1.0 - 1e-5));
-    assert!(matches!(Sensitivities::new(&near), Err(Error::TooMuchFriction { .. })));
+    assert!(matches!(Sensitivities::new(&near), Err(DynamicsError::TooMuchFriction { .. })));
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn accelerations_are_the_slopes_of_the_speeds() {
     for of in samples() {
         let found = Accelerations::new(&of).expect("accelerations");
         let lines = Engagement::new(&of).and_then(|of| of.steady_cycle(40_000)).expect("a cycle");
-        let strongest = |speed: fn(&geneva_dynamics::steady::Printed) -> f64| {
+        let strongest = |speed: fn(&geneva_dynamics::steady::PrintedLine) -> f64| {
             let slopes = lines.windows(2).map(|w| (speed(&w[1]) - speed(&w[0])) / (w[1].time - w[0].time));
             slopes.fold(0.0_f64, |most, slope| if slope.abs() > most.abs() { slope } else { most })
         };
@@ -206,11 +206,11 @@ fn a_constant_drag_makes_the_rate_follow_the_torque_more_and_oil_up_to_its_first
 #[test]
 fn what_has_no_steady_motion_is_refused() {
     let drag = |constant| Drag { constant, ..Drag::default() };
-    assert!(matches!(runaway(0.3, drag(1.0)).steady(1.0), Err(Error::DragTorque { .. })));
-    assert!(matches!(runaway(0.0, drag(0.0)).steady(1.0), Err(Error::NoTerminalSpeed { .. })));
-    assert!(matches!(runaway(0.3, drag(0.0)).steady(f64::NAN), Err(Error::NotPositive { .. })));
+    assert!(matches!(runaway(0.3, drag(1.0)).steady(1.0), Err(DynamicsError::DragTorque { .. })));
+    assert!(matches!(runaway(0.0, drag(0.0)).steady(1.0), Err(DynamicsError::NoTerminalSpeed { .. })));
+    assert!(matches!(runaway(0.3, drag(0.0)).steady(f64::NAN), Err(DynamicsError::NotPositive { .. })));
     for pallet in [-0.1, 1.0, f64::NAN] {
-        assert!(matches!(Runaway::new(1.0, pallet, 0.5, Drag::default()), Err(Error::OutOfRange { .. })));
+        assert!(matches!(Runaway::new(1.0, pallet, 0.5, Drag::default()), Err(DynamicsError::OutOfRange { .. })));
     }
     assert!(Runaway::new(0.0, 0.0, 0.5, Drag::default()).is_err() && Runaway::new(1.0, 0.1, -1.0, drag(0.0)).is_err());
     assert!(Runaway::new(1.0, 0.1, 0.5, drag(-1.0)).is_err());
@@ -356,5 +356,5 @@ fn the_flight_begins_where_the_force_is_zero_and_the_share_of_the_blow_is_the_sa
         assert!(Crossing::new(&of, 0.0).is_err() && Crossing::new(&of, 5.0).expect("steady").is_none());
     }
     let free = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, 0.0);
-    assert!(matches!(Crossing::new(&free, 0.01), Err(Error::NoTerminalSpeed { .. })));
+    assert!(matches!(Crossing::new(&free, 0.01), Err(DynamicsError::NoTerminalSpeed { .. })));
 }

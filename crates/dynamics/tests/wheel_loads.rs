@@ -1,7 +1,7 @@
 //! The loads, compared with a fine scan and with laws of mechanics, and at their limits.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::wheel_loads::{Load, Peak, WheelLoads};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
@@ -38,7 +38,7 @@ fn frictions(wheel: &dyn Indexing) -> Vec<f64> {
 }
 
 fn scan(loads: &WheelLoads<'_, dyn Indexing>, end: f64, of: fn(&Load) -> f64, steps: i32) -> (f64, f64) {
-    let values = (-steps..=steps).map(|k| of(&loads.at(end * (f64::from(k) / f64::from(steps))).expect("engaged")));
+    let values = (-steps..=steps).map(|k| of(&loads.load(end * (f64::from(k) / f64::from(steps))).expect("engaged")));
     values.fold((f64::NEG_INFINITY, f64::INFINITY), |(most, least), value| (most.max(value), least.min(value)))
 }
 
@@ -54,7 +54,7 @@ fn every_peak_is_that_of_a_fine_scan() {
             for (kind, (of, found)) in kinds.into_iter().zip(found).enumerate() {
                 let told = format!("{} stations, friction {friction}, load {kind}", wheel.stations());
                 let (most, least) = scan(&loads, wheel.engagement_half_angle(), of, 1500);
-                let value = |peak: Peak| of(&loads.at(peak.angle).expect("engaged"));
+                let value = |peak: Peak| of(&loads.load(peak.angle).expect("engaged"));
                 assert_relative_eq!(value(found.driving), found.driving.value, max_relative = 1e-9);
                 assert!(found.driving.value >= most * (1.0 - 1e-12), "{told}: {} below {most}", found.driving.value);
                 assert!(found.driving.value <= most * (1.0 + 1e-4), "{told}: {} above {most}", found.driving.value);
@@ -94,7 +94,7 @@ fn the_torque_changes_sign_where_it_is_said_to() {
             let end = wheel.engagement_half_angle();
             for step in -500..=500 {
                 let crank = end * (f64::from(step) / 500.0);
-                let torque = loads.at(crank).expect("engaged").wheel_torque;
+                let torque = loads.load(crank).expect("engaged").wheel_torque;
                 // Where the torque is zero but for rounding it has no sign.
                 if torque.abs() > 1e-9 * loads.wheel_torque().driving.value {
                     let braked = (from..=until).contains(&crank);
@@ -113,7 +113,7 @@ fn the_mean_square_is_that_of_another_rule() {
         for friction in frictions(wheel) {
             let loads = WheelLoads::new(wheel, INERTIA, friction, SPEED).expect("possible");
             let (end, steps) = (wheel.engagement_half_angle(), 4_000);
-            let torque = |k: i32| loads.at(end * (f64::from(k) / f64::from(steps))).expect("engaged").crank_torque;
+            let torque = |k: i32| loads.load(end * (f64::from(k) / f64::from(steps))).expect("engaged").crank_torque;
             // The torque is zero at both ends, so every place counts alike.
             let sum: f64 = (-steps..=steps).map(|k| torque(k) * torque(k)).sum();
             let mean = sum * end / f64::from(steps) * f64::from(wheel.pins()) / std::f64::consts::TAU;
@@ -132,7 +132,7 @@ fn a_light_wheel_with_a_mass_at_the_pin_is_pushed_as_the_mass_is() {
     let (mass, radius) = (2.0, 0.04);
     let arm = pin.radius * radius;
     let loads = WheelLoads::new(&wheel, mass * arm * arm, 0.0, SPEED).expect("possible");
-    let force = loads.at(crank).expect("engaged").pin_moment / radius;
+    let force = loads.load(crank).expect("engaged").pin_moment / radius;
     let across = mass * arm * SPEED * SPEED * wheel.engaged(crank).expect("engaged").acceleration;
     assert_relative_eq!(force, across, max_relative = 1e-13);
 }
@@ -198,12 +198,12 @@ fn what_no_wheel_can_carry_is_refused() {
     let wheel = Wheel::new(4).expect("possible");
     let refused = |inertia: f64, friction: f64, speed: f64| WheelLoads::new(&wheel, inertia, friction, speed).err();
     for wrong in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(refused(wrong, 0.0, 1.0), Some(Error::Negative { .. })), "{wrong}");
-        assert!(matches!(refused(1.0, wrong, 1.0), Some(Error::Negative { .. })), "{wrong}");
-        assert!(matches!(refused(1.0, 0.0, wrong), Some(Error::NotPositive { .. })), "{wrong}");
+        assert!(matches!(refused(wrong, 0.0, 1.0), Some(DynamicsError::Negative { .. })), "{wrong}");
+        assert!(matches!(refused(1.0, wrong, 1.0), Some(DynamicsError::Negative { .. })), "{wrong}");
+        assert!(matches!(refused(1.0, 0.0, wrong), Some(DynamicsError::NotPositive { .. })), "{wrong}");
     }
-    assert!(matches!(refused(1.0, 0.0, 0.0), Some(Error::NotPositive { .. })));
-    assert!(matches!(refused(1.0, 0.0, 1e200), Some(Error::Negative { .. })));
+    assert!(matches!(refused(1.0, 0.0, 0.0), Some(DynamicsError::NotPositive { .. })));
+    assert!(matches!(refused(1.0, 0.0, 1e200), Some(DynamicsError::Negative { .. })));
     let loads = WheelLoads::new(&wheel, 1.0, 0.0, 1.0).expect("possible");
-    assert!(matches!(loads.at(1.0), Err(KinematicsError::OutsideEngagement { .. })));
+    assert!(matches!(loads.load(1.0), Err(KinematicsError::OutsideEngagement { .. })));
 }

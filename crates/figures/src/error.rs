@@ -13,7 +13,7 @@ pub enum FigureError {
     Escapement(#[from] EscapementError),
     /// The data make no escapement, the equation of motion has no forces at this state, or there is no steady motion.
     #[error(transparent)]
-    Dynamics(#[from] geneva_dynamics::Error),
+    Dynamics(#[from] geneva_dynamics::DynamicsError),
     /// A design lies beyond the axes of a map.
     #[error("{name} of a design is {value}, the map shows {least} to {greatest}: leave the design out")]
     OffTheMap {

@@ -19,7 +19,7 @@ pub enum Phase {
 
 /// The wheel at one crank angle, for a driver of constant speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct WheelMotion {
     /// Whether a pin moves the wheel, or the wheel dwells.
     pub phase: Phase,
     /// Whole stations that the wheel has passed: the middle of the last advance begun, or the dwell behind it.
@@ -99,7 +99,7 @@ pub trait Indexing {
     /// # Errors
     ///
     /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
-    fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError>;
+    fn engaged(&self, crank: f64) -> Result<WheelMotion, KinematicsError>;
 
     /// The pin in its slot: its distance from the wheel's axis, its sliding and its Coriolis acceleration.
     ///
@@ -203,7 +203,7 @@ pub trait Indexing {
     /// # Errors
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
-    fn at(&self, turns: i64, crank: f64) -> Result<Motion, KinematicsError> {
+    fn motion(&self, turns: i64, crank: f64) -> Result<WheelMotion, KinematicsError> {
         if !(-PI..=PI).contains(&crank) {
             return Err(KinematicsError::Turn(crank));
         }
@@ -212,9 +212,9 @@ pub trait Indexing {
         Ok(self.engaged(from_pin).map_or_else(
             |_| {
                 let angle = if from_pin > 0.0 { self.half_pitch_angle() } else { -self.half_pitch_angle() };
-                Motion { phase: Phase::Dwell, stations, angle, velocity: 0.0, acceleration: 0.0, jerk: 0.0 }
+                WheelMotion { phase: Phase::Dwell, stations, angle, velocity: 0.0, acceleration: 0.0, jerk: 0.0 }
             },
-            |motion| Motion { stations, ..motion },
+            |motion| WheelMotion { stations, ..motion },
         ))
     }
 

@@ -9,7 +9,7 @@
 //! driver's turn. That is more than half a turn, and the driver has one pin.
 
 use crate::error::KinematicsError;
-use crate::indexing::{AccelerationPeak, Indexing, JerkPeak, Motion, Phase, PinInSlot, within_half_pitch};
+use crate::indexing::{AccelerationPeak, Indexing, JerkPeak, Phase, PinInSlot, WheelMotion, within_half_pitch};
 use crate::wheel::STATIONS;
 use crate::{Field, Turn};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -192,7 +192,7 @@ impl Indexing for InternalWheel {
         (f64::from(self.stations) - 2.0) / (2.0 * f64::from(self.stations))
     }
 
-    fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError> {
+    fn engaged(&self, crank: f64) -> Result<WheelMotion, KinematicsError> {
         let (size, above, square) = self.place(crank)?;
         let (sine, cosine) = (libm::sin(size), libm::cos(size));
         let shape = self.sine * self.cosine * self.cosine;
@@ -200,7 +200,7 @@ impl Indexing for InternalWheel {
         let acceleration = shape * sine / (square * square);
         let angle = libm::atan2(self.sine * sine, 1.0 + self.sine * cosine);
         let braces = cosine * square + 4.0 * self.sine * sine * sine;
-        Ok(Motion {
+        Ok(WheelMotion {
             phase: Phase::Advance,
             stations: 0,
             angle: if before { -angle } else { angle },

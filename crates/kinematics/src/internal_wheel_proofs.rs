@@ -12,7 +12,7 @@
 //! ```
 
 use crate::internal_wheel::{acceleration_ratio, jerk_ratio, velocity_ratio};
-use crate::wheel_proofs::{Quantity, direction_rate};
+use crate::wheel_proofs::{WheelQuantity, direction_rate};
 use crate::{Expression, Identity, Jet, Turn, pin_vectors};
 use nalgebra::Vector2;
 
@@ -24,21 +24,21 @@ fn path(m: Expression, crank: &Turn<Expression>) -> Vector2<Jet<Expression, 5>> 
 /// A formula of [`internal_wheel`](crate::internal_wheel) against the power series of the pin's place.
 ///
 /// Variables: m and the tangent of θ/2.
-pub struct Implemented(
+pub struct InternalWheelFormula(
     /// The quantity.
-    pub Quantity,
+    pub WheelQuantity,
 );
 
-impl Identity<2> for Implemented {
+impl Identity<2> for InternalWheelFormula {
     fn difference(&self, [m, half]: [Expression; 2]) -> Expression {
         let crank = Turn::from_half_tangent(&half);
         let formula = match self.0 {
-            Quantity::Tangent => m * crank.sin / (1 + m * crank.cos),
-            Quantity::Velocity => velocity_ratio(&m, &crank),
-            Quantity::Acceleration => acceleration_ratio(&m, &crank),
-            Quantity::Jerk => jerk_ratio(&m, &crank),
+            WheelQuantity::Tangent => m * crank.sin / (1 + m * crank.cos),
+            WheelQuantity::Velocity => velocity_ratio(&m, &crank),
+            WheelQuantity::Acceleration => acceleration_ratio(&m, &crank),
+            WheelQuantity::Jerk => jerk_ratio(&m, &crank),
         };
-        self.0.of_the_path(&path(m, &crank)) - formula
+        self.0.path_value(&path(m, &crank)) - formula
     }
 }
 
@@ -59,9 +59,9 @@ impl Identity<2> for BracesArePositive {
 }
 
 /// At entry, sin θ = −cos α and cos θ = −sin α, the acceleration ratio is tan α. Variable: the tangent of α/2.
-pub struct EntryAcceleration;
+pub struct InternalEntryAcceleration;
 
-impl Identity<1> for EntryAcceleration {
+impl Identity<1> for InternalEntryAcceleration {
     fn difference(&self, [half]: [Expression; 1]) -> Expression {
         let alpha = Turn::from_half_tangent(&half);
         let entry = Turn { cos: -alpha.sin, sin: -alpha.cos };

@@ -20,7 +20,7 @@
 //! let scale = Scale::CentreDistance(100.0);
 //! let sizes = Sizes::new(wheel, scale, &Choices::default())?;
 //! assert!((sizes.crank_radius - 100.0 / 2_f64.sqrt()).abs() < 1e-12);
-//! assert!(sizes.clearance().least().distance > 0.0);
+//! assert!(sizes.clearance().closest_approach().distance > 0.0);
 //!
 //! // An escapement is a wheel without dwell. With four slots it needs four pins.
 //! assert_eq!(Mechanism::new(4)?.pins(), 4);

@@ -14,7 +14,7 @@ use num_traits::Zero;
 /// use nalgebra::Vector2;
 ///
 /// // A pin 2 m from the pivot moves outward at 3 m/s and across at 4 m/s; the follower turns at 4 / 2 = 2 rad/s.
-/// let motion = PinMotion::carried(Vector2::new(2.0, 0.0), Vector2::new(3.0, 4.0), 2.0);
+/// let motion = PinMotion::new(Vector2::new(2.0, 0.0), Vector2::new(3.0, 4.0), 2.0);
 /// assert_eq!(motion.slot_point_velocity, Vector2::new(0.0, 4.0)); // m/s
 /// assert_eq!(motion.sliding_velocity, Vector2::new(3.0, 0.0)); // m/s, along the slot
 /// ```
@@ -36,7 +36,7 @@ impl<S: Field> PinMotion<S> {
     /// The motion of a pin in the slot of a follower that turns at `follower_speed`, counter-clockwise positive.
     ///
     /// The slot's point is carried around the pivot; what the pin does beside that is sliding.
-    pub fn carried(position: Vector2<S>, pin_velocity: Vector2<S>, follower_speed: S) -> Self {
+    pub fn new(position: Vector2<S>, pin_velocity: Vector2<S>, follower_speed: S) -> Self {
         let slot_point_velocity = quarter_turn(&position) * follower_speed.clone();
         let sliding_velocity = pin_velocity.clone() - slot_point_velocity.clone();
         Self { position, pin_velocity, slot_point_velocity, sliding_velocity, follower_speed }
@@ -86,7 +86,7 @@ pub fn solve<S: Field>(crank_radius: &S, centre_distance: &S, crank: &Turn<S>, d
     let follower_speed = angular_velocity(&path)?.value();
     let position = path.map(|coordinate| coordinate.value());
     let pin_velocity = path.map(|coordinate| coordinate.rate());
-    Some(PinMotion::carried(position, pin_velocity, follower_speed))
+    Some(PinMotion::new(position, pin_velocity, follower_speed))
 }
 
 /// The vector turned by a quarter, counter-clockwise: the direction of motion of a point that rotates so.

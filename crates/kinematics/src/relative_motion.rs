@@ -50,7 +50,7 @@ pub fn velocities<S: Field>(position: &Vector2<S>, pin_velocity: &Vector2<S>) ->
     }
     // Across the slot the follower's point moves as the pin does.
     let follower_speed = quarter_turn(position).dot(pin_velocity) / square;
-    Some(PinMotion::carried(position.clone(), pin_velocity.clone(), follower_speed))
+    Some(PinMotion::new(position.clone(), pin_velocity.clone(), follower_speed))
 }
 
 /// Closes the acceleration diagram of a motion whose velocities are known, in the units of that motion.

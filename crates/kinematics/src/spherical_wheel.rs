@@ -9,7 +9,7 @@
 //! φ = atan(τ sin θ), and the pin is in a slot for half of the driver's turn, whatever N is. Two pins leave no dwell.
 
 use crate::error::KinematicsError;
-use crate::indexing::{AccelerationPeak, Indexing, JerkPeak, Motion, Phase, PinInSlot, within_half_pitch};
+use crate::indexing::{AccelerationPeak, Indexing, JerkPeak, Phase, PinInSlot, WheelMotion, within_half_pitch};
 use crate::wheel::STATIONS;
 use crate::{Field, Turn};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -179,12 +179,12 @@ impl Indexing for SphericalWheel {
         0.5 * f64::from(self.pins)
     }
 
-    fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError> {
+    fn engaged(&self, crank: f64) -> Result<WheelMotion, KinematicsError> {
         let (tangent, place) = (self.tangent(), self.place(crank)?);
         let (before, angle) = (crank < 0.0, libm::atan(tangent * place.sin));
         // Of the deceleration, at the positive angle. No negative zero in the middle.
         let acceleration = acceleration_ratio(&tangent, &place);
-        Ok(Motion {
+        Ok(WheelMotion {
             phase: Phase::Advance,
             stations: 0,
             angle: if before { -angle } else { angle },
@@ -238,7 +238,7 @@ impl Indexing for SphericalWheel {
 
     /// In the middle, tan α (1 + 2 tan² α).
     ///
-    /// It is the greatest of the engagement for every N: [`JerkBound`](crate::spherical_wheel_proofs::JerkBound).
+    /// It is the greatest of the engagement for every N: [`SphericalJerkBound`](crate::spherical_wheel_proofs::SphericalJerkBound).
     fn jerk_peak(&self) -> JerkPeak {
         JerkPeak { angle: 0.0, ratio: self.tangent() * twice_and_one(&self.tangent()) }
     }

@@ -5,14 +5,14 @@
 //!
 //! ```
 //! use geneva_kinematics::prove;
-//! use geneva_kinematics::spherical_wheel_proofs::{EntryAcceleration, JerkBound};
+//! use geneva_kinematics::spherical_wheel_proofs::{SphericalEntryAcceleration, SphericalJerkBound};
 //!
-//! assert!(prove(&EntryAcceleration).is_ok()); // sin α cos α
-//! assert!(prove(&JerkBound).is_ok()); // the jerk is greatest in the middle
+//! assert!(prove(&SphericalEntryAcceleration).is_ok()); // sin α cos α
+//! assert!(prove(&SphericalJerkBound).is_ok()); // the jerk is greatest in the middle
 //! ```
 
 use crate::spherical_wheel::{acceleration_ratio, jerk_ratio, velocity_ratio};
-use crate::wheel_proofs::Quantity;
+use crate::wheel_proofs::WheelQuantity;
 use crate::{Expression, Identity, Jet, Turn};
 use nalgebra::Vector2;
 
@@ -26,29 +26,29 @@ fn seen(alpha: &Turn<Expression>, crank: &Turn<Expression>) -> Vector2<Jet<Expre
 /// A formula of [`spherical_wheel`](crate::spherical_wheel) against the power series of the pin's place.
 ///
 /// Variables: tangents of α/2 and θ/2.
-pub struct Implemented(
+pub struct SphericalWheelFormula(
     /// The quantity.
-    pub Quantity,
+    pub WheelQuantity,
 );
 
-impl Identity<2> for Implemented {
+impl Identity<2> for SphericalWheelFormula {
     fn difference(&self, [half_alpha, half_theta]: [Expression; 2]) -> Expression {
         let (alpha, crank) = (Turn::from_half_tangent(&half_alpha), Turn::from_half_tangent(&half_theta));
         let tangent = alpha.sin / alpha.cos;
         let formula = match self.0 {
-            Quantity::Tangent => tangent * crank.sin,
-            Quantity::Velocity => velocity_ratio(&tangent, &crank),
-            Quantity::Acceleration => acceleration_ratio(&tangent, &crank),
-            Quantity::Jerk => jerk_ratio(&tangent, &crank),
+            WheelQuantity::Tangent => tangent * crank.sin,
+            WheelQuantity::Velocity => velocity_ratio(&tangent, &crank),
+            WheelQuantity::Acceleration => acceleration_ratio(&tangent, &crank),
+            WheelQuantity::Jerk => jerk_ratio(&tangent, &crank),
         };
-        self.0.of_the_path(&seen(&alpha, &crank)) - formula
+        self.0.path_value(&seen(&alpha, &crank)) - formula
     }
 }
 
 /// At entry, s = −1, the acceleration ratio is sin α cos α. Variable: the tangent of α/2.
-pub struct EntryAcceleration;
+pub struct SphericalEntryAcceleration;
 
-impl Identity<1> for EntryAcceleration {
+impl Identity<1> for SphericalEntryAcceleration {
     fn difference(&self, [half]: [Expression; 1]) -> Expression {
         let alpha = Turn::from_half_tangent(&half);
         let entry = Turn { cos: Expression::ZERO, sin: -Expression::ONE };
@@ -84,9 +84,9 @@ impl Identity<2> for BracesRoot {
 /// (1 + 2 τ²)(1 + w)³ + braces = ((4 w − 3)² + 7)/8 + 2 w² + w³ + 2 τ² (2 + 3 w² + w³), a sum without a negative term.
 ///
 /// Variables: τ and w.
-pub struct JerkBound;
+pub struct SphericalJerkBound;
 
-impl Identity<2> for JerkBound {
+impl Identity<2> for SphericalJerkBound {
     fn difference(&self, [tangent, w]: [Expression; 2]) -> Expression {
         let square = tangent * tangent;
         let cube = w * w * w;

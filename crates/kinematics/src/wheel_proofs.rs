@@ -3,11 +3,11 @@
 //!
 //! ```
 //! use geneva_kinematics::prove;
-//! use geneva_kinematics::wheel_proofs::{Implemented, Quantity};
+//! use geneva_kinematics::wheel_proofs::{WheelFormula, WheelQuantity};
 //!
 //! // Angle, velocity, acceleration and jerk, for every ratio of lengths and every crank angle.
-//! for quantity in Quantity::ALL {
-//!     assert!(prove(&Implemented(quantity)).is_ok());
+//! for quantity in WheelQuantity::ALL {
+//!     assert!(prove(&WheelFormula(quantity)).is_ok());
 //! }
 //! ```
 
@@ -32,7 +32,7 @@ pub(crate) fn wheel_velocity<const N: usize>(
 
 /// Quantity of a wheel's motion in an identity for any number of stations; equations are of the external wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub enum WheelQuantity {
     /// tan φ, from Eq. (5.30).
     Tangent,
     /// φ̇ / θ̇, Eq. (5.31).
@@ -43,12 +43,12 @@ pub enum Quantity {
     Jerk,
 }
 
-impl Quantity {
+impl WheelQuantity {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Tangent, Self::Velocity, Self::Acceleration, Self::Jerk];
 
     /// The quantity from the power series of the pin's place, seen from the wheel, for a driver of speed one.
-    pub(crate) fn of_the_path<const N: usize>(self, path: &Vector2<Jet<Expression, N>>) -> Expression {
+    pub(crate) fn path_value<const N: usize>(self, path: &Vector2<Jet<Expression, N>>) -> Expression {
         let velocity = direction_rate(path);
         match self {
             Self::Tangent => path.y.value() / path.x.value(),
@@ -59,27 +59,27 @@ impl Quantity {
     }
 
     /// The quantity of the external wheel at a crank angle.
-    fn of_the_place(self, ratio: Expression, crank: &Turn<Expression>) -> Expression {
-        self.of_the_path(&pin_path(&ratio, &crank.moving::<4>(Expression::ONE)))
+    fn place_value(self, ratio: Expression, crank: &Turn<Expression>) -> Expression {
+        self.path_value(&pin_path(&ratio, &crank.moving::<4>(Expression::ONE)))
     }
 }
 
 /// The formulas of [`wheel`](crate::wheel) in k against the same power series. Variables: k, tangent of θ/2.
-pub struct Implemented(
+pub struct WheelFormula(
     /// The quantity.
-    pub Quantity,
+    pub WheelQuantity,
 );
 
-impl Identity<2> for Implemented {
+impl Identity<2> for WheelFormula {
     fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
         let crank = Turn::from_half_tangent(&half);
         let formula = match self.0 {
-            Quantity::Tangent => crank.sin / (ratio - crank.cos),
-            Quantity::Velocity => velocity_ratio(&ratio, &crank),
-            Quantity::Acceleration => acceleration_ratio(&ratio, &crank),
-            Quantity::Jerk => jerk_ratio(&ratio, &crank),
+            WheelQuantity::Tangent => crank.sin / (ratio - crank.cos),
+            WheelQuantity::Velocity => velocity_ratio(&ratio, &crank),
+            WheelQuantity::Acceleration => acceleration_ratio(&ratio, &crank),
+            WheelQuantity::Jerk => jerk_ratio(&ratio, &crank),
         };
-        self.0.of_the_place(ratio, &crank) - formula
+        self.0.place_value(ratio, &crank) - formula
     }
 }
 

@@ -48,7 +48,7 @@ fn the_motion_under_a_later_pin_is_that_of_240_bits() {
         let (wheel, oracle) = (Wheel::with_pins(stations, pins).unwrap(), Oracle::new(stations));
         for step in -30..=30 {
             let crank = f64::from(step) * 0.1;
-            let motion = wheel.at(0, crank).unwrap();
+            let motion = wheel.motion(0, crank).unwrap();
             if motion.phase == Phase::Advance {
                 let pin = (crank * f64::from(pins) / std::f64::consts::TAU).round() as i32;
                 for (name, error) in MOTION.iter().zip(oracle.motion_errors(&motion, crank, (pin, pins))) {

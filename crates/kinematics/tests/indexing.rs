@@ -2,7 +2,7 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use geneva_kinematics::KinematicsError;
-use geneva_kinematics::indexing::{Indexing, Motion};
+use geneva_kinematics::indexing::{Indexing, WheelMotion};
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
@@ -116,14 +116,14 @@ fn motion_and_dwell_make_a_turn_and_the_angle_has_no_gap() {
         assert_relative_eq!(wheel.motion_fraction() + wheel.dwell_fraction(), 1.0, max_relative = 1e-15);
         let cycle = wheel.indexing_time(3.0).unwrap() + wheel.dwell_time(3.0).unwrap();
         assert_relative_eq!(cycle * f64::from(wheel.pins()), TAU / 3.0, max_relative = 1e-14);
-        let whole = |motion: Motion| motion.stations as f64 * 2.0 * wheel.half_pitch_angle() + motion.angle;
-        let mut last = whole(wheel.at(0, -PI).unwrap());
+        let whole = |motion: WheelMotion| motion.stations as f64 * 2.0 * wheel.half_pitch_angle() + motion.angle;
+        let mut last = whole(wheel.motion(0, -PI).unwrap());
         for (turns, step) in [0, 1].into_iter().flat_map(|turns| (-90..=90).map(move |step| (turns, step))) {
-            let angle = whole(wheel.at(turns, PI * f64::from(step) / 90.0).unwrap());
+            let angle = whole(wheel.motion(turns, PI * f64::from(step) / 90.0).unwrap());
             assert!(angle >= last - 1e-12, "{} stations, step {step}: {angle} after {last}", wheel.stations());
             last = angle;
         }
-        assert!(wheel.at(0, 3.2).is_err() && wheel.at(0, f64::NAN).is_err());
+        assert!(wheel.motion(0, 3.2).is_err() && wheel.motion(0, f64::NAN).is_err());
         assert!(wheel.dwell_time(0.0).is_err() && wheel.indexing_time(f64::NAN).is_err());
     }
 }

@@ -1,14 +1,17 @@
 //! Is every step to the internal wheel's ratios proven, and a false one close to it refuted?
 
 use geneva_kinematics::internal_wheel::velocity_ratio;
-use geneva_kinematics::internal_wheel_proofs::{BracesArePositive, EntryAcceleration, Implemented, JerkRate, JerkRoot};
-use geneva_kinematics::wheel_proofs::Quantity;
+use geneva_kinematics::internal_wheel_proofs::{
+    BracesArePositive, InternalEntryAcceleration, InternalWheelFormula, JerkRate, JerkRoot,
+};
+use geneva_kinematics::wheel_proofs::WheelQuantity;
 use geneva_kinematics::{Expression, Identity, Turn, prove};
 
 #[test]
 fn every_step_to_the_ratios_and_their_peaks_is_proven() {
-    let mut proofs = vec![prove(&BracesArePositive), prove(&EntryAcceleration), prove(&JerkRate), prove(&JerkRoot)];
-    proofs.extend(Quantity::ALL.map(|quantity| prove(&Implemented(quantity))));
+    let mut proofs =
+        vec![prove(&BracesArePositive), prove(&InternalEntryAcceleration), prove(&JerkRate), prove(&JerkRoot)];
+    proofs.extend(WheelQuantity::ALL.map(|quantity| prove(&InternalWheelFormula(quantity))));
     for proof in proofs {
         println!("{}", proof.expect("an identity"));
     }

@@ -28,5 +28,5 @@ fn a_bead_on_a_steady_spoke_feels_coriolis_across_and_nothing_else_across() {
 fn on_the_pivot_there_is_no_diagram() {
     let (origin, velocity) = (Vector2::new(0.0, 0.0), Vector2::new(1.0, 0.0));
     assert_eq!(velocities(&origin, &velocity), None);
-    assert_eq!(accelerations(&PinMotion::carried(origin, velocity, 1.0), &velocity), None);
+    assert_eq!(accelerations(&PinMotion::new(origin, velocity, 1.0), &velocity), None);
 }

@@ -1,14 +1,17 @@
 //! Is every step to the spherical wheel's ratios proven, and a false one close to it refuted?
 
 use geneva_kinematics::spherical_wheel::acceleration_ratio;
-use geneva_kinematics::spherical_wheel_proofs::{BracesAtEntry, BracesRoot, EntryAcceleration, Implemented, JerkBound};
-use geneva_kinematics::wheel_proofs::Quantity;
+use geneva_kinematics::spherical_wheel_proofs::{
+    BracesAtEntry, BracesRoot, SphericalEntryAcceleration, SphericalJerkBound, SphericalWheelFormula,
+};
+use geneva_kinematics::wheel_proofs::WheelQuantity;
 use geneva_kinematics::{Expression, Identity, Turn, prove};
 
 #[test]
 fn every_step_to_the_ratios_and_their_peaks_is_proven() {
-    let mut proofs = vec![prove(&EntryAcceleration), prove(&BracesAtEntry), prove(&BracesRoot), prove(&JerkBound)];
-    proofs.extend(Quantity::ALL.map(|quantity| prove(&Implemented(quantity))));
+    let mut proofs =
+        vec![prove(&SphericalEntryAcceleration), prove(&BracesAtEntry), prove(&BracesRoot), prove(&SphericalJerkBound)];
+    proofs.extend(WheelQuantity::ALL.map(|quantity| prove(&SphericalWheelFormula(quantity))));
     for proof in proofs {
         println!("{}", proof.expect("an identity"));
     }

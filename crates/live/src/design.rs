@@ -6,7 +6,7 @@ use geneva_ask::Error;
 use geneva_ask::wheel::{Design, Effort, Question};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
-use geneva_kinematics::wheel::{Contact, Nearest, Sizes, Warning};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes, Warning};
 
 pub const LIVE: Live = Live {
     name: "design",
@@ -246,9 +246,9 @@ fn worded(number: Number, key: &str, sizes: &Sizes) -> Number {
 }
 
 /// Where the least clearance is.
-fn place(nearest: &Nearest) -> Number {
+fn place(nearest: &ClosestApproach) -> Number {
     let at = Number::new("where", nearest.crank_angle.to_degrees().abs(), 1, "°");
-    let is_at_rest = nearest.contact == Contact::LockingDisc;
+    let is_at_rest = nearest.contact == ContactPair::LockingDisc;
     let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
     Number { text, ..at }
 }

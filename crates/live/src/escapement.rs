@@ -5,7 +5,7 @@ use crate::control::{Control, Live, Preset, Quantity, Settings};
 use geneva_ask::escapement::rates;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Error, Inertias, Parameters};
+use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 use geneva_figures::{Figure, escapement};
 use geneva_kinematics::Mechanism;
 
@@ -59,11 +59,11 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let inertias = Inertias::new(settings.value("ratio")? * follower, follower).map_err(|error| error.to_string())?;
     let (torque, friction, share) =
         (settings.value("torque")?, settings.value("friction")?, settings.value("share")? / 100.0);
-    let words = |error: Error| error.to_string();
+    let words = |error: DynamicsError| error.to_string();
     let limit = critical_friction(mechanism, inertias.ratio()).map_err(words)?;
     let critical = Number::new("critical", limit.friction, 3, "");
     let parameters = match Parameters::new(mechanism, inertias, torque, friction) {
-        Err(Error::TooMuchFriction { asked, limit, angle }) => {
+        Err(DynamicsError::TooMuchFriction { asked, limit, angle }) => {
             // Where it jams, and why.
             let figure = escapement::mechanism(&mechanism, -angle).map_err(|error| error.to_string())?;
             let message = Some(format!(
@@ -90,7 +90,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         shown(1e6 * follower)
     );
     let engagements = match engagement.engagements_to_settle_within(REACHED, MOST_ENGAGEMENTS) {
-        Err(Error::TooMany { .. }) => Number {
+        Err(DynamicsError::TooMany { .. }) => Number {
             text: format!("more than {MOST_ENGAGEMENTS}"),
             ..Number::new("engagements", MOST_ENGAGEMENTS as f64, 0, "")
         },

@@ -3,7 +3,7 @@
 use crate::answer::{Answer, Number, Progress};
 use crate::arguments::number;
 use crate::control::{Control, Live, Preset, Quantity, Settings};
-use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin};
+use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, PeakReading, Reset, Row, Score, SixPin};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_figures::runs::{Compared, one_agreement};
 use geneva_kinematics::Mechanism;
@@ -58,7 +58,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         _ => "own reset angles".to_owned(),
     };
     let name = if hypothesis.lag == Lag::None { angle } else { format!("{angle}, sign late") };
-    let score = Score::of_results(hypothesis, &rows, results);
+    let score = Score::from_results(hypothesis, &rows, results);
     let figure = one_agreement(&Compared::new(name, &score), "1 rad/s or 1 ms");
     let counted = |name, mechanisms: &[Mechanism]| {
         let count = score.within_one_of(mechanisms);
@@ -110,7 +110,7 @@ fn rows(settings: &Settings) -> Result<Vec<Row>, String> {
         let drawn = of(&drawn).ok_or_else(|| format!("inertias: none for {slots} slots"))?;
         let given = Given { headed: of(&headed).unwrap_or(drawn), drawn, listing };
         let row = Row::read(mechanism, cells, given).map_err(|error| error.to_string())?;
-        let words = |error: geneva_dynamics::Error| error.to_string();
+        let words = |error: geneva_dynamics::DynamicsError| error.to_string();
         for [driver, follower] in [given.headed, given.drawn] {
             let inertias = Inertias::new(driver, follower).map_err(words)?;
             Parameters::new(mechanism, inertias, row.torque(), row.friction()).map_err(words)?;
@@ -149,8 +149,8 @@ fn hypothesis(settings: &Settings) -> Result<Hypothesis, String> {
     }
     // A mechanism has its true peak; a print-out has the largest line.
     let (reset, reading) = match settings.choice("own")? {
-        0 => (Reset::After(reset.to_radians()), Reading::OnTheGrid),
-        _ => (Reset::OfTheMechanism, Reading::True),
+        0 => (Reset::After(reset.to_radians()), PeakReading::OnTheGrid),
+        _ => (Reset::OfTheMechanism, PeakReading::True),
     };
     let six_pin = if settings.choice("six")? == 0 { SixPin::AsHeaded } else { SixPin::AsDrawn };
     let (constants, lag) = match settings.choice("late")? {

@@ -5,7 +5,7 @@ use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, Side, TURN
 use geneva_ask::Error;
 use geneva_ask::quick_return::{Design, Place, Question, lever_motion};
 use geneva_figures::{quick_return, with_minus_sign};
-use geneva_kinematics::quick_return::{Branch, Motion};
+use geneva_kinematics::quick_return::{Branch, LeverMotion};
 
 /// Lengths in metres that can be typed.
 const LENGTHS: [f64; 2] = [1e-4, 1e4];
@@ -86,7 +86,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let Design { linkage, position, drive, .. } = &design(settings)?;
     let factor = settings.value("factor")?;
-    let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive)
+    let motion = LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive)
         .ok_or("these numbers are too large or too small to compute with: give others")?;
     let mut figure = quick_return::polygons(linkage, position, drive, factor, "m");
     // The last row of the series is the gap, its last column the size of it.

@@ -4,7 +4,7 @@ use crate::answer::{Answer, Number, shown};
 use crate::control::{Control, Drag, Live, Preset, Quantity, Settings};
 use geneva_figures::stations;
 use geneva_kinematics::KinematicsError;
-use geneva_kinematics::wheel::{Misplaced, Wheel};
+use geneva_kinematics::wheel::{MisplacedWheel, Wheel};
 
 pub const LIVE: Live = Live {
     name: "wheel",
@@ -43,7 +43,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let wheel =
         Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
     let (error, crank) = (settings.value("error")? / 100.0, settings.value("crank")?.to_radians());
-    let misplaced = Misplaced::new(&wheel, error).map_err(|error| match error {
+    let misplaced = MisplacedWheel::new(&wheel, error).map_err(|error| match error {
         KinematicsError::Misplaced { asked, least, most } => format!(
             "centre distance wrong by {} %: the pin meets its slot from {:.2} % to {:.2} %; give a number between them",
             shown(100.0 * asked),
@@ -53,7 +53,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         other => other.to_string(),
     })?;
     let figure = stations::running(&misplaced, crank).map_err(|error| error.to_string())?;
-    let motion = misplaced.at(crank).map_err(|error| error.to_string())?;
+    let motion = misplaced.motion(crank).map_err(|error| error.to_string())?;
     // As in the chapter on the pin, towards the wheel's axis.
     let sliding = misplaced.sliding_ratio(crank).map_err(|error| error.to_string())?;
     let numbers = [

@@ -5,7 +5,7 @@ mod native;
 
 use divan::{Bencher, black_box};
 use geneva_mimic::integrate;
-use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
+use geneva_mimic::language::{CardLayout, DataSet, Deck, Program, RunOptions, deck_named};
 use nalgebra::Vector2;
 use native::{Escapement, parameters};
 use std::rc::Rc;
@@ -19,7 +19,7 @@ fn text() -> &'static str {
 }
 
 fn program() -> Program {
-    let deck = Deck::read(text(), Layout::Columns).expect("a deck");
+    let deck = Deck::read(text(), CardLayout::Columns).expect("a deck");
     Program::new(&deck).expect("a program")
 }
 
@@ -35,7 +35,7 @@ fn data() -> Vec<[f64; 6]> {
 #[divan::bench]
 fn layout_read_and_sort() -> Program {
     let text = black_box(text());
-    let deck = Deck::read(text, Layout::of(text)).expect("a deck");
+    let deck = Deck::read(text, CardLayout::detect(text)).expect("a deck");
     Program::new(&deck).expect("a program")
 }
 
@@ -45,7 +45,7 @@ fn forty_nine_runs_of_the_deck(bencher: Bencher) {
     let names = ["SLOTS", "START", "MU", "TORQUE", "IFOL", "IDRV"].map(str::to_owned);
     let sets: Vec<_> =
         data().into_iter().map(|numbers| DataSet(names.iter().cloned().zip(numbers).collect())).collect();
-    bencher.bench_local(|| program.runs(black_box(&sets), &Choices::default()).expect("some runs").len());
+    bencher.bench_local(|| program.runs(black_box(&sets), &RunOptions::default()).expect("some runs").len());
 }
 
 #[divan::bench(sample_count = 20)]

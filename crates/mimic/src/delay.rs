@@ -28,7 +28,7 @@ pub enum Extrapolation {
 /// need makes room.
 ///
 /// A run's error test does not see how well the past is read: the whole step and the two halves read the same entries.
-/// [`Parameters::largest_step`](crate::Parameters::largest_step) keeps the entries close.
+/// [`SolverParameters::largest_step`](crate::SolverParameters::largest_step) keeps the entries close.
 ///
 /// The thesis has one such line, the crank's angular acceleration a tenth of the print interval before; how MIMIC read
 /// between its entries is not said, nor what the third argument of `TDL`, 100, is: perhaps this capacity.
@@ -52,13 +52,13 @@ pub struct DelayLine<const CAPACITY: usize> {
     interpolation: Interpolation,
     extrapolation: Extrapolation,
     /// The oldest first.
-    entries: VecDeque<Entry>,
+    entries: VecDeque<PastValue>,
     /// Whether an entry has made room: before the oldest is then not before the beginning.
     forgotten: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+struct PastValue {
     time: f64,
     value: f64,
 }
@@ -177,7 +177,7 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         if let Some(oldest) = self.entries.front().filter(|_| self.entries.len() >= CAPACITY) {
             return Err(DelayError::Full { time, oldest: oldest.time, delay: self.delay, capacity: CAPACITY });
         }
-        self.entries.push_back(Entry { time, value });
+        self.entries.push_back(PastValue { time, value });
         Ok(())
     }
 
@@ -221,6 +221,6 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
 }
 
 /// The straight line through two entries, at a time; at the first entry its value to the bit.
-fn line(one: Entry, other: Entry, time: f64) -> f64 {
+fn line(one: PastValue, other: PastValue, time: f64) -> f64 {
     one.value + (other.value - one.value) * ((time - one.time) / (other.time - one.time))
 }

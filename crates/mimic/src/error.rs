@@ -1,13 +1,13 @@
 //! Why a run was not begun, or not ended.
 
-use crate::{MOST_STEPS, Work};
+use crate::{MOST_STEPS, SolverStats};
 use core::fmt;
 use nalgebra::SVector;
 use thiserror::Error;
 
 /// The numbers that a parameter can take. All are finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Allowed {
+pub enum AllowedRange {
     /// Above zero.
     Positive,
     /// From the first to the second, both included.
@@ -16,7 +16,7 @@ pub enum Allowed {
     Between(f64, f64),
 }
 
-impl Allowed {
+impl AllowedRange {
     /// Whether the number is one of them.
     pub fn includes(&self, number: f64) -> bool {
         let inside = match *self {
@@ -28,7 +28,7 @@ impl Allowed {
     }
 }
 
-impl fmt::Display for Allowed {
+impl fmt::Display for AllowedRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Positive => f.write_str("positive and finite"),
@@ -45,12 +45,12 @@ pub enum ParameterError {
     /// A number outside its range.
     #[error("{name} {asked:?}: it must be {allowed}; give a number that is")]
     Range {
-        /// The field of [`Parameters`](crate::Parameters).
+        /// The field of [`SolverParameters`](crate::SolverParameters).
         name: &'static str,
         /// What was asked for, in the field's own unit.
         asked: f64,
         /// What it can be.
-        allowed: Allowed,
+        allowed: AllowedRange,
     },
     /// A bound on the number of steps that is zero or above [`MOST_STEPS`].
     #[error("most_steps {0}: it must be from 1 to {MOST_STEPS}; give a number in this range")]
@@ -70,7 +70,7 @@ pub enum ParameterError {
 
 /// Quantity that was found not to be finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
+pub enum SolverQuantity {
     /// The state that the run was to start from.
     Start,
     /// The state at the end of a step, however small.
@@ -79,7 +79,7 @@ pub enum Quantity {
     Derivative,
 }
 
-impl fmt::Display for Quantity {
+impl fmt::Display for SolverQuantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Start => "the start",
@@ -113,7 +113,7 @@ pub enum Cause<F> {
     )]
     NonFinite {
         /// What it belongs to.
-        quantity: Quantity,
+        quantity: SolverQuantity,
         /// Its place in the state, counted from 0.
         component: usize,
         /// Its value, in the component's own unit.
@@ -135,13 +135,13 @@ pub enum Cause<F> {
 /// Point where a run was stopped, and the cause.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("stopped at time {time:?} in state {:?}: {cause}", .state.as_slice())]
-pub struct Stopped<const D: usize, F> {
+pub struct EarlyStop<const D: usize, F> {
     /// Time of the last point that was kept, in the unit of the right-hand side's time.
     pub time: f64,
     /// State at that time.
     pub state: SVector<f64, D>,
     /// The work up to there.
-    pub work: Work,
+    pub work: SolverStats,
     /// What stopped it.
     pub cause: Cause<F>,
 }
@@ -154,7 +154,7 @@ pub enum IntegrationError<const D: usize, F> {
     Parameter(ParameterError),
     /// It was stopped on the way.
     #[error("{0}")]
-    Stopped(Stopped<D, F>),
+    EarlyStop(EarlyStop<D, F>),
 }
 
 impl<const D: usize, F> From<ParameterError> for IntegrationError<D, F> {
@@ -163,8 +163,8 @@ impl<const D: usize, F> From<ParameterError> for IntegrationError<D, F> {
     }
 }
 
-impl<const D: usize, F> From<Stopped<D, F>> for IntegrationError<D, F> {
-    fn from(stopped: Stopped<D, F>) -> Self {
-        Self::Stopped(stopped)
+impl<const D: usize, F> From<EarlyStop<D, F>> for IntegrationError<D, F> {
+    fn from(stopped: EarlyStop<D, F>) -> Self {
+        Self::EarlyStop(stopped)
     }
 }

@@ -2,13 +2,13 @@
 //! [`integrate`], or from the text of a deck by [`language`].
 //!
 //! ```
-//! use geneva_mimic::{Parameters, integrate};
+//! use geneva_mimic::{SolverParameters, integrate};
 //! use nalgebra::Vector2;
 //!
 //! // x'' = -x from x = 1 at rest, printed every half unit of time until 3.
 //! let mut spring = |_: f64, state: &Vector2<f64>| Vector2::new(state[1], -state[0]);
 //! let mut printed = 0;
-//! let parameters = Parameters::new(0.5, 3.0);
+//! let parameters = SolverParameters::new(0.5, 3.0);
 //! let end = integrate(&mut spring, Vector2::new(1.0, 0.0), &parameters, |point| {
 //!     assert_eq!(point.time, point.index as f64 * 0.5);
 //!     printed += 1;
@@ -21,7 +21,7 @@
 //! What is known of MIMIC is in Work::Meyer1973, Appendix B: the classical method of order four; the error of a step
 //! judged by taking it once whole and once in two halves; a relative error below 5·10⁻⁶; results printed every `DT`
 //! until the run ends; a time delay `TDL` for a value of a moment before. What is not known is a parameter here, with
-//! a default and the reason for it: see [`Parameters`].
+//! a default and the reason for it: see [`SolverParameters`].
 //!
 //! Units are those of your equations. The integrator allocates nothing: states have a fixed size, and results are handed
 //! to a closure. A delay line grows to the capacity that it is given. No function of the platform's mathematics is called,
@@ -31,7 +31,7 @@
 //!
 //! | question | item |
 //! |---|---|
-//! | a run, printed point by point | [`integrate`] with [`Parameters`] |
+//! | a run, printed point by point | [`integrate`] with [`SolverParameters`] |
 //! | one classical step of order four | [`runge_kutta_step`] |
 //! | a system that remembers: time delays | [`System`], [`DelayLine`] |
 //! | the text of a deck, from cards to a printout | [`language`] |
@@ -42,16 +42,16 @@
 
 mod delay;
 mod error;
-mod grid;
 pub mod language;
 mod parameters;
+mod print_times;
 mod run;
 mod step;
 mod system;
 
 pub use delay::{DelayError, DelayLine, Extrapolation, Interpolation};
-pub use error::{Allowed, Cause, IntegrationError, ParameterError, Quantity, Stopped};
-pub use parameters::{AtSmallestStep, Kept, MOST_STEPS, Parameters};
-pub use run::{Outcome, Point, Work, integrate};
+pub use error::{AllowedRange, Cause, EarlyStop, IntegrationError, ParameterError, SolverQuantity};
+pub use parameters::{MOST_STEPS, MinStepPolicy, SolverParameters, StepSolution};
+pub use run::{Point, Solution, SolverStats, integrate};
 pub use step::runge_kutta_step;
 pub use system::System;

@@ -1,13 +1,13 @@
 //! Parameters of a run, and their defaults.
 
-use crate::{Allowed, ParameterError};
+use crate::{AllowedRange, ParameterError};
 
-/// The most that [`Parameters::most_steps`] may be: up to here the multiples of the print interval are well apart.
+/// The most that [`SolverParameters::most_steps`] may be: up to here the multiples of the print interval are well apart.
 pub const MOST_STEPS: u64 = 1_000_000_000_000;
 
 /// Value of a step with which the run goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kept {
+pub enum StepSolution {
     /// The whole step: order 4, the larger error of the two.
     FullStep,
     /// The two half steps: order 4, a sixteenth of the error of the whole step.
@@ -18,10 +18,10 @@ pub enum Kept {
 
 /// Action if the error is too large and the step cannot be made smaller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum AtSmallestStep {
+pub enum MinStepPolicy {
     /// End the run with an error.
     Stop,
-    /// Keep the step all the same and count it: [`Work::forced`](crate::Work::forced).
+    /// Keep the step all the same and count it: [`SolverStats::forced`](crate::SolverStats::forced).
     Continue,
 }
 
@@ -31,19 +31,19 @@ pub enum AtSmallestStep {
 /// it does not give them: a result that depends on them is not a result of the thesis. Work::Meyer1973, Appendix B.
 ///
 /// ```
-/// use geneva_mimic::{Parameters, integrate};
+/// use geneva_mimic::{SolverParameters, integrate};
 /// use nalgebra::Vector1;
 ///
 /// // A smaller tolerance costs more steps.
 /// let mut decay = |_: f64, x: &Vector1<f64>| -*x;
-/// let usual = Parameters::new(1.0, 2.0);
-/// let fine = Parameters { relative_tolerance: 1e-9, ..usual };
+/// let usual = SolverParameters::new(1.0, 2.0);
+/// let fine = SolverParameters { relative_tolerance: 1e-9, ..usual };
 /// let [few, many] = [usual, fine].map(|of| integrate(&mut decay, Vector1::new(1.0), &of, |_| ()));
 /// assert!(few?.work.accepted < many?.work.accepted);
 /// # Ok::<(), geneva_mimic::IntegrationError<1, std::convert::Infallible>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
+pub struct SolverParameters {
     /// `DT`, time between printed points, in the unit of the right-hand side's time, positive. No step passes a printed
     /// point.
     pub print_interval: f64,
@@ -96,18 +96,18 @@ pub struct Parameters {
     ///
     /// Default: two half steps. It is the better of the two that the thesis says are computed; of a third it says
     /// nothing.
-    pub kept: Kept,
+    pub kept: StepSolution,
     /// What happens when the smallest step is not small enough.
     ///
     /// Default: the run stops. A number that misses its tolerance should not pass for one that meets it.
-    pub at_smallest_step: AtSmallestStep,
+    pub at_smallest_step: MinStepPolicy,
     /// Most attempts at a step, refused ones included; from 1 to [`MOST_STEPS`].
     ///
     /// Default 10⁷, some seconds' work for a few components. It bounds what an ill-chosen print interval or tolerance can cost.
     pub most_steps: u64,
 }
 
-impl Parameters {
+impl SolverParameters {
     /// How near a change that comes at kept points only is located: 2⁻²⁴ of the print interval, or the smallest step if
     /// that is longer; in the unit of the right-hand side's time.
     ///
@@ -129,21 +129,21 @@ impl Parameters {
             smallest_step: print_interval / 1_073_741_824.0,
             largest_step: print_interval,
             initial_step: print_interval,
-            kept: Kept::TwoHalfSteps,
-            at_smallest_step: AtSmallestStep::Stop,
+            kept: StepSolution::TwoHalfSteps,
+            at_smallest_step: MinStepPolicy::Stop,
             most_steps: 10_000_000,
         }
     }
 
     /// A run with steps of one length, shorter only where a printed point is nearer; no step is refused for its error.
     ///
-    /// Steps that miss the tolerance are counted: [`Work::forced`](crate::Work::forced).
+    /// Steps that miss the tolerance are counted: [`SolverStats::forced`](crate::SolverStats::forced).
     pub fn with_fixed_step(step: f64, print_interval: f64, run_length: f64) -> Self {
         Self {
             smallest_step: step,
             largest_step: step,
             initial_step: step,
-            at_smallest_step: AtSmallestStep::Continue,
+            at_smallest_step: MinStepPolicy::Continue,
             ..Self::new(print_interval, run_length)
         }
     }
@@ -155,17 +155,17 @@ impl Parameters {
     /// [`ParameterError::Range`], [`ParameterError::MostSteps`], and [`ParameterError::PrintedPoints`] for more printed
     /// points than steps.
     pub fn check(&self) -> Result<(), ParameterError> {
-        let steps = Allowed::FromTo(self.smallest_step, self.largest_step);
+        let steps = AllowedRange::FromTo(self.smallest_step, self.largest_step);
         let asked = [
-            ("print_interval", self.print_interval, Allowed::Positive),
-            ("run_length", self.run_length, Allowed::Positive),
-            ("relative_tolerance", self.relative_tolerance, Allowed::Between(0.0, 1.0)),
-            ("absolute_floor", self.absolute_floor, Allowed::FromTo(0.0, f64::MAX)),
-            ("growth_below", self.growth_below, Allowed::FromTo(0.0, 1.0)),
-            ("growth_factor", self.growth_factor, Allowed::FromTo(1.0, f64::MAX)),
-            ("shrink_factor", self.shrink_factor, Allowed::Between(0.0, 1.0)),
-            ("smallest_step", self.smallest_step, Allowed::Positive),
-            ("largest_step", self.largest_step, Allowed::FromTo(self.smallest_step, f64::MAX)),
+            ("print_interval", self.print_interval, AllowedRange::Positive),
+            ("run_length", self.run_length, AllowedRange::Positive),
+            ("relative_tolerance", self.relative_tolerance, AllowedRange::Between(0.0, 1.0)),
+            ("absolute_floor", self.absolute_floor, AllowedRange::FromTo(0.0, f64::MAX)),
+            ("growth_below", self.growth_below, AllowedRange::FromTo(0.0, 1.0)),
+            ("growth_factor", self.growth_factor, AllowedRange::FromTo(1.0, f64::MAX)),
+            ("shrink_factor", self.shrink_factor, AllowedRange::Between(0.0, 1.0)),
+            ("smallest_step", self.smallest_step, AllowedRange::Positive),
+            ("largest_step", self.largest_step, AllowedRange::FromTo(self.smallest_step, f64::MAX)),
             ("initial_step", self.initial_step, steps),
         ];
         if let Some(&(name, asked, allowed)) = asked.iter().find(|(_, asked, allowed)| !allowed.includes(*asked)) {

@@ -1,8 +1,8 @@
 //! A run: which steps are tried, which are kept, and what is printed.
 
-use crate::grid::{Grid, SLIVER};
+use crate::print_times::{PrintTimes, SLIVER};
 use crate::step::{Attempt, non_finite};
-use crate::{AtSmallestStep, Cause, IntegrationError, Parameters, Quantity, Stopped, System};
+use crate::{Cause, EarlyStop, IntegrationError, MinStepPolicy, SolverParameters, SolverQuantity, System};
 use nalgebra::SVector;
 
 /// A printed point.
@@ -26,12 +26,12 @@ pub struct Point<const D: usize> {
 /// that reaches its end has `evaluations == 10 * (accepted + rejected) + accepted + 1`. What a system evaluates to say
 /// whether it [`switches`](System::switches) is not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
+pub struct SolverStats {
     /// Steps that were kept.
     pub accepted: u64,
     /// Steps that were tried and refused.
     pub rejected: u64,
-    /// Accepted steps whose error is too large: see [`AtSmallestStep::Continue`].
+    /// Accepted steps whose error is too large: see [`MinStepPolicy::Continue`].
     pub forced: u64,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,
@@ -39,11 +39,11 @@ pub struct Work {
 
 /// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outcome<const D: usize> {
+pub struct Solution<const D: usize> {
     /// The last printed point.
     pub last: Point<D>,
     /// The work of the whole run.
-    pub work: Work,
+    pub work: SolverStats,
 }
 
 /// Integrates the system from `start` at time 0 and hands each printed point to `print`, the start included.
@@ -51,16 +51,16 @@ pub struct Outcome<const D: usize> {
 /// A step is refused if the whole step and two half steps differ by more than the tolerance in any component, if
 /// either is not finite, or if the system [`switches`](System::switches) at its end; it is then tried shorter. The way
 /// from point to point of the print grid does not change the times of the points. Work::Meyer1973, Appendix B, and
-/// [`Parameters`] for what is not said there.
+/// [`SolverParameters`] for what is not said there.
 ///
 /// ```
-/// use geneva_mimic::{Parameters, integrate};
+/// use geneva_mimic::{SolverParameters, integrate};
 /// use nalgebra::Vector1;
 ///
 /// // x' = −x from 1, printed at 0, 0.5, 1, 1.5 and 2.
 /// let mut decay = |_: f64, x: &Vector1<f64>| -*x;
 /// let mut times = Vec::new();
-/// let end = integrate(&mut decay, Vector1::new(1.0), &Parameters::new(0.5, 2.0), |point| times.push(point.time))?;
+/// let end = integrate(&mut decay, Vector1::new(1.0), &SolverParameters::new(0.5, 2.0), |point| times.push(point.time))?;
 /// assert_eq!(times, [0.0, 0.5, 1.0, 1.5, 2.0]);
 /// assert!((end.last.state[0] / (-2_f64).exp() - 1.0).abs() < 1e-5);
 /// # Ok::<(), geneva_mimic::IntegrationError<1, std::convert::Infallible>>(())
@@ -68,21 +68,21 @@ pub struct Outcome<const D: usize> {
 ///
 /// # Errors
 ///
-/// [`IntegrationError::Parameter`] for a parameter outside its range; [`IntegrationError::Stopped`] for a start, or a
+/// [`IntegrationError::Parameter`] for a parameter outside its range; [`IntegrationError::EarlyStop`] for a start, or a
 /// derivative at a kept point, that is not finite, a step that would have to be smaller than allowed, too many steps,
 /// or a fault of the system.
 pub fn integrate<S, const D: usize>(
     system: &mut S,
     start: SVector<f64, D>,
-    parameters: &Parameters,
+    parameters: &SolverParameters,
     mut print: impl FnMut(&Point<D>),
-) -> Result<Outcome<D>, IntegrationError<D, S::Fault>>
+) -> Result<Solution<D>, IntegrationError<D, S::Fault>>
 where
     S: System<D>,
 {
     parameters.check()?;
-    let grid = Grid::new(parameters.print_interval, parameters.run_length);
-    let mut run = Run {
+    let grid = PrintTimes::new(parameters.print_interval, parameters.run_length);
+    let mut run = Integration {
         system,
         parameters,
         time: 0.0,
@@ -90,9 +90,9 @@ where
         derivative: SVector::zeros(),
         largest: 0.0,
         step: parameters.initial_step,
-        work: Work::default(),
+        work: SolverStats::default(),
     };
-    run.finite(Quantity::Start, &start)?;
+    run.finite(SolverQuantity::Start, &start)?;
     run.accept(0.0, start)?;
     let mut last = run.point(0);
     print(&last);
@@ -101,13 +101,13 @@ where
         last = run.point(index);
         print(&last);
     }
-    Ok(Outcome { last, work: run.work })
+    Ok(Solution { last, work: run.work })
 }
 
 /// A run at the last point that it has accepted.
-struct Run<'a, S, const D: usize> {
+struct Integration<'a, S, const D: usize> {
     system: &'a mut S,
-    parameters: &'a Parameters,
+    parameters: &'a SolverParameters,
     time: f64,
     state: SVector<f64, D>,
     derivative: SVector<f64, D>,
@@ -115,12 +115,12 @@ struct Run<'a, S, const D: usize> {
     largest: f64,
     /// What would be tried next if no printed point were in the way.
     step: f64,
-    work: Work,
+    work: SolverStats,
 }
 
-impl<S: System<D>, const D: usize> Run<'_, S, D> {
+impl<S: System<D>, const D: usize> Integration<'_, S, D> {
     /// Steps to a printed point.
-    fn reach(&mut self, target: f64) -> Result<(), Stopped<D, S::Fault>> {
+    fn reach(&mut self, target: f64) -> Result<(), EarlyStop<D, S::Fault>> {
         let parameters = self.parameters;
         // Error of the attempt before, for the case that no other can be made.
         let mut excess = 0.0;
@@ -146,9 +146,9 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
             // The end is rounded, and the step from it may be a little longer than was asked for.
             let asked = step.min(self.step);
             let smallest = asked <= smallest_step * (1.0 + SLIVER);
-            let forced = smallest && infinite.is_none() && parameters.at_smallest_step == AtSmallestStep::Continue;
+            let forced = smallest && infinite.is_none() && parameters.at_smallest_step == MinStepPolicy::Continue;
             if excess <= 1.0 || forced {
-                let kept = attempt.kept(parameters.kept);
+                let kept = attempt.solution(parameters.kept);
                 let switch_step = parameters.switch_step();
                 if asked > switch_step * (1.0 + SLIVER) && self.switches(end, &kept)? {
                     self.work.rejected += 1;
@@ -167,7 +167,7 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
             self.work.rejected += 1;
             if smallest {
                 return Err(self.stopped(match infinite {
-                    Some((component, value)) => Cause::NonFinite { quantity: Quantity::State, component, value },
+                    Some((component, value)) => Cause::NonFinite { quantity: SolverQuantity::State, component, value },
                     None => Cause::StepUnderflow { step, smallest_step, excess },
                 }));
             }
@@ -177,7 +177,7 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
     }
 
     /// Both results of a step to this time.
-    fn attempt(&mut self, end: f64) -> Result<Attempt<D>, Stopped<D, S::Fault>> {
+    fn attempt(&mut self, end: f64) -> Result<Attempt<D>, EarlyStop<D, S::Fault>> {
         let Self { system, work, time, state, derivative, .. } = self;
         let rate = |time: f64, state: &SVector<f64, D>| {
             work.evaluations += 1;
@@ -187,19 +187,19 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
         attempt.map_err(|fault| self.stopped(Cause::System(fault)))
     }
 
-    fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, Stopped<D, S::Fault>> {
+    fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, EarlyStop<D, S::Fault>> {
         self.system.switches(time, state).map_err(|fault| self.stopped(Cause::System(fault)))
     }
 
     /// Goes on from this point: its derivative is the first of the steps that start here.
-    fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
-        self.finite(Quantity::State, &state)?;
+    fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), EarlyStop<D, S::Fault>> {
+        self.finite(SolverQuantity::State, &state)?;
         (self.time, self.state) = (time, state);
         self.largest = self.largest.max(state.amax());
         self.work.evaluations += 1;
         let derivative = self.system.kept_derivative(time, &state);
         self.derivative = derivative.map_err(|fault| self.stopped(Cause::System(fault)))?;
-        self.finite(Quantity::Derivative, &self.derivative)?;
+        self.finite(SolverQuantity::Derivative, &self.derivative)?;
         let accepted = self.system.accepted(time, &state, &self.derivative);
         accepted.map_err(|fault| self.stopped(Cause::System(fault)))
     }
@@ -209,15 +209,15 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
         self.parameters.absolute_floor.min(self.largest.max(attempt.largest()))
     }
 
-    fn finite(&self, quantity: Quantity, vector: &SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
+    fn finite(&self, quantity: SolverQuantity, vector: &SVector<f64, D>) -> Result<(), EarlyStop<D, S::Fault>> {
         match non_finite(vector) {
             Some((component, value)) => Err(self.stopped(Cause::NonFinite { quantity, component, value })),
             None => Ok(()),
         }
     }
 
-    fn stopped(&self, cause: Cause<S::Fault>) -> Stopped<D, S::Fault> {
-        Stopped { time: self.time, state: self.state, work: self.work, cause }
+    fn stopped(&self, cause: Cause<S::Fault>) -> EarlyStop<D, S::Fault> {
+        EarlyStop { time: self.time, state: self.state, work: self.work, cause }
     }
 
     fn point(&self, index: u64) -> Point<D> {

@@ -1,6 +1,6 @@
 //! One step: once whole, once in two halves, and what the difference says.
 
-use crate::Kept;
+use crate::StepSolution;
 use nalgebra::SVector;
 
 /// The state at `to` from that at `from` by one step of the classical Runge-Kutta method.
@@ -95,12 +95,12 @@ impl<const D: usize> Attempt<D> {
     }
 
     /// The state that the run goes on with.
-    pub(crate) fn kept(&self, kept: Kept) -> SVector<f64, D> {
+    pub(crate) fn solution(&self, kept: StepSolution) -> SVector<f64, D> {
         match kept {
-            Kept::FullStep => self.full,
-            Kept::TwoHalfSteps => self.halves,
+            StepSolution::FullStep => self.full,
+            StepSolution::TwoHalfSteps => self.halves,
             // Of the error of the whole step, 1/16 is left in two half steps: their difference is 15 times that.
-            Kept::Extrapolated => self.halves + (self.halves - self.full) / 15.0,
+            StepSolution::Extrapolated => self.halves + (self.halves - self.full) / 15.0,
         }
     }
 }

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 /// [`accepted`](Self::accepted), and nowhere else: trial steps that are refused then leave no trace.
 ///
 /// ```
-/// use geneva_mimic::{Extrapolation, Interpolation, DelayError, DelayLine, Parameters, System, integrate};
+/// use geneva_mimic::{DelayError, DelayLine, Extrapolation, Interpolation, SolverParameters, System, integrate};
 /// use nalgebra::Vector2;
 ///
 /// /// (1 + s/2) x'' = 1 - t, with s the sign of x'' a moment before.
@@ -34,7 +34,7 @@ use nalgebra::SVector;
 /// // With no step longer than the delay, what is read has been kept before.
 /// let (print_interval, delay) = (0.125, 0.0125);
 /// let old_acceleration = DelayLine::new(delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?;
-/// let parameters = Parameters { largest_step: delay, initial_step: delay, ..Parameters::new(print_interval, 2.0) };
+/// let parameters = SolverParameters { largest_step: delay, initial_step: delay, ..SolverParameters::new(print_interval, 2.0) };
 /// let end = integrate(&mut Push { old_acceleration }, Vector2::zeros(), &parameters, |_| ())?;
 /// // A gain of 1/3 while it is pushed forwards, a loss of 1 while backwards.
 /// assert!((end.last.state[1] + 2.0 / 3.0).abs() < 0.001);
@@ -66,7 +66,7 @@ pub trait System<const D: usize> {
     /// Whether something that changes at kept points only would change at this one, the end of a step.
     ///
     /// Such a step is tried shorter until it is as short as
-    /// [`Parameters::switch_step`](crate::Parameters::switch_step) says: the change then comes that late at most. A
+    /// [`SolverParameters::switch_step`](crate::SolverParameters::switch_step) says: the change then comes that late at most. A
     /// system that has nothing of the kind need not say so.
     ///
     /// # Errors

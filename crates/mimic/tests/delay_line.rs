@@ -2,7 +2,7 @@
 //! and nothing else?
 
 use geneva_mimic::{
-    Cause, DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, System, integrate,
+    Cause, DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, SolverParameters, System, integrate,
 };
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::FRAC_PI_2;
@@ -174,7 +174,7 @@ fn memory_exact(time: f64) -> f64 {
 fn an_equation_with_delay_is_solved_to_the_order_of_its_interpolation() {
     for (between, order) in [(Interpolation::Linear, 2.0), (Interpolation::Hold, 1.0)] {
         let error = |steps: f64| {
-            let fixed = Parameters::with_fixed_step(1.0 / steps, 0.5, 5.0);
+            let fixed = SolverParameters::with_fixed_step(1.0 / steps, 0.5, 5.0);
             let mut worst: f64 = 0.0;
             let end = integrate(&mut Memory::<200>::new(between), Vector1::new(1.0), &fixed, |point| {
                 worst = worst.max((point.state[0] - memory_exact(point.time)).abs());
@@ -191,7 +191,8 @@ fn an_equation_with_delay_is_solved_to_the_order_of_its_interpolation() {
 fn the_error_test_does_not_see_how_the_past_is_read() {
     // Straight lines between entries half a unit apart: integrated without a difference, and far from the solution.
     let run = |largest_step| {
-        let parameters = Parameters { largest_step, initial_step: largest_step, ..Parameters::new(0.5, 5.0) };
+        let parameters =
+            SolverParameters { largest_step, initial_step: largest_step, ..SolverParameters::new(0.5, 5.0) };
         let end =
             integrate(&mut Memory::<200>::new(Interpolation::Linear), Vector1::new(1.0), &parameters, |_| ()).unwrap();
         (end.work, (end.last.state[0] - memory_exact(5.0)).abs())
@@ -203,9 +204,9 @@ fn the_error_test_does_not_see_how_the_past_is_read() {
 
 #[test]
 fn a_line_without_room_stops_the_run_where_it_is_full() {
-    let parameters = Parameters::with_fixed_step(1.0 / 128.0, 1.0, 2.0);
+    let parameters = SolverParameters::with_fixed_step(1.0 / 128.0, 1.0, 2.0);
     let error = integrate(&mut Memory::<100>::new(Interpolation::Linear), Vector1::new(1.0), &parameters, |_| ());
-    let Err(IntegrationError::Stopped(stopped)) = error else { panic!("{error:?}") };
+    let Err(IntegrationError::EarlyStop(stopped)) = error else { panic!("{error:?}") };
     assert_eq!(stopped.time, 100.0 / 128.0);
     let Cause::System(DelayError::Full { time, capacity: 100, .. }) = stopped.cause else { panic!("{stopped}") };
     assert_eq!(time, stopped.time);
@@ -245,13 +246,13 @@ impl System<2> for LaggedSign {
 fn a_sign_read_late_changes_late_by_the_delay() {
     // Speed at time 2.5 if the sign changes at this time: gains count two thirds, losses twice.
     let speed_with_change_at = |change: f64| libm::sin(change) / 1.5 + (libm::sin(2.5) - libm::sin(change)) / 0.5;
-    let speed = |delay, parameters: &Parameters| {
+    let speed = |delay, parameters: &SolverParameters| {
         integrate(&mut LaggedSign::new(delay), SVector::zeros(), parameters, |_| ()).unwrap().last.state[1]
     };
     for delay in [0.05, 0.1, 0.2] {
         let (late, at_once) = (speed_with_change_at(FRAC_PI_2 + delay), speed_with_change_at(FRAC_PI_2));
         let step = 1.0 / 256.0;
-        let fixed = speed(delay, &Parameters::with_fixed_step(step, 0.5, 2.5));
+        let fixed = speed(delay, &SolverParameters::with_fixed_step(step, 0.5, 2.5));
         // A step too early or late, the acceleration jumps there by 4/3 sin of the delay.
         assert!((fixed - late).abs() < step * 4.0 / 3.0 * libm::sin(delay), "delay {delay}: {fixed} for {late}");
         assert!((fixed - at_once).abs() > 0.9 * (late - at_once).abs(), "delay {delay}: {fixed} for {at_once}");
@@ -261,8 +262,8 @@ fn a_sign_read_late_changes_late_by_the_delay() {
 }
 
 /// No step longer than the shortest delay: the sign is not read ahead of what was kept, and the entries are close.
-fn tolerant() -> Parameters {
-    Parameters { largest_step: 0.05, initial_step: 0.05, ..Parameters::new(0.5, 2.5) }
+fn tolerant() -> SolverParameters {
+    SolverParameters { largest_step: 0.05, initial_step: 0.05, ..SolverParameters::new(0.5, 2.5) }
 }
 
 #[test]

@@ -4,9 +4,9 @@
 mod accuracy;
 mod delay_line;
 mod errors;
-mod grid;
 mod language;
 mod one_step;
+mod print_times;
 mod problems;
 mod steps;
 mod switches;

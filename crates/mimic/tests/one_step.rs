@@ -1,7 +1,8 @@
 //! Is one step the classical one, when does it ask the system, and what does a run make of its two results?
 
 use geneva_mimic::{
-    AtSmallestStep, Cause, IntegrationError, Kept, Outcome, Parameters, Stopped, System, integrate, runge_kutta_step,
+    Cause, EarlyStop, IntegrationError, MinStepPolicy, Solution, SolverParameters, StepSolution, System, integrate,
+    runge_kutta_step,
 };
 use nalgebra::{SVector, Vector1, Vector2, Vector3};
 use std::convert::Infallible;
@@ -51,12 +52,12 @@ impl<const D: usize, F: Fn(&SVector<f64, D>) -> SVector<f64, D>> System<D> for A
 fn an_attempt_asks_at_the_quarters_and_hands_on_a_fault() {
     let rate = |x: &Vector2<f64>| Vector2::new(x[1], -x[0]);
     let mut asked = Asked { rate, times: Vec::new(), fails_beyond: f64::INFINITY };
-    integrate(&mut asked, Vector2::new(1.0, 0.0), &Parameters::with_fixed_step(4.0, 4.0, 8.0), |_| ()).unwrap();
+    integrate(&mut asked, Vector2::new(1.0, 0.0), &SolverParameters::with_fixed_step(4.0, 4.0, 8.0), |_| ()).unwrap();
     assert_eq!(asked.times[..10], [2.0, 2.0, 4.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0]);
     assert_eq!(asked.times[10..], [6.0, 6.0, 8.0, 5.0, 5.0, 6.0, 6.0, 7.0, 7.0, 8.0]);
     let mut faulty = Asked { rate: |x: &Vector1<f64>| *x, times: Vec::new(), fails_beyond: 1.7 };
-    let ended = integrate(&mut faulty, Vector1::new(1.0), &Parameters::with_fixed_step(1.0, 1.0, 2.0), |_| ());
-    let Err(IntegrationError::Stopped(stopped)) = ended else { panic!("{ended:?}") };
+    let ended = integrate(&mut faulty, Vector1::new(1.0), &SolverParameters::with_fixed_step(1.0, 1.0, 2.0), |_| ());
+    let Err(IntegrationError::EarlyStop(stopped)) = ended else { panic!("{ended:?}") };
     assert_eq!((stopped.time, stopped.cause), (1.0, Cause::System(2.0)));
 }
 
@@ -89,13 +90,13 @@ impl<const D: usize> System<D> for Scripted<D> {
 fn scripted<const D: usize>(
     full: SVector<f64, D>,
     halves: SVector<f64, D>,
-    change: impl FnOnce(&mut Parameters),
-) -> Result<Outcome<D>, Stopped<D, Infallible>> {
-    let mut parameters = Parameters::with_fixed_step(12.0, 12.0, 12.0);
+    change: impl FnOnce(&mut SolverParameters),
+) -> Result<Solution<D>, EarlyStop<D, Infallible>> {
+    let mut parameters = SolverParameters::with_fixed_step(12.0, 12.0, 12.0);
     change(&mut parameters);
     let ended = integrate(&mut Scripted { full, halves, asked: 0 }, SVector::zeros(), &parameters, |_| ());
     ended.map_err(|error| match error {
-        IntegrationError::Stopped(stopped) => stopped,
+        IntegrationError::EarlyStop(stopped) => stopped,
         IntegrationError::Parameter(error) => panic!("{error}"),
     })
 }
@@ -104,12 +105,12 @@ fn scripted<const D: usize>(
 #[track_caller]
 fn excess<const D: usize>(full: SVector<f64, D>, halves: SVector<f64, D>, tolerance: f64, floor: f64) -> Option<f64> {
     let ended = scripted(full, halves, |parameters| {
-        parameters.at_smallest_step = AtSmallestStep::Stop;
+        parameters.at_smallest_step = MinStepPolicy::Stop;
         (parameters.relative_tolerance, parameters.absolute_floor) = (tolerance, floor);
     });
     match ended {
         Ok(_) => None,
-        Err(Stopped { cause: Cause::StepUnderflow { excess, .. }, .. }) => Some(excess),
+        Err(EarlyStop { cause: Cause::StepUnderflow { excess, .. }, .. }) => Some(excess),
         Err(stopped) => panic!("{stopped}"),
     }
 }
@@ -131,7 +132,7 @@ fn the_excess_is_relative_above_the_floor_and_absolute_below() {
 
 #[test]
 fn each_state_that_can_be_kept_is_its_own() {
-    let kept = [Kept::FullStep, Kept::TwoHalfSteps, Kept::Extrapolated].map(|kept| {
+    let kept = [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated].map(|kept| {
         let end = scripted(Vector1::new(1.0), Vector1::new(16.0), |parameters| parameters.kept = kept);
         end.unwrap().last.state[0]
     });

@@ -1,12 +1,12 @@
 //! Problems with closed forms, integrators to solve them, and one judge for all of them.
 
-use geneva_mimic::{Kept, Outcome, Parameters, integrate};
+use geneva_mimic::{Solution, SolverParameters, StepSolution, integrate};
 use nalgebra::{Vector2, Vector3};
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
 
 /// The values of a step that a run can go on with.
-pub const KEPT: [Kept; 3] = [Kept::FullStep, Kept::TwoHalfSteps, Kept::Extrapolated];
+pub const KEPT: [StepSolution; 3] = [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated];
 
 /// Two equations, their solution and how far to follow it from time 0.
 #[derive(Clone, Copy)]
@@ -68,7 +68,7 @@ pub fn largest_error(problem: &Problem, points: &Points) -> f64 {
 
 /// A run of a problem, with its printed points.
 #[track_caller]
-pub fn run(problem: &Problem, parameters: &Parameters) -> (Points, Outcome<2>) {
+pub fn run(problem: &Problem, parameters: &SolverParameters) -> (Points, Solution<2>) {
     let mut rate = problem.rate;
     let mut points = Vec::new();
     let end = integrate(&mut rate, (problem.exact)(0.0), parameters, |point| points.push((point.time, point.state)));

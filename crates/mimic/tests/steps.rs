@@ -1,7 +1,7 @@
 //! Does the step halve and double by the rule, is the right result kept, and what does a run cost?
 
 use crate::problems::{KEPT, LOGISTIC, Points, Problem, SMOOTH, SPRING, run};
-use geneva_mimic::{AtSmallestStep, Kept, Parameters, System, Work, integrate, runge_kutta_step};
+use geneva_mimic::{MinStepPolicy, SolverParameters, SolverStats, StepSolution, System, integrate, runge_kutta_step};
 use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
 
@@ -27,7 +27,7 @@ impl System<2> for Recorded {
     }
 }
 
-fn recorded(problem: Problem, parameters: &Parameters) -> (Recorded, Work) {
+fn recorded(problem: Problem, parameters: &SolverParameters) -> (Recorded, SolverStats) {
     let mut system = Recorded { problem, kept: Vec::new(), calls: 0 };
     let work = integrate(&mut system, (problem.exact)(0.0), parameters, |_| ()).expect("a smooth problem").work;
     (system, work)
@@ -44,13 +44,13 @@ fn both(problem: &Problem, from: f64, to: f64, state: &Vector2<f64>) -> (Vector2
 }
 
 /// Difference of the two over the tolerance, by the parameters' own words.
-fn excess(full: &Vector2<f64>, halves: &Vector2<f64>, parameters: &Parameters) -> f64 {
+fn excess(full: &Vector2<f64>, halves: &Vector2<f64>, parameters: &SolverParameters) -> f64 {
     let allowed = |size: f64| parameters.relative_tolerance * size.abs().max(parameters.absolute_floor);
     (0..2).map(|i| (full[i] - halves[i]).abs() / allowed(halves[i])).fold(0.0, f64::max)
 }
 
 /// The kept points and the number of refused steps, from the first step on.
-fn by_hand(problem: &Problem, parameters: &Parameters) -> (Points, u64) {
+fn by_hand(problem: &Problem, parameters: &SolverParameters) -> (Points, u64) {
     let (mut time, mut state, mut step) = (0.0, (problem.exact)(0.0), parameters.initial_step);
     let (mut kept, mut refused) = (vec![(time, state)], 0);
     let points = (parameters.run_length / parameters.print_interval).round() as u32;
@@ -69,7 +69,7 @@ fn by_hand(problem: &Problem, parameters: &Parameters) -> (Points, u64) {
             if !cut && 64.0 * excess <= 1.0 {
                 step = (2.0 * step).min(parameters.print_interval);
             }
-            (time, state) = (end, if parameters.kept == Kept::FullStep { full } else { halves });
+            (time, state) = (end, if parameters.kept == StepSolution::FullStep { full } else { halves });
             kept.push((time, state));
         }
     }
@@ -80,10 +80,10 @@ fn by_hand(problem: &Problem, parameters: &Parameters) -> (Points, u64) {
 fn a_run_is_its_rule_step_by_step_to_the_bit() {
     let (mut refused_in_all, mut doubled_in_all) = (0, 0);
     for problem in SMOOTH {
-        for kept in [Kept::FullStep, Kept::TwoHalfSteps] {
+        for kept in [StepSolution::FullStep, StepSolution::TwoHalfSteps] {
             for (relative_tolerance, parts) in [(5e-6, 1.0), (5e-6, 7.0), (1e-9, 10.0)] {
-                let whole = Parameters::new(problem.run_length / parts, problem.run_length);
-                let parameters = Parameters { kept, relative_tolerance, ..whole };
+                let whole = SolverParameters::new(problem.run_length / parts, problem.run_length);
+                let parameters = SolverParameters { kept, relative_tolerance, ..whole };
                 let (system, work) = recorded(problem, &parameters);
                 let (expected, refused) = by_hand(&problem, &parameters);
                 assert_eq!(work.rejected, refused, "{}", problem.name);
@@ -101,9 +101,10 @@ fn a_run_is_its_rule_step_by_step_to_the_bit() {
 fn a_step_is_refused_as_soon_as_it_is_above_the_tolerance() {
     for problem in SMOOTH {
         let (full, halves) = both(&problem, 0.0, 0.25, &(problem.exact)(0.0));
-        let limit = excess(&full, &halves, &Parameters { relative_tolerance: 1.0, ..Parameters::new(0.25, 0.25) });
+        let limit =
+            excess(&full, &halves, &SolverParameters { relative_tolerance: 1.0, ..SolverParameters::new(0.25, 0.25) });
         for (part, steps) in [(1.0 + 1e-12, 1), (1.0 - 1e-12, 2)] {
-            let parameters = Parameters { relative_tolerance: part * limit, ..Parameters::new(0.25, 0.25) };
+            let parameters = SolverParameters { relative_tolerance: part * limit, ..SolverParameters::new(0.25, 0.25) };
             let work = recorded(problem, &parameters).1;
             assert_eq!((work.accepted, work.rejected), (steps, steps - 1), "{}", problem.name);
         }
@@ -112,8 +113,8 @@ fn a_step_is_refused_as_soon_as_it_is_above_the_tolerance() {
 
 #[test]
 fn each_named_parameter_is_heeded() {
-    let steps = |change: fn(&mut Parameters)| {
-        let mut parameters = Parameters { relative_tolerance: 1e-8, ..Parameters::new(0.5, 4.0) };
+    let steps = |change: fn(&mut SolverParameters)| {
+        let mut parameters = SolverParameters { relative_tolerance: 1e-8, ..SolverParameters::new(0.5, 4.0) };
         change(&mut parameters);
         recorded(LOGISTIC, &parameters).0.kept
     };
@@ -124,7 +125,7 @@ fn each_named_parameter_is_heeded() {
     assert!(steps(|p| p.growth_below = 0.0).len() > usual.len());
     assert!(steps(|p| p.shrink_factor = 0.125).len() > usual.len());
     assert!(steps(|p| p.absolute_floor = 10.0).len() < usual.len());
-    assert_ne!(steps(|p| p.kept = Kept::Extrapolated).last(), usual.last());
+    assert_ne!(steps(|p| p.kept = StepSolution::Extrapolated).last(), usual.last());
     assert!(steps(|p| p.relative_tolerance = 1e-11).len() > 2 * usual.len());
 }
 
@@ -133,8 +134,8 @@ fn an_attempt_takes_ten_evaluations_and_a_kept_point_one() {
     for problem in SMOOTH {
         for points in [1.0, 10.0, 300.0] {
             for kept in KEPT {
-                let parameters = Parameters::new(problem.run_length / points, problem.run_length);
-                let (system, work) = recorded(problem, &Parameters { kept, ..parameters });
+                let parameters = SolverParameters::new(problem.run_length / points, problem.run_length);
+                let (system, work) = recorded(problem, &SolverParameters { kept, ..parameters });
                 assert_eq!(work.evaluations, system.calls, "{}: hidden work", problem.name);
                 assert_eq!(work.evaluations, 10 * (work.accepted + work.rejected) + work.accepted + 1);
                 assert_eq!((system.kept.len() as u64, work.forced), (work.accepted + 1, 0), "{}", problem.name);
@@ -146,11 +147,17 @@ fn an_attempt_takes_ten_evaluations_and_a_kept_point_one() {
 #[test]
 fn the_spring_takes_this_many_steps() {
     let table = [
-        (Parameters::new(0.5, 6.0), Work { accepted: 52, rejected: 4, forced: 0, evaluations: 613 }),
+        (SolverParameters::new(0.5, 6.0), SolverStats { accepted: 52, rejected: 4, forced: 0, evaluations: 613 }),
         // Each printed point takes a step.
-        (Parameters::new(0.005, 6.0), Work { accepted: 1200, rejected: 0, forced: 0, evaluations: 13_201 }),
+        (
+            SolverParameters::new(0.005, 6.0),
+            SolverStats { accepted: 1200, rejected: 0, forced: 0, evaluations: 13_201 },
+        ),
         // Steps kept against the tolerance are counted.
-        (Parameters::with_fixed_step(1.0, 1.0, 6.0), Work { accepted: 6, rejected: 0, forced: 6, evaluations: 67 }),
+        (
+            SolverParameters::with_fixed_step(1.0, 1.0, 6.0),
+            SolverStats { accepted: 6, rejected: 0, forced: 6, evaluations: 67 },
+        ),
     ];
     for (parameters, work) in table {
         assert_eq!(run(&SPRING, &parameters).1.work, work);
@@ -160,7 +167,7 @@ fn the_spring_takes_this_many_steps() {
 #[test]
 fn over_a_jump_that_no_step_can_hide_the_smallest_is_forced() {
     let mut jump = |time: f64, _: &Vector1<f64>| Vector1::new(if time < 0.3 { 0.0 } else { 1e6 });
-    let forced = Parameters { at_smallest_step: AtSmallestStep::Continue, ..Parameters::new(0.25, 1.0) };
+    let forced = SolverParameters { at_smallest_step: MinStepPolicy::Continue, ..SolverParameters::new(0.25, 1.0) };
     let end = integrate(&mut jump, Vector1::zeros(), &forced, |_| ()).unwrap();
     assert!((end.last.state[0] / 0.7e6 - 1.0).abs() < 1e-8);
     assert!(end.work.forced == 1 && end.work.rejected >= 29, "{:?}", end.work);

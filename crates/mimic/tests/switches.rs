@@ -1,7 +1,7 @@
 //! What is lost where the right-hand side jumps: the order falls to one, whichever value is kept.
 
 use crate::problems::KEPT;
-use geneva_mimic::{Kept, Outcome, Parameters, Work, integrate};
+use geneva_mimic::{Solution, SolverParameters, SolverStats, StepSolution, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::PI;
 
@@ -9,23 +9,23 @@ use std::f64::consts::PI;
 fn run<const D: usize>(
     mut rate: impl FnMut(f64, &SVector<f64, D>) -> SVector<f64, D>,
     start: SVector<f64, D>,
-    parameters: &Parameters,
-) -> Outcome<D> {
+    parameters: &SolverParameters,
+) -> Solution<D> {
     integrate(&mut rate, start, parameters, |_| ()).map_err(|error| error.to_string()).expect("no end")
 }
 
-fn fixed(kept: Kept, steps: f64, end: f64) -> Parameters {
-    Parameters { kept, ..Parameters::with_fixed_step(end / steps, end, end) }
+fn fixed(kept: StepSolution, steps: f64, end: f64) -> SolverParameters {
+    SolverParameters { kept, ..SolverParameters::with_fixed_step(end / steps, end, end) }
 }
 
 /// x' = 1 before x = `switch` and 2 after it, from 0. At time 1: 2 − `switch`.
-fn speed_up(switch: f64, parameters: &Parameters) -> (f64, Work) {
+fn speed_up(switch: f64, parameters: &SolverParameters) -> (f64, SolverStats) {
     let end = run(|_, x| Vector1::new(if x[0] < switch { 1.0 } else { 2.0 }), Vector1::zeros(), parameters);
     ((end.last.state[0] - (2.0 - switch)).abs(), end.work)
 }
 
 /// x'' = −sign x' on a level floor, from 0 with speed `speed` < 1. At time 1: at rest at speed² / 2.
-fn sliding_block(speed: f64, parameters: &Parameters) -> f64 {
+fn sliding_block(speed: f64, parameters: &SolverParameters) -> f64 {
     let friction = |speed: f64| if speed == 0.0 { 0.0 } else { -speed.signum() };
     let end = run(|_, state| Vector2::new(state[1], friction(state[1])), Vector2::new(0.0, speed), parameters);
     (end.last.state[0] - speed * speed / 2.0).abs()
@@ -35,7 +35,7 @@ fn sliding_block(speed: f64, parameters: &Parameters) -> f64 {
 const FRICTION: f64 = 0.0625;
 
 /// x'' = −x − [`FRICTION`] sign x', from 1 at rest. Each swing is a half cosine about a centre on its own side of zero.
-fn dry_swing(end: f64, parameters: &Parameters) -> f64 {
+fn dry_swing(end: f64, parameters: &SolverParameters) -> f64 {
     let friction = |speed: f64| if speed > 0.0 { -FRICTION } else { FRICTION };
     let run = run(|_, s| Vector2::new(s[1], -s[0] + friction(s[1])), Vector2::new(1.0, 0.0), parameters);
     let swing = (end / PI).floor();
@@ -85,7 +85,8 @@ fn a_switch_costs_a_third_of_a_step_times_the_jump_and_extrapolation_does_not_he
 fn the_tolerance_holds_at_a_switch_and_a_few_dozen_refusals_pay_for_it() {
     for tolerance in [1e-4, 5e-6, 1e-7] {
         for kept in KEPT {
-            let parameters = Parameters { kept, relative_tolerance: tolerance, ..Parameters::new(0.125, 1.0) };
+            let parameters =
+                SolverParameters { kept, relative_tolerance: tolerance, ..SolverParameters::new(0.125, 1.0) };
             let error = worst(|switch| speed_up(switch, &parameters).0, 0.3, 0.6);
             let refused = (0..100).map(|place| speed_up(0.3 + 0.003 * f64::from(place), &parameters).1.rejected).max();
             assert!(error < 1.5 * tolerance, "{kept:?} at {tolerance}: {error}");

@@ -2,7 +2,7 @@
 
 use divan::{Bencher, black_box};
 use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-use geneva_workshop::{Layout, Solid, dxf, stl};
+use geneva_workshop::{PartLayout, Solid, dxf, stl};
 
 const STATIONS: [u32; 4] = [3, 6, 12, 60];
 
@@ -18,7 +18,7 @@ fn sizes(stations: u32) -> Sizes {
 #[divan::bench(args = STATIONS)]
 fn drawing(bencher: Bencher, stations: u32) {
     let sizes = sizes(stations);
-    bencher.bench_local(|| dxf(black_box(&sizes), Layout::Apart));
+    bencher.bench_local(|| dxf(black_box(&sizes), PartLayout::Apart));
 }
 
 #[divan::bench(args = STATIONS)]

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// Arrangement of the parts on the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layout {
+pub enum PartLayout {
     /// In place, as they run: the wheel's axis at the origin, the driver's at (c, 0), in the middle of a dwell.
     Assembled,
     /// Side by side, to be cut out: wheel, locking disc, plate with the holes of its pins.
@@ -46,23 +46,23 @@ impl Layer {
 const SPACE: f64 = 1.0;
 
 /// All loops of the drawing in place, each with its layer.
-pub(crate) fn loops(sizes: &Sizes, layout: Layout) -> Vec<(Layer, Loop)> {
+pub(crate) fn loops(sizes: &Sizes, layout: PartLayout) -> Vec<(Layer, Loop)> {
     let outline = sizes.outline();
     let (wheel_turn, driver_turn) = match layout {
-        Layout::Assembled => (sizes.wheel.half_pitch_angle(), PI - PI / f64::from(sizes.wheel.pins())),
-        Layout::Apart => (0.0, 0.0),
+        PartLayout::Assembled => (sizes.wheel.half_pitch_angle(), PI - PI / f64::from(sizes.wheel.pins())),
+        PartLayout::Apart => (0.0, 0.0),
     };
     let space = SPACE * sizes.pin_diameter;
     let disc_radius = sizes.locking_disc.map_or(0.0, |disc| disc.radius);
     let (disc_at, plate_at) = match layout {
-        Layout::Assembled => (sizes.centre_distance, sizes.centre_distance),
-        Layout::Apart => {
+        PartLayout::Assembled => (sizes.centre_distance, sizes.centre_distance),
+        PartLayout::Apart => {
             let disc = sizes.tip_radius + space + disc_radius;
             (disc, disc + disc_radius + space + sizes.plate_radius)
         }
     };
     let mut loops = Vec::new();
-    let mut add = |layer, of: &Loop, turn, x| loops.push((layer, of.placed(turn, Vector2::new(x, 0.0))));
+    let mut add = |layer, of: &Loop, turn, x| loops.push((layer, of.transform(turn, Vector2::new(x, 0.0))));
     outline.wheel.loops().for_each(|of| add(Layer::Wheel, of, wheel_turn, 0.0));
     if let Some(disc) = &outline.disc {
         disc.loops().for_each(|of| add(Layer::LockingDisc, of, driver_turn, disc_at));

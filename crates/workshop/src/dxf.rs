@@ -4,13 +4,13 @@
 //! whose centres, radii and angles stand in the file as they are, not as the bulge of a polyline. Numbers are written
 //! with as many digits as give the same number back. The header says that lengths are millimetres.
 
-use crate::drawing::{Layer, Layout, loops};
+use crate::drawing::{Layer, PartLayout, loops};
 use geneva_kinematics::wheel::{Edge, Sizes};
 use std::f64::consts::PI;
 use std::fmt::{Display, Write};
 
 /// The drawing of both parts.
-pub fn dxf(sizes: &Sizes, layout: Layout) -> String {
+pub fn dxf(sizes: &Sizes, layout: PartLayout) -> String {
     let mut file = File(String::new());
     file.group(0, "SECTION").group(2, "HEADER");
     file.group(9, "$ACADVER").group(1, "AC1009");
@@ -183,9 +183,13 @@ mod tests {
                 if our_sweep.abs() >= 2.0 * PI {
                     return;
                 }
-                let ends = if our_sweep < 0.0 { [ours.to(), ours.from()] } else { [ours.from(), ours.to()] };
-                assert!((read.from() - ends[0]).norm() < 1e-12 * size, "{read:?} {ours:?}");
-                assert!((read.to() - ends[1]).norm() < 1e-12 * size, "{read:?} {ours:?}");
+                let ends = if our_sweep < 0.0 {
+                    [ours.end_point(), ours.start_point()]
+                } else {
+                    [ours.start_point(), ours.end_point()]
+                };
+                assert!((read.start_point() - ends[0]).norm() < 1e-12 * size, "{read:?} {ours:?}");
+                assert!((read.end_point() - ends[1]).norm() < 1e-12 * size, "{read:?} {ours:?}");
             }
             _ => panic!("{read:?} is read, {ours:?} was written"),
         }
@@ -195,7 +199,7 @@ mod tests {
     fn a_reader_of_the_format_finds_the_same_lines_and_arcs() {
         for (stations, pins) in [(3, 1), (4, 4), (6, 1), (6, 2), (12, 2), (60, 1)] {
             let sizes = sizes(stations, pins);
-            for layout in [Layout::Assembled, Layout::Apart] {
+            for layout in [PartLayout::Assembled, PartLayout::Apart] {
                 let sections = sections(&dxf(&sizes, layout));
                 let names: Vec<_> = sections.iter().map(|(name, _)| name.as_str()).collect();
                 assert_eq!(names, ["HEADER", "TABLES", "ENTITIES"]);
@@ -231,7 +235,7 @@ mod tests {
     fn parts_to_be_cut_out_lie_apart() {
         let sizes = sizes(6, 1);
         let right_of = |layer: Layer| {
-            let all = loops(&sizes, Layout::Apart);
+            let all = loops(&sizes, PartLayout::Apart);
             let points = all.iter().filter(|(of, _)| *of == layer).flat_map(|(_, of)| of.corners(0.01).unwrap());
             points.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.x), b.max(p.x)))
         };

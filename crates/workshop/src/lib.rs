@@ -12,7 +12,7 @@ mod mesh;
 mod scad;
 mod stl;
 
-pub use drawing::{Layer, Layout};
+pub use drawing::{Layer, PartLayout};
 pub use dxf::dxf;
 pub use mesh::{Mesh, Solid, driver_mesh, wheel_mesh};
 pub use scad::scad;

@@ -19,7 +19,7 @@ pub struct Solid {
 
 impl Solid {
     /// The solid, if its lengths are positive and finite.
-    pub(crate) fn checked(self) -> Result<Self, KinematicsError> {
+    pub(crate) fn validate(self) -> Result<Self, KinematicsError> {
         for (name, asked) in [("thickness", self.thickness), ("chord tolerance", self.tolerance)] {
             if !(asked > 0.0 && asked.is_finite()) {
                 return Err(KinematicsError::Length { name, asked });
@@ -43,7 +43,7 @@ impl Mesh {
     }
 
     /// The surface moved along the first axis, in millimetres.
-    pub(crate) fn moved(mut self, x: f64) -> Self {
+    pub(crate) fn translate(mut self, x: f64) -> Self {
         self.triangles.iter_mut().flatten().for_each(|corner| corner.x += x);
         self
     }
@@ -132,7 +132,7 @@ fn flip_slivers(corners: &[[f64; 2]], triangles: &mut [[u32; 3]]) {
 ///
 /// [`KinematicsError::Length`] for a thickness or a tolerance that is not positive and finite.
 pub fn wheel_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
-    let Solid { thickness, tolerance } = solid.checked()?;
+    let Solid { thickness, tolerance } = solid.validate()?;
     let loops = corners(&sizes.outline().wheel, tolerance)?;
     let mut mesh = Mesh::default();
     let all: Vec<_> = loops.iter().collect();
@@ -151,7 +151,7 @@ pub fn wheel_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> 
 ///
 /// As for [`wheel_mesh`].
 pub fn driver_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
-    let Solid { thickness, tolerance } = solid.checked()?;
+    let Solid { thickness, tolerance } = solid.validate()?;
     let Outline { disc, plate, pins, .. } = sizes.outline();
     let (middle, top) = (thickness, 2.0 * thickness + sizes.play.slot);
     let plate = corners(&plate, tolerance)?;

@@ -19,7 +19,7 @@ use crate::mesh::Solid;
 ///
 /// [`KinematicsError::Length`] for a thickness or a tolerance that is not positive and finite.
 pub fn scad(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
-    let Solid { thickness, tolerance } = solid.checked()?;
+    let Solid { thickness, tolerance } = solid.validate()?;
     let (disc, cut) = sizes
         .locking_disc
         .map_or((0.0, [0.0, 0.0]), |disc| (disc.radius, [disc.crescent.centre, disc.crescent.radius]));

@@ -17,7 +17,7 @@ pub fn stl(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
     let beside = sizes.tip_radius + sizes.pin_diameter + sizes.plate_radius;
     let mut text = String::new();
     write(&mut text, "wheel", &wheel_mesh(sizes, solid)?);
-    write(&mut text, "driver", &driver_mesh(sizes, solid)?.moved(beside));
+    write(&mut text, "driver", &driver_mesh(sizes, solid)?.translate(beside));
     Ok(text)
 }
 

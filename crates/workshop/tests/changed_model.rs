@@ -197,8 +197,8 @@ const WHEELS: [(u32, u32); 7] = [(3, 1), (4, 1), (4, 4), (5, 2), (6, 1), (8, 2),
 
 #[test]
 fn a_model_that_is_not_changed_runs_and_refuses_nothing() {
-    let loose = Choices { play: Some(Play::of(0.4)), ..Choices::default() };
-    let tight = Choices { play: Some(Play::of(0.0)), ..Choices::default() };
+    let loose = Choices { play: Some(Play::from_slot(0.4)), ..Choices::default() };
+    let tight = Choices { play: Some(Play::from_slot(0.0)), ..Choices::default() };
     for (stations, pins) in WHEELS {
         for choices in [&Choices::default(), &loose, &tight] {
             let (names, refused) = read(&model(stations, pins, choices), &[]);

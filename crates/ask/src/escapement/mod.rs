@@ -12,7 +12,7 @@ pub use timer::rates;
 use crate::Error;
 use crate::written::{as_typed, rounded_up};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState, TOLERANCE};
-use geneva_dynamics::{Error as Motion, Inertias, Parameters};
+use geneva_dynamics::{DynamicsError as Motion, Inertias, Parameters};
 use geneva_figures::Figure;
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;

@@ -3,8 +3,8 @@
 use super::{Design, SETTLED};
 use crate::written::{as_typed, rounded};
 use crate::{Error, Row};
-use geneva_dynamics::Error as Motion;
-use geneva_dynamics::steady::{Engagement, MOST_PRINTED, Printed};
+use geneva_dynamics::DynamicsError as Motion;
+use geneva_dynamics::steady::{Engagement, MOST_PRINTED, PrintedLine};
 
 /// Periods that follow the rise.
 const PERIODS: f64 = 3.0;
@@ -17,7 +17,7 @@ const LINES: f64 = 100.0;
 const MOST_LINES: f64 = 20_000.0;
 
 /// One line.
-fn row(printed: &Printed) -> Row {
+fn row(printed: &PrintedLine) -> Row {
     Row(vec![
         ("time", rounded(printed.time).into()),
         ("engagement", printed.engagement.into()),

@@ -7,8 +7,8 @@ use super::{Design, Question, unsteady};
 use crate::{Error, Field, Rounding};
 use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::joints::{self, Joints};
-use geneva_dynamics::timer::{self, Accelerations, Crossing, EntryBlow, Sensitivities, Settling, Strongest};
-use geneva_dynamics::{Error as Motion, Parameters};
+use geneva_dynamics::timer::{self, Accelerations, Crossing, EntryBlow, Sensitivities, Settling, SignedPeak};
+use geneva_dynamics::{DynamicsError as Motion, Parameters};
 
 /// Seconds and hours of a day.
 const DAY: f64 = 86_400.0;
@@ -84,8 +84,8 @@ impl Design {
     fn strongest(&self) -> Result<Vec<Field>, Error> {
         let found = Accelerations::new(&self.parameters).map_err(|error| unsteady(&self.question, error))?;
         let acceleration =
-            |key, of: Strongest, name| Field::new(key, of.value).line(name, "greatest angular acceleration by size");
-        let angle = |key, of: Strongest| Field::in_unit(key, of.angle.to_degrees(), "°");
+            |key, of: SignedPeak, name| Field::new(key, of.value).line(name, "greatest angular acceleration by size");
+        let angle = |key, of: SignedPeak| Field::in_unit(key, of.angle.to_degrees(), "°");
         let moment = found.normal_moment.value;
         let torque_n_m = self.question.units.map(|units| units.torque_n_m());
         let newtons = torque_n_m.zip(self.question.further.crank_radius);

@@ -117,8 +117,8 @@ impl Design {
     pub fn new(question: &Question) -> Result<Self, Error> {
         let linkage = QuickReturn::new(question.ground, question.crank).map_err(|error| impossible(question, error))?;
         let position = match question.place {
-            Place::Lever(lever, branch) => linkage.at_lever_degrees(lever, branch),
-            Place::Crank(crank) => linkage.at_crank_degrees(crank),
+            Place::Lever(lever, branch) => linkage.position_at_lever_degrees(lever, branch),
+            Place::Crank(crank) => linkage.position_at_crank_degrees(crank),
         };
         let position = position.map_err(|error| impossible(question, error))?;
         if position.pin_distance >= NEAREST * linkage.crank() {

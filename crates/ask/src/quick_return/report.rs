@@ -5,7 +5,7 @@ use super::instant::{Instant, NOT_TOLD, Stroke};
 use super::vector::Vector;
 use crate::written::as_typed;
 use crate::{Answer, Error, Field};
-use geneva_kinematics::quick_return::{Branch, Motion, Position, Strokes};
+use geneva_kinematics::quick_return::{Branch, LeverMotion, Position, Strokes};
 
 /// What the numbers are measured from, and what adds up.
 const INTRODUCTION: &str = "\
@@ -53,7 +53,8 @@ impl Design {
     pub fn answer(&self) -> Result<Answer, Error> {
         let Self { linkage, position, drive, rpm } = self;
         let beyond = || refused!("{BEYOND}");
-        let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
+        let motion =
+            LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
         let seen = Seen {
             instant: Instant::of(linkage, position),
             rpm: *rpm,
@@ -92,7 +93,7 @@ impl Design {
 }
 
 /// Angular velocity and angular acceleration of the lever, counter-clockwise positive.
-pub fn lever_motion(motion: &Motion<f64>) -> [Field; 2] {
+pub fn lever_motion(motion: &LeverMotion<f64>) -> [Field; 2] {
     let (speed, acceleration) = (motion.velocities.follower_speed, motion.accelerations.follower_acceleration);
     [
         Field::in_unit("lever_speed_rad_s", unsigned_zero(speed), "rad/s"),
@@ -121,7 +122,7 @@ impl Seen {
     }
 
     /// Velocities and accelerations.
-    fn motion(&self, motion: &Motion<f64>) -> (Vec<Field>, Vec<Field>) {
+    fn motion(&self, motion: &LeverMotion<f64>) -> (Vec<Field>, Vec<Field>) {
         let (instant, [lever_speed, lever_acceleration]) = (&self.instant, lever_motion(motion));
         let (velocities, terms) = (&motion.velocities, &motion.accelerations);
         let [pin, lever, sliding] =

@@ -11,7 +11,8 @@ use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, Nearest, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError, Warning, Wheel,
+    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError,
+    Warning, Wheel,
 };
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -34,7 +35,7 @@ pub struct Design {
     /// The pin on the wall of its slot, if thickness and materials are given.
     pub contact: Option<LineContact>,
     /// What takes long to find, once it has been asked for.
-    clearance: OnceLock<Option<(Nearest, f64)>>,
+    clearance: OnceLock<Option<(ClosestApproach, f64)>>,
     centre_tolerance: OnceLock<Option<CentreTolerance>>,
 }
 
@@ -151,7 +152,7 @@ impl Design {
     /// # Errors
     ///
     /// A distance of the axes at which the parts can't work together.
-    pub fn clearance(&self) -> Result<Option<(Nearest, f64)>, Error> {
+    pub fn clearance(&self) -> Result<Option<(ClosestApproach, f64)>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(None) };
         let centres = sizes.centre_distance + self.question.centre_error;
         let find = || in_time(sizes.least_clearance_within(centres, self.question.effort.clearance));
@@ -228,7 +229,7 @@ fn scale(question: &Question) -> Option<Scale> {
 fn sizes(wheel: Wheel, scale: Scale, question: &Question) -> Result<Sizes, SizesError> {
     let choices = Choices {
         pin_diameter: question.pin_diameter,
-        play: question.play.map(Play::of),
+        play: question.play.map(Play::from_slot),
         bottom_clearance: question.bottom_clearance,
         horn_thickness: question.horn,
         wheel_shaft: question.wheel_shaft,

@@ -5,7 +5,7 @@ use super::kind::Kind;
 use crate::Error;
 use crate::written::as_typed;
 use geneva_kinematics::wheel::{Edge, Face, Sizes};
-use geneva_workshop::{Layout, Solid, dxf, scad, stl};
+use geneva_workshop::{PartLayout, Solid, dxf, scad, stl};
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
 const OF_PLAY: f64 = 0.1;
@@ -22,7 +22,7 @@ impl Design {
     ///
     /// A wheel that isn't external, or has no size.
     pub fn dxf(&self) -> Result<String, Error> {
-        Ok(dxf(self.parts("dxf")?, Layout::Apart))
+        Ok(dxf(self.parts("dxf")?, PartLayout::Apart))
     }
 
     /// A moving model for OpenSCAD, in millimetres.

@@ -6,7 +6,7 @@ use super::report::too_large;
 use crate::written::{as_typed, rounded_down};
 use crate::{Error, Field, Item, Row};
 use geneva_dynamics::wheel_loads::Load;
-use geneva_kinematics::indexing::{Motion, Phase, PinInSlot};
+use geneva_kinematics::indexing::{Phase, PinInSlot, WheelMotion};
 
 /// Degrees of half a turn.
 const HALF_TURN: i32 = 180;
@@ -18,7 +18,7 @@ const MOST_INSTANTS: usize = 10_000;
 struct Instant {
     /// Crank angle in degrees.
     degrees: f64,
-    motion: Motion,
+    motion: WheelMotion,
     /// None in the dwell, as of the load.
     pin: Option<PinInSlot>,
     load: Option<Load>,
@@ -30,7 +30,7 @@ impl Instant {
         let wheel = design.wheel.indexing();
         let turns = libm::round(degrees / 360.0);
         let crank = (degrees - 360.0 * turns).to_radians();
-        let motion = wheel.at(turns as i64, crank)?;
+        let motion = wheel.motion(turns as i64, crank)?;
         let from_pin = wheel.nearest_pin(crank).1;
         let is_engaged = motion.phase == Phase::Advance;
         let loads = design.loads(wheel)?.filter(|_| is_engaged);
@@ -38,7 +38,7 @@ impl Instant {
             degrees,
             motion,
             pin: is_engaged.then(|| wheel.pin_in_slot(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
-            load: loads.map(|loads| loads.at(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
+            load: loads.map(|loads| loads.load(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
         })
     }
 

@@ -14,7 +14,7 @@ pub fn fields(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<F
         Some(loads) => [loads.wheel_torque(), loads.pin_moment(), loads.crank_torque()].map(Some),
         None => [None; 3],
     };
-    let at_entry = loads.as_ref().map(|loads| loads.at(-wheel.engagement_half_angle())).transpose()?;
+    let at_entry = loads.as_ref().map(|loads| loads.load(-wheel.engagement_half_angle())).transpose()?;
     let force = |peak: Peak| design.force(peak.value);
     let driving = |peaks: Option<Peaks>| peaks.map(|peaks| peaks.driving);
     let braking = |peaks: Option<Peaks>| peaks.and_then(|peaks| peaks.braking);

@@ -3,15 +3,15 @@
 use super::design::Design;
 use crate::written::degrees as degrees_told;
 use crate::{Error, Field, Rounding, Value};
-use geneva_kinematics::wheel::{Contact, Knock, Nearest, SharedTolerance, Sizes, Warning};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Knock, SharedTolerance, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
-fn nearest_words(design: &Design, nearest: &Nearest) -> String {
+fn nearest_words(design: &Design, nearest: &ClosestApproach) -> String {
     let parts = match nearest.contact {
-        Contact::PinInSlot => "pin and slot",
-        Contact::PinOutside => "pin and wheel, while it is in no slot",
-        Contact::LockingDisc => "locking disc and locking arc",
-        Contact::Crescent => "locking disc and wheel, while it turns",
+        ContactPair::PinInSlot => "pin and slot",
+        ContactPair::PinOutside => "pin and wheel, while it is in no slot",
+        ContactPair::LockingDisc => "locking disc and locking arc",
+        ContactPair::Crescent => "locking disc and wheel, while it turns",
     };
     let place = design.wheel.kind().place(nearest.crank_angle.to_degrees(), &degrees_told(nearest.crank_angle));
     format!("over a whole turn: {parts}, {place}")

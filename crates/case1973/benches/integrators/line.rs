@@ -6,7 +6,7 @@ pub const COLUMNS: &str =
 
 /// One line of the record; what a contestant does not have is left empty.
 #[derive(Default)]
-pub struct Line {
+pub struct RecordLine {
     pub contestant: String,
     pub tolerance: f64,
     pub runs: Option<usize>,
@@ -18,7 +18,7 @@ pub struct Line {
     pub processor_milliseconds: Option<f64>,
 }
 
-impl Line {
+impl RecordLine {
     /// The fields, in the order of the columns.
     pub fn fields(&self) -> [String; 9] {
         fn some<T: ToString>(value: Option<T>) -> String {

@@ -18,10 +18,10 @@ mod record;
 mod rows;
 mod time_domain;
 
-use line::Line;
+use line::RecordLine;
 use map::Taken;
-use options::Options;
-use race::{Contestant, Outcome};
+use options::BenchOptions;
+use race::{Contestant, RaceScore};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -42,7 +42,7 @@ struct Asked {
 
 impl Asked {
     fn new(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
-        let options = Options::read(arguments)?;
+        let options = BenchOptions::read(arguments)?;
         // As a test it only shows that it works.
         let usual = if options.is_bench {
             Self { rounds: 7, rows: usize::MAX, sides: &[128, 256, 512], record: None }
@@ -87,7 +87,7 @@ fn main() -> ExitCode {
 fn run(asked: &Asked) -> Result<(), String> {
     let rows = race::rows(asked.rows).map_err(|error| error.to_string())?;
     let contestants = contestants();
-    let mut best: Vec<Option<Outcome>> = vec![None; contestants.len()];
+    let mut best: Vec<Option<RaceScore>> = vec![None; contestants.len()];
     let maps: Vec<_> =
         MAP.0.iter().flat_map(|tolerance| asked.sides.iter().map(move |side| (*side, *tolerance))).collect();
     let mut best_maps: Vec<Option<Taken>> = vec![None; maps.len()];
@@ -114,26 +114,26 @@ fn run(asked: &Asked) -> Result<(), String> {
     let mut lines = Vec::new();
     for (contestant, best) in contestants.iter().zip(&best) {
         let Some(best) = best else { continue };
-        lines.push(Line {
+        lines.push(RecordLine {
             contestant: contestant.name.to_owned(),
             tolerance: contestant.tolerance,
             runs: Some(best.runs),
             evaluations: best.evaluations,
             milliseconds: best.time.as_secs_f64() * 1e3,
             true_error: (best.runs > 0).then_some(best.error),
-            ..Line::default()
+            ..RecordLine::default()
         });
     }
     for ((_, tolerance), taken) in maps.iter().zip(&best_maps) {
         let Some(taken) = taken else { continue };
-        lines.push(Line {
+        lines.push(RecordLine {
             contestant: "map".to_owned(),
             tolerance: *tolerance,
             milliseconds: taken.time.as_secs_f64() * 1e3,
             points: Some(taken.points),
             threads: Some(MAP.1),
             processor_milliseconds: taken.processor.map(|time| time.as_secs_f64() * 1e3),
-            ..Line::default()
+            ..RecordLine::default()
         });
     }
     lines.sort_by(|one, other| one.contestant.cmp(&other.contestant));
@@ -151,7 +151,7 @@ fn run(asked: &Asked) -> Result<(), String> {
     Ok(())
 }
 
-fn print(lines: &[Line]) {
+fn print(lines: &[RecordLine]) {
     let all: Vec<_> = std::iter::once(line::COLUMNS.split(',').map(str::to_owned).collect())
         .chain(lines.iter().map(|line| line.fields().to_vec()))
         .collect();

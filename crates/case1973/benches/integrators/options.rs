@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 /// The options.
 #[derive(Default)]
-pub struct Options {
+pub struct BenchOptions {
     /// Whether it is run as a bench. As a test it only shows that it works.
     pub is_bench: bool,
     /// How many turns, if that is said.
@@ -13,7 +13,7 @@ pub struct Options {
     pub record: Option<PathBuf>,
 }
 
-impl Options {
+impl BenchOptions {
     /// Reads the arguments behind the program's name.
     pub fn read(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
         let mut options = Self::default();

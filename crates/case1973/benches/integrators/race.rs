@@ -2,7 +2,7 @@
 
 use crate::rows::escapements;
 use geneva_dynamics::steady::{Engagement, SteadyState};
-use geneva_dynamics::{Error, Parameters};
+use geneva_dynamics::{DynamicsError, Parameters};
 use std::time::{Duration, Instant};
 
 /// A run lasts so many periods of the steady state: about ten engagements, as the first ones are slower.
@@ -16,7 +16,7 @@ pub const TIMES: usize = 64;
 pub const REFERENCE: f64 = 1e-13;
 
 /// One escapement and the truth about it.
-pub struct Row {
+pub struct ReferenceRun {
     pub escapement: Parameters,
     /// Time from one line to the next.
     pub interval: f64,
@@ -26,8 +26,8 @@ pub struct Row {
     pub speeds: Vec<f64>,
 }
 
-impl Row {
-    fn new(escapement: Parameters) -> Result<Self, Error> {
+impl ReferenceRun {
+    fn new(escapement: Parameters) -> Result<Self, DynamicsError> {
         let engagement = Engagement::with_tolerance(&escapement, REFERENCE)?;
         let steady = engagement.steady_state()?;
         let duration = PERIODS * steady.period;
@@ -39,12 +39,12 @@ impl Row {
 }
 
 /// All rows.
-pub fn rows(count: usize) -> Result<Vec<Row>, Error> {
-    escapements().into_iter().take(count).map(Row::new).collect()
+pub fn rows(count: usize) -> Result<Vec<ReferenceRun>, DynamicsError> {
+    escapements().into_iter().take(count).map(ReferenceRun::new).collect()
 }
 
 /// What one contestant finds for one row: numbers to be held against the truth, and what they cost.
-pub struct Answer {
+pub struct SolverAnswer {
     pub numbers: Vec<f64>,
     /// Evaluations of a right-hand side; none if the method has none.
     pub evaluations: Option<u64>,
@@ -54,13 +54,13 @@ pub struct Answer {
 pub struct Contestant {
     pub name: &'static str,
     pub tolerance: f64,
-    pub solve: fn(&Row, f64) -> Option<Answer>,
-    pub truth: fn(&Row) -> Vec<f64>,
+    pub solve: fn(&ReferenceRun, f64) -> Option<SolverAnswer>,
+    pub truth: fn(&ReferenceRun) -> Vec<f64>,
 }
 
 /// How a contestant did.
 #[derive(Clone, Copy)]
-pub struct Outcome {
+pub struct RaceScore {
     /// Rows that it finished.
     pub runs: usize,
     pub evaluations: Option<u64>,
@@ -71,11 +71,11 @@ pub struct Outcome {
 
 impl Contestant {
     /// Solves all rows, one after the other; the comparison with the truth is not timed.
-    pub fn race(&self, rows: &[Row]) -> Outcome {
+    pub fn race(&self, rows: &[ReferenceRun]) -> RaceScore {
         let start = Instant::now();
         let answers: Vec<_> = rows.iter().map(|row| (self.solve)(row, self.tolerance)).collect();
         let time = start.elapsed();
-        let mut all = Outcome { runs: 0, evaluations: None, error: 0.0, time };
+        let mut all = RaceScore { runs: 0, evaluations: None, error: 0.0, time };
         for (row, answer) in rows.iter().zip(&answers) {
             let truth = (self.truth)(row);
             let Some(answer) = answer.as_ref().filter(|answer| answer.numbers.len() == truth.len()) else { continue };
@@ -90,12 +90,12 @@ impl Contestant {
 }
 
 /// The truth about a run: the speed at the times.
-pub fn speeds(row: &Row) -> Vec<f64> {
+pub fn speeds(row: &ReferenceRun) -> Vec<f64> {
     row.speeds.clone()
 }
 
 /// The truth about a steady state.
-pub fn steady(row: &Row) -> Vec<f64> {
+pub fn steady(row: &ReferenceRun) -> Vec<f64> {
     numbers(&row.steady)
 }
 
@@ -105,6 +105,6 @@ pub fn numbers(steady: &SteadyState) -> Vec<f64> {
 }
 
 /// The truth about a steady state without its extremes.
-pub fn terminal(row: &Row) -> Vec<f64> {
+pub fn terminal(row: &ReferenceRun) -> Vec<f64> {
     vec![row.steady.entry_speed, row.steady.period]
 }

@@ -2,7 +2,7 @@
 //!
 //! Both systems are autonomous: the library's method of order eight is not right for a right-hand side with the time.
 
-use crate::race::{Answer, Row, TIMES};
+use crate::race::{ReferenceRun, SolverAnswer, TIMES};
 use geneva_dynamics::{Parameters, Sign};
 use nalgebra::Vector2;
 use ode_solvers::dop_shared::OutputType;
@@ -47,17 +47,17 @@ macro_rules! naive {
         let mut solver = $solver::new(system, 0.0, end, interval, Vector2::zeros(), $tolerance, $tolerance);
         let stats = solver.integrate().ok()?;
         let numbers = solver.y_out().iter().skip(1).take(TIMES).map(|state| state[1]).collect();
-        Some(Answer { numbers, evaluations: Some(u64::from(stats.num_eval)) })
+        Some(SolverAnswer { numbers, evaluations: Some(u64::from(stats.num_eval)) })
     }};
 }
 
 /// Order five, one integration over the whole run.
-pub fn dopri5(row: &Row, tolerance: f64) -> Option<Answer> {
+pub fn dopri5(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     naive!(Dopri5, row, tolerance)
 }
 
 /// Order eight, one integration over the whole run.
-pub fn dop853(row: &Row, tolerance: f64) -> Option<Answer> {
+pub fn dop853(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     naive!(Dop853, row, tolerance)
 }
 
@@ -77,20 +77,20 @@ macro_rules! go {
 }
 
 /// Order five, from switch to switch.
-pub fn dopri5_located(row: &Row, tolerance: f64) -> Option<Answer> {
+pub fn dopri5_located(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     located(row, tolerance, go!(Dopri5))
 }
 
 /// Order eight, from switch to switch.
-pub fn dop853_located(row: &Row, tolerance: f64) -> Option<Answer> {
+pub fn dop853_located(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     located(row, tolerance, go!(Dop853))
 }
 
 /// A run from line to line, which stops where the sign changes and where the next pin takes over.
-fn located(row: &Row, tolerance: f64, go: Go) -> Option<Answer> {
+fn located(row: &ReferenceRun, tolerance: f64, go: Go) -> Option<SolverAnswer> {
     let escapement = &row.escapement;
     let half = escapement.mechanism().engagement_half_angle();
-    let mut answer = Answer { numbers: Vec::with_capacity(TIMES), evaluations: Some(0) };
+    let mut answer = SolverAnswer { numbers: Vec::with_capacity(TIMES), evaluations: Some(0) };
     let (mut state, mut leg, mut since) = (Vector2::new(-half, 0.0), 0, 0.0);
     let mut evaluations = 0;
     while answer.numbers.len() < TIMES {

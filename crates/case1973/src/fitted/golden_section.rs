@@ -22,7 +22,7 @@ const GREATEST_RATIO: f64 = 10.0;
 /// The torque with which a row's minimum and period are reproduced best, in in lb.
 pub fn torque(row: &Row) -> Option<f64> {
     let [driver, follower] = RUNS.inertias(row);
-    let steady = Steady::of(row.mechanism, row.friction(), driver / follower, RUNS.angle(row))?;
+    let steady = SteadyResults::new(row.mechanism, row.friction(), driver / follower, RUNS.angle(row))?;
     Some(least(TORQUES, |torque| steady.misfit(row, BUT_FOR_THE_PEAK, torque / follower)))
 }
 
@@ -33,7 +33,7 @@ pub fn friction(row: &Row) -> Option<f64> {
     let [driver, follower] = RUNS.inertias(row);
     let greatest = critical_friction(row.mechanism, driver / follower).ok()?.friction;
     Some(least_between([0.0, greatest], |friction| {
-        let steady = Steady::of(row.mechanism, friction, driver / follower, RUNS.angle(row));
+        let steady = SteadyResults::new(row.mechanism, friction, driver / follower, RUNS.angle(row));
         steady.map_or(f64::INFINITY, |steady| steady.misfit(row, BUT_FOR_THE_PEAK, row.torque() / follower))
     }))
 }
@@ -44,10 +44,10 @@ pub fn friction(row: &Row) -> Option<f64> {
 /// The driver's angle is reset after `reset` radians, and all frictions are `friction` times the printed ones.
 pub fn inertias(table: &[Row], reset: f64, friction: f64) -> Option<[f64; 2]> {
     let ratio = least(ratios(table, friction)?, |ratio| {
-        let motions = Motions::of(table, reset, friction, ratio);
+        let motions = Motions::new(table, reset, friction, ratio);
         motions.map_or(f64::INFINITY, |motions| motions.misfit(motions.best_follower()))
     });
-    let follower = Motions::of(table, reset, friction, ratio)?.best_follower();
+    let follower = Motions::new(table, reset, friction, ratio)?.best_follower();
     Some([ratio * follower, follower])
 }
 
@@ -59,20 +59,20 @@ pub fn ratios(table: &[Row], friction: f64) -> Option<[f64; 2]> {
 }
 
 /// The steady motions of a table, one for each friction.
-pub struct Motions<'a>(Vec<(&'a [Row], Steady)>);
+pub struct Motions<'a>(Vec<(&'a [Row], SteadyResults)>);
 
 impl<'a> Motions<'a> {
     /// The motions with a ratio of the inertias, all frictions so many times the printed ones.
-    pub fn of(table: &'a [Row], reset: f64, friction: f64, ratio: f64) -> Option<Self> {
+    pub fn new(table: &'a [Row], reset: f64, friction: f64, ratio: f64) -> Option<Self> {
         let of = |own: &'a [Row]| {
             let row = own.first()?;
-            Some((own, Steady::of(row.mechanism, friction * row.friction(), ratio, reset)?))
+            Some((own, SteadyResults::new(row.mechanism, friction * row.friction(), ratio, reset)?))
         };
         series(table).map(of).collect::<Option<_>>().map(Self)
     }
 
     /// Each row with its motion, and its torque over the follower's inertia.
-    fn rows(&self, follower: f64) -> impl Iterator<Item = (&'a Row, &Steady, f64)> {
+    fn rows(&self, follower: f64) -> impl Iterator<Item = (&'a Row, &SteadyResults, f64)> {
         self.0.iter().flat_map(move |(own, steady)| own.iter().map(move |row| (row, steady, row.torque() / follower)))
     }
 
@@ -93,21 +93,21 @@ impl<'a> Motions<'a> {
     }
 
     /// The square roots of the follower's inertia between which each result is within a unit of the printed one.
-    pub fn near(&self) -> Vec<[f64; 2]> {
+    pub fn root_ranges(&self) -> Vec<[f64; 2]> {
         let each = self.rows(1.0).flat_map(|of| EXPLAINED.map(move |column| (of, column)));
-        each.map(|((row, steady, torque), column)| steady.near(row, column, torque.sqrt())).collect()
+        each.map(|((row, steady, torque), column)| steady.root_range(row, column, torque.sqrt())).collect()
     }
 }
 
 /// Peak, minimum and period of a steady motion with a torque and a follower of one.
-struct Steady {
+struct SteadyResults {
     peak: f64,
     minimum: f64,
     period: f64,
 }
 
-impl Steady {
-    fn of(mechanism: Mechanism, friction: f64, ratio: f64, reset: f64) -> Option<Self> {
+impl SteadyResults {
+    fn new(mechanism: Mechanism, friction: f64, ratio: f64, reset: f64) -> Option<Self> {
         let unit = Parameters::new(mechanism, Inertias::new(ratio, 1.0).ok()?, 1.0, friction).ok()?;
         let steady = Engagement::reset_after(&unit, reset, TOLERANCE).ok()?.steady_state().ok()?;
         Some(Self { peak: steady.peak.speed, minimum: steady.minimum.speed, period: steady.period })
@@ -135,7 +135,7 @@ impl Steady {
 
     /// The square roots of the follower's inertia between which a result is within a unit of the printed one; `root` is
     /// the square root of the torque.
-    fn near(&self, row: &Row, column: Column, root: f64) -> [f64; 2] {
+    fn root_range(&self, row: &Row, column: Column, root: f64) -> [f64; 2] {
         let [low, high] = [-1.0, 1.0].map(|side| row.number(column) + side * column.unit());
         match column {
             Column::Peak => [self.peak * root / high, self.peak * root / low],

@@ -11,13 +11,13 @@
 //! looked for over all that can be, by golden section over the solution by integrals. The steady motion has the inertias
 //! of Fig. 11 for six pins and is reset after 90°, as the program has it.
 //!
-//! [`Freed`] asks the opposite: what the right reset angle could explain, whatever the inertias were.
+//! [`InertiaFit`] asks the opposite: what the right reset angle could explain, whatever the inertias were.
 
-mod freed;
 mod golden_section;
+mod inertia_fit;
 
-pub use freed::{Freed, RATIOS, most_within_one};
 pub use golden_section::{Motions, friction, inertias, ratios, torque};
+pub use inertia_fit::{InertiaFit, RATIOS, most_within_one};
 
 use crate::Column;
 

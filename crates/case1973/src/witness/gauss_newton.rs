@@ -20,7 +20,7 @@ const OF_A_ROW: u32 = 1000;
 const OF_A_TABLE: u32 = 1500;
 
 /// A number found, and how far it can be off.
-pub struct Found {
+pub struct Estimate {
     /// The number that was sought, in its own unit.
     pub value: f64,
     /// By how much the number changes if each result was misread at random by a unit of its last place.
@@ -30,14 +30,14 @@ pub struct Found {
 }
 
 /// The torque with which a row's minimum and period are reproduced best, in in lb.
-pub fn torque(row: &Row) -> Option<Found> {
+pub fn torque(row: &Row) -> Option<Estimate> {
     let [driver, follower] = RUNS.inertias(row);
     let motion = motion(row.mechanism, row.friction(), driver / follower, RUNS.angle(row), OF_A_ROW)?;
     best(FIRST_TORQUE, |torque| Some(misfits(row, &motion, &SMOOTH, torque / follower)))
 }
 
 /// The friction with which a row's minimum and period are reproduced best.
-pub fn friction(row: &Row) -> Option<Found> {
+pub fn friction(row: &Row) -> Option<Estimate> {
     let [driver, follower] = RUNS.inertias(row);
     best(FIRST_FRICTION, |friction| {
         let motion = motion(row.mechanism, friction, driver / follower, RUNS.angle(row), OF_A_ROW)?;
@@ -59,7 +59,7 @@ pub fn inertias(table: &[Row], reset: f64) -> Option<([f64; 2], Vec<f64>)> {
         })
     };
     let ratio = best(FIRST_RATIO, |ratio| Some(with(ratio)?.misfits))?.value;
-    let Found { value: follower, misfits, .. } = with(ratio)?;
+    let Estimate { value: follower, misfits, .. } = with(ratio)?;
     Some(([ratio * follower, follower], misfits))
 }
 
@@ -127,7 +127,7 @@ fn misfits(row: &Row, motion: &impl Fn(Column, f64) -> f64, results: &[Column], 
 }
 
 /// The positive number with which the sum of the squares of misfits is least, sought over its logarithm.
-fn best(first: f64, misfits: impl Fn(f64) -> Option<Vec<f64>>) -> Option<Found> {
+fn best(first: f64, misfits: impl Fn(f64) -> Option<Vec<f64>>) -> Option<Estimate> {
     let (mut logarithm, mut step) = (libm::log(first), FIRST_STEP);
     let mut old = misfits(first)?;
     for _ in 0..MOST_TRIALS {
@@ -143,7 +143,7 @@ fn best(first: f64, misfits: impl Fn(f64) -> Option<Vec<f64>>) -> Option<Found> 
         if next.abs() <= PRECISION {
             let value = libm::exp(logarithm);
             let reach = value / square.sqrt();
-            return Some(Found { value, reach, misfits: new });
+            return Some(Estimate { value, reach, misfits: new });
         }
         step = next.clamp(-LONGEST_STEP, LONGEST_STEP);
         old = new;

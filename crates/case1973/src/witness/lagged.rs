@@ -3,7 +3,7 @@
 //! Forces and accelerations are vectors, lengths are in crank radii. Steps are equal; a step is cut short where the pin
 //! changes over to the other flank in the program's belief, and where the driver's angle is reset.
 
-use crate::program::Program;
+use crate::program::Program1973;
 use crate::{Hypothesis, Row, Run};
 use nalgebra::Vector2;
 
@@ -65,7 +65,7 @@ impl Pin {
 
 impl Card {
     /// What a program reads, with the lag of its sign.
-    fn of(program: &Program, delay: f64) -> Self {
+    fn new(program: &Program1973, delay: f64) -> Self {
         Self {
             ratio: program.ratio,
             start: program.start,
@@ -148,15 +148,15 @@ impl History {
 }
 
 /// The run of a row as the program ran it; none if it has no two engagements.
-pub fn lagged(row: &Row) -> Option<Run> {
+pub fn lagged_run(row: &Row) -> Option<Run> {
     let listing = &row.given.listing;
-    lagged_by(&Hypothesis::AS_RUN.program(row)?, listing.delay, listing.interval, listing.duration)
+    run_with_lag(&Hypothesis::AS_RUN.program(row)?, listing.delay, listing.interval, listing.duration)
 }
 
 /// A run of a program with its sign late by `delay` instead of what the program says, printed at every `interval` until
 /// `duration`, all in units of time. None if it has no two engagements.
-pub fn lagged_by(program: &Program, delay: f64, interval: f64, duration: f64) -> Option<Run> {
-    let card = Card::of(program, delay);
+pub fn run_with_lag(program: &Program1973, delay: f64, interval: f64, duration: f64) -> Option<Run> {
+    let card = Card::new(program, delay);
     let step = interval / f64::from(STEPS);
     let mut state = State { time: 0.0, angle: card.start, speed: 0.0 };
     // At rest the friction opposes the driver.

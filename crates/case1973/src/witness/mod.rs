@@ -1,7 +1,7 @@
 //! Second routes to what the other modules compute, which share no code with them.
 //!
 //! A witness and what it vouches for have the same questions in common (a [`Row`](crate::Row), a
-//! [`Hypothesis`](crate::Hypothesis), the cards of the [`Program`](crate::program::Program)) and nothing that answers
+//! [`Hypothesis`](crate::Hypothesis), the cards of the [`Program1973`](crate::program::Program1973)) and nothing that answers
 //! them. No witness calls the solution over the angle, the program's run or a statistic of this crate, and nothing in
 //! this crate calls a witness. A test of the repository's rules makes sure of both.
 //!
@@ -21,4 +21,4 @@ mod lagged;
 pub mod sampling;
 pub mod steps;
 
-pub use lagged::{lagged, lagged_by};
+pub use lagged::{lagged_run, run_with_lag};

@@ -52,7 +52,7 @@ struct Poses {
 }
 
 impl Poses {
-    fn along(parameters: &Parameters, angles: Vec<f64>, engaged: impl Fn(f64) -> f64) -> Self {
+    fn from_angles(parameters: &Parameters, angles: Vec<f64>, engaged: impl Fn(f64) -> f64) -> Self {
         let pose = |angle: f64| parameters.pose(engaged(angle));
         let ends = angles.iter().map(|angle| pose(*angle)).collect();
         let middles = angles.windows(2).map(|pair| pose(pair[0] + (pair[1] - pair[0]) / 2.0)).collect();
@@ -67,7 +67,7 @@ impl Poses {
         let of = || {
             let (start, step) = (-mechanism.engagement_half_angle(), reset / f64::from(steps));
             let angles = (0..=steps).map(|k| start + step * f64::from(k)).collect();
-            Arc::new(Self::along(parameters, angles, |angle| angle))
+            Arc::new(Self::from_angles(parameters, angles, |angle| angle))
         };
         let mut known = KNOWN.get_or_init(Known::default).lock().unwrap_or_else(PoisonError::into_inner);
         Arc::clone(known.entry((mechanism, reset.to_bits(), steps)).or_insert_with(of))
@@ -76,7 +76,7 @@ impl Poses {
     fn course(&self, parameters: &Parameters) -> Course {
         let (ratio, friction, drive) = (parameters.inertias().ratio(), parameters.friction(), parameters.drive());
         let all = |poses: &[Pose<f64>]| -> Vec<_> {
-            poses.iter().map(|pose| Coefficients::of_pose(pose, &ratio, &friction, &drive)).collect()
+            poses.iter().map(|pose| Coefficients::from_pose(pose, &ratio, &friction, &drive)).collect()
         };
         let slopes = |of: &[Coefficients<f64>]| of.iter().map(Slope::new).collect();
         let (coefficients, middles) = (all(&self.ends), all(&self.middles));
@@ -92,8 +92,8 @@ impl Course {
     }
 
     /// The course where the driver has turned so far; `engaged` gives the angle of the pin in its slot.
-    pub fn along(parameters: &Parameters, turned: Vec<f64>, engaged: impl Fn(f64) -> f64) -> Self {
-        Poses::along(parameters, turned, engaged).course(parameters)
+    pub fn from_angles(parameters: &Parameters, turned: Vec<f64>, engaged: impl Fn(f64) -> f64) -> Self {
+        Poses::from_angles(parameters, turned, engaged).course(parameters)
     }
 
     /// The factors of the equation of motion at each angle.

@@ -5,7 +5,7 @@ use super::{Number, most, over};
 use crate::asked::value;
 use crate::numbers::fixed;
 use crate::rows::{number, number_with, numbers, weakest as weakest_of};
-use geneva_case1973::{Row, least_braked, strongest, weakest};
+use geneva_case1973::{Row, rows_with_least_friction, strongest, weakest};
 use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
 
@@ -79,7 +79,7 @@ fn speed(mechanism: Mechanism) -> anyhow::Result<String> {
 
 /// A number of the runs of a mechanism, whatever the friction and the spring.
 fn run(mechanism: Mechanism, key: &str) -> anyhow::Result<f64> {
-    number(weakest_of(least_braked(rows(), mechanism))?, key)
+    number(weakest_of(rows_with_least_friction(rows(), mechanism))?, key)
 }
 
 /// The friction from which the runs of a mechanism may jam.

@@ -168,7 +168,7 @@ mod tests {
         // A third of the gap for each of three sizes and the bores' play would be more than the gap.
         assert!(3.0 * limit.locking + sizes.play.bore < gap && 3.0 * gap / 3.0 + sizes.play.bore > gap);
         // All limits grow with the play.
-        let choices = Choices { play: Some(Play::of(2.0 * sizes.play.slot)), ..Choices::default() };
+        let choices = Choices { play: Some(Play::from_slot(2.0 * sizes.play.slot)), ..Choices::default() };
         let twice = Sizes::new(sizes.wheel, Scale::CrankRadius(sizes.crank_radius), &choices).expect("fits");
         let twice = twice.shared_tolerance().expect("one");
         for (one, two) in [(limit.locking, twice.locking), (limit.crank, twice.crank), (limit.width, twice.width)] {

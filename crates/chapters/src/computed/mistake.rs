@@ -12,7 +12,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("mistake.quarter-turn", || within_one(&Hypothesis::WITHOUT_LAG)),
     ("mistake.own-angles", || {
         let own_angles = Hypothesis { reset: Reset::OfTheMechanism, ..Hypothesis::AS_RUN };
-        Ok(Score::of(own_angles, rows()).within_one().to_string())
+        Ok(Score::new(own_angles, rows()).within_one().to_string())
     }),
     ("mistake.four", || {
         let score = score(&Hypothesis::WITHOUT_LAG)?;

@@ -3,17 +3,19 @@
 
 use super::Number;
 use anyhow::Context;
-use geneva_case1973::deck::{as_listed, deck, longer_than_delay, turned_when_backwards};
+use geneva_case1973::deck::{deck, listed_settings, longer_than_delay, turned_when_backwards};
 use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
 use geneva_documents::meyer::runs::study::by_deck;
 use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_kinematics::Mechanism;
-use geneva_mimic::language::{Deck, Layout, Program, deck_named};
+use geneva_mimic::language::{CardLayout, Deck, Program, deck_named};
 
 /// The numbers of the chapter on the program.
 pub const NUMBERS: &[(&str, Number)] = &[
-    ("program.statements", || Ok(own()?.sorted().len().to_string())),
-    ("program.needless", || Ok(own()?.sorted().iter().filter(|statement| statement.is_dead).count().to_string())),
+    ("program.statements", || Ok(own()?.execution_order().len().to_string())),
+    ("program.needless", || {
+        Ok(own()?.execution_order().iter().filter(|statement| statement.is_dead).count().to_string())
+    }),
     ("program.loop", || loop_without_delay(OLD_ACCELERATION)),
     ("program.four-pin.runs", || Ok(rows_with(true).count().to_string())),
     ("program.four-pin.minima", || of_own_reset(true, Column::Minimum)),
@@ -29,7 +31,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("program.long-steps", long_steps),
     ("program.backwards-after", || {
         let row = rows().first().context("there is no run")?;
-        let turned = turned_when_backwards(row, &as_listed(&listing())).context("the follower never runs backwards")?;
+        let turned =
+            turned_when_backwards(row, &listed_settings(&listing())).context("the follower never runs backwards")?;
         Ok(super::degrees(turned))
     }),
     ("program.three-at-the-reset", || Ok(format!("{:.2}", listing().velocity_ratio_at_reset(Mechanism::THREE_PIN)))),
@@ -54,7 +57,8 @@ fn long_steps() -> anyhow::Result<String> {
 /// The names in the circle that the deck has without its delay.
 fn loop_without_delay(delay: &str) -> anyhow::Result<String> {
     let cards = deck_named("escapement").context("there is no such deck")?.replace(delay, "ACCEL");
-    let faults = Program::new(&Deck::read(&cards, Layout::of(&cards))?).err().context("the deck can be sorted")?;
+    let faults =
+        Program::new(&Deck::read(&cards, CardLayout::detect(&cards))?).err().context("the deck can be sorted")?;
     let told = faults.to_string();
     let (_, from) = told.split_once("loop: ").context("the fault is no loop")?;
     let (names, _) = from.split_once(';').context("the fault tells no names")?;
@@ -101,7 +105,7 @@ mod tests {
     #[test]
     fn the_follower_of_six_pins_runs_backwards_only_with_the_reset_as_listed_and_only_past_60_degrees() {
         let row = rows().first().expect("a run");
-        let turned = turned_when_backwards(row, &as_listed(&listing())).expect("it runs backwards").to_degrees();
+        let turned = turned_when_backwards(row, &listed_settings(&listing())).expect("it runs backwards").to_degrees();
         assert!((60.0..63.0).contains(&turned), "{turned}");
         assert!(turned_when_backwards(row, &[]).is_none());
     }

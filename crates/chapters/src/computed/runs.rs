@@ -6,12 +6,13 @@ use crate::numbers::{fixed, significant};
 use crate::rows::score;
 use anyhow::Context;
 use geneva_ask::written::no_greater;
-use geneva_case1973::chance::Shuffled;
-use geneva_case1973::fitted::Freed;
-use geneva_case1973::rise_times::{Group, OF_A_PART, Tried, groups};
+use geneva_case1973::chance::ShuffleScope;
+use geneva_case1973::fitted::InertiaFit;
+use geneva_case1973::rise_times::{DefinitionTrial, OF_A_PART, TorqueGroup, groups};
 use geneva_case1973::weighing::{Others, margins};
 use geneva_case1973::{
-    Column, EXPLAINED, Fit, Hypothesis, Reset, Row, Score, Trend, pairs_by_friction, pairs_by_torque, rows_of, series,
+    Column, ColumnFit, EXPLAINED, Hypothesis, Reset, Row, Score, Trend, pairs_by_friction, pairs_by_torque, rows_of,
+    series,
 };
 use geneva_documents::meyer::runs::statistics::{LITTLE, shuffled, statistic};
 use geneva_documents::meyer::runs::study::{explained, scores};
@@ -53,7 +54,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("freed.three.quarter", || rounded("freed.three.quarter")),
     ("freed.six.less-friction", || rounded("freed.six.less-friction")),
     ("freed.three.less-friction", || {
-        let freed = Freed::with_friction(rows_of(rows(), Mechanism::THREE_PIN), Reset::OfTheMechanism, LITTLE);
+        let freed = InertiaFit::with_friction(rows_of(rows(), Mechanism::THREE_PIN), Reset::OfTheMechanism, LITTLE);
         Ok(freed.context("no inertias give a table a motion")?.within_one().to_string())
     }),
     ("runs.least-spread", || Ok(format!("{:.2}", least_spread()))),
@@ -83,10 +84,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.most", || Ok(most_explained(|_| true).to_string())),
     ("rise.most.own-part", || Ok(most_explained(is_to_one_per_cent).to_string())),
     ("rise.chance", || rounded("rise.chance")),
-    ("rise.by-chance.most", || greatest(shuffled(Shuffled::InTables))),
+    ("rise.by-chance.most", || greatest(shuffled(ShuffleScope::InTables))),
     ("rise.by-chance.usual", || rounded("rise.by-chance.usual")),
     ("rise.by-chance.equal-torques", || rounded("rise.by-chance.equal-torques")),
-    ("rise.by-chance.equal-torques.most", || greatest(shuffled(Shuffled::AmongEqualTorques))),
+    ("rise.by-chance.equal-torques.most", || greatest(shuffled(ShuffleScope::AmongEqualTorques))),
     ("rise.profile", || own_meaning(0)),
     ("rise.average", || own_meaning(1)),
     ("rise.torque.pairs", || Ok(with_more_torque().pairs.to_string())),
@@ -124,28 +125,29 @@ pub const NUMBERS: &[(&str, Number)] = &[
 /// The most rows that any of these definitions explains, as run or for the mechanism.
 /// The printed rise times with more torque and all else the same.
 fn with_more_torque() -> Trend {
-    Trend::of(Column::Rise, pairs_by_torque(rows()))
+    Trend::count(Column::Rise, pairs_by_torque(rows()))
 }
 
 /// The printed rise times with more friction and all else the same.
 fn with_more_friction() -> Trend {
-    Trend::of(Column::Rise, pairs_by_friction(rows()))
+    Trend::count(Column::Rise, pairs_by_friction(rows()))
 }
 
-fn most_explained(wanted: fn(&Tried) -> bool) -> usize {
+fn most_explained(wanted: fn(&DefinitionTrial) -> bool) -> usize {
     let own = explained().iter().filter(|tried| wanted(tried));
     own.map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max().unwrap_or(0)
 }
 
 /// Whether a definition lets the thesis's own part be missing, of its own quantity or of the average terminal velocity.
-fn is_to_one_per_cent(tried: &Tried) -> bool {
+fn is_to_one_per_cent(tried: &DefinitionTrial) -> bool {
     tried.near.is_some_and(|near| near.is_part_of_a_velocity(MISSING))
 }
 
 /// A reading of the thesis's own definition of the rise: until the velocity is steady at every angle, or the average of peak
 /// and minimum.
-pub(super) fn own_reading(reading: usize) -> anyhow::Result<&'static Tried> {
-    let is_it = |tried: &&Tried| tried.name == OF_A_PART[reading].name && tried.is_to_a_part_of_itself(MISSING);
+pub(super) fn own_reading(reading: usize) -> anyhow::Result<&'static DefinitionTrial> {
+    let is_it =
+        |tried: &&DefinitionTrial| tried.name == OF_A_PART[reading].name && tried.is_to_a_part_of_itself(MISSING);
     explained().iter().find(is_it).context("a definition that was not tried")
 }
 
@@ -189,7 +191,7 @@ fn greatest(counts: &[usize]) -> anyhow::Result<String> {
 
 /// The smallest of all the spreads that suit a hypothesis best, in units of the last place.
 fn least_spread() -> f64 {
-    let spreads = |fit: &Fit| fit.likelihoods.map(|likelihood| likelihood.spread);
+    let spreads = |fit: &ColumnFit| fit.likelihoods.map(|likelihood| likelihood.spread);
     scores().iter().flat_map(|score| &score.fits).flat_map(spreads).fold(f64::INFINITY, f64::min)
 }
 
@@ -206,7 +208,7 @@ fn odds(difference: f64) -> String {
 }
 
 /// Whether a group has one number for its rows, if need be without one of them.
-fn bears_one_number(group: &Group) -> bool {
+fn bears_one_number(group: &TorqueGroup) -> bool {
     group.possible || !group.misread.is_empty()
 }
 

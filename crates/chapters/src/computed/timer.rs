@@ -9,7 +9,7 @@ use crate::tables::joints::effect;
 use crate::tables::timer::{PARTS, lighter};
 use anyhow::Context;
 use geneva_case1973::rise_times::change;
-use geneva_case1973::{Row, least_braked, strongest, weakest};
+use geneva_case1973::{Row, rows_with_least_friction, strongest, weakest};
 use geneva_documents::meyer::runs::table::rows;
 use geneva_documents::meyer::terms::MISSING;
 use geneva_kinematics::Mechanism;
@@ -98,7 +98,8 @@ fn run_with() -> Vec<f64> {
 /// The hours that each mechanism, set right with mineral oil, gains in a day with another of the frictions of steel on brass.
 fn hours_from_mineral_oil(other: usize) -> anyhow::Result<Vec<f64>> {
     let frictions = format!("--friction {} --set-friction {}", STEEL_ON_BRASS[other].0, STEEL_ON_BRASS[1].0);
-    let of = |mechanism| number_with(weakest_of(least_braked(rows(), mechanism))?, &frictions, "gain_h_a_day");
+    let of =
+        |mechanism| number_with(weakest_of(rows_with_least_friction(rows(), mechanism))?, &frictions, "gain_h_a_day");
     Mechanism::ALL.into_iter().map(of).collect()
 }
 

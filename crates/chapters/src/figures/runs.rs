@@ -5,7 +5,9 @@ use crate::measurements::integrators;
 use crate::rows::{self, NONE, number, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
-use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Score, least_braked, rows_of};
+use geneva_case1973::{
+    Column, EXPLAINED, Hypothesis, PeakReading, Reset, Row, Score, rows_of, rows_with_least_friction,
+};
 use geneva_documents::meyer::runs::choice::{comparable, of_fig_8 as rows_of_fig_8};
 use geneva_documents::meyer::runs::study::{delays, scores};
 use geneva_documents::meyer::runs::table::{listing, rows};
@@ -42,7 +44,7 @@ pub fn reset_angle() -> anyhow::Result<Figure> {
         let count = |half_degrees: u32| {
             let angle = f64::from(half_degrees) / 2.0;
             let reset = Reset::After(angle.to_radians());
-            let of = Hypothesis { reset, reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
+            let of = Hypothesis { reset, reading: PeakReading::True, ..Hypothesis::WITHOUT_LAG };
             (angle, rows.iter().map(|row| of.results(row).map_or(0, |results| row.explained_by(&results))).sum())
         };
         Scan { mechanism, cells: EXPLAINED.len() * rows.len(), counts: HALF_DEGREES.map(count).collect() }
@@ -76,7 +78,9 @@ pub fn lags() -> anyhow::Result<Figure> {
 
 /// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
 pub fn printed_too_seldom() -> anyhow::Result<Figure> {
-    let row = least_braked(rows(), Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
+    let row = rows_with_least_friction(rows(), Mechanism::FOUR_PIN)
+        .and_then(<[Row]>::last)
+        .context("no run with four pins")?;
     let listing = listing();
     Ok(runs::aliasing(&Hypothesis::WITHOUT_LAG.engagement(row).context(NONE)?, listing.interval, listing.duration)?)
 }
@@ -120,13 +124,13 @@ fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
 /// The return map of the three-pin run that brakes least: an engagement leaves more of a difference than with four pins, so
 /// that the steps to the steady state can be seen.
 pub fn return_map() -> anyhow::Result<Figure> {
-    let row = weakest(least_braked(rows(), Mechanism::THREE_PIN))?;
+    let row = weakest(rows_with_least_friction(rows(), Mechanism::THREE_PIN))?;
     Ok(steady::return_map(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
 }
 
 /// The speed over the angle of that run, from rest.
 pub fn phase() -> anyhow::Result<Figure> {
-    let row = weakest(least_braked(rows(), Mechanism::THREE_PIN))?;
+    let row = weakest(rows_with_least_friction(rows(), Mechanism::THREE_PIN))?;
     Ok(steady::phase(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
 }
 
@@ -137,7 +141,9 @@ pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
 
 /// Accelerations and pin force over an engagement: of the four-pin runs that brake least the one with the strongest spring.
 pub fn accelerations() -> anyhow::Result<Figure> {
-    let row = least_braked(rows(), Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
+    let row = rows_with_least_friction(rows(), Mechanism::FOUR_PIN)
+        .and_then(<[Row]>::last)
+        .context("no run with four pins")?;
     let run = format!(
         "four pins, μ = {}, K = {} in lb, inertias as in the runs of the thesis",
         row.printed(Column::Friction),

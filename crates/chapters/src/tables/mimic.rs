@@ -1,6 +1,6 @@
 //! The language of 1973: what each word does, and where that is known from.
 
-use geneva_mimic::language::{CARDS, Evidence, FUNCTIONS};
+use geneva_mimic::language::{CARDS, FUNCTIONS, WordEvidence};
 use geneva_press::html::{Cells, Table, escape, table};
 
 /// The functions.
@@ -21,6 +21,6 @@ pub fn cards() -> anyhow::Result<Table> {
     table(caption, Cells::Words, &["Card", "What it does", "Known from"], rows)
 }
 
-fn row(written: &str, meaning: &str, evidence: Evidence) -> Vec<String> {
+fn row(written: &str, meaning: &str, evidence: WordEvidence) -> Vec<String> {
     vec![format!("<code>{}</code>", escape(written)), escape(meaning), escape(evidence.words())]
 }

@@ -1,7 +1,7 @@
 //! The printed rise times against definitions, and against the law of similarity; the terms of the thesis.
 
 use geneva_case1973::rise_times::{
-    EVENTS, Misread, Near, OF_A_PART, Target, Tried, Whole, groups as all_groups, parts,
+    DefinitionTrial, EVENTS, Misread, OF_A_PART, RiseTolerance, Target, Whole, groups as all_groups, parts,
 };
 use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::study::explained;
@@ -20,7 +20,7 @@ pub fn definitions() -> anyhow::Result<Table> {
             own().filter(|tried| tried.near.map(|near| (near.target, near.whole)) == way).collect::<Vec<_>>()
         })
     });
-    let rows = ways.map(|own: Vec<&Tried>| {
+    let rows = ways.map(|own: Vec<&DefinitionTrial>| {
         let ideal = own.iter().find(|tried| tried.near.is_some_and(|near| near.part == MISSING));
         let (name, of) = (own.first().map_or("", |tried| tried.name), own.first().and_then(|tried| tried.near));
         let mut row = vec![escape(name) + of.map_or("", whole)];
@@ -45,7 +45,7 @@ pub fn definitions() -> anyhow::Result<Table> {
 }
 
 /// What the difference is a part of, and from which value it is taken.
-fn whole(near: Near) -> &'static str {
+fn whole(near: RiseTolerance) -> &'static str {
     match (near.target, near.whole) {
         (Target::Computed, Whole::Itself) => "",
         (Target::Computed, Whole::TerminalVelocity) => " (a part of the average terminal velocity)",

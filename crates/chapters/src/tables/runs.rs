@@ -3,12 +3,13 @@
 use crate::lookup::judged;
 use crate::rows::NONE;
 use anyhow::Context;
-use geneva_case1973::fitted::{Freed, most_within_one};
+use geneva_case1973::fitted::{InertiaFit, most_within_one};
 use geneva_case1973::integrator as integrators;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::Others;
 use geneva_case1973::{
-    Column, Constants, Fit, Hypothesis, Lag, Reading, Reset, Row, Score, SixPin, Weighing, rows_of, series, slug,
+    Column, ColumnFit, Constants, Hypothesis, Lag, PeakReading, Reset, Row, Score, SixPin, Weighing, rows_of, series,
+    slug,
 };
 use geneva_documents::meyer::runs::data;
 use geneva_documents::meyer::runs::statistics::STATISTICS;
@@ -31,7 +32,7 @@ pub fn hypotheses() -> anyhow::Result<Table> {
         let said = [
             if reset == Reset::QuarterTurn { "90°" } else { "360°/m" },
             if six_pin == SixPin::AsDrawn { "Fig. 11" } else { "heading" },
-            if reading == Reading::OnTheGrid { "largest printed" } else { "true" },
+            if reading == PeakReading::OnTheGrid { "largest printed" } else { "true" },
             besides,
         ];
         let mut row = vec![number.to_string()];
@@ -98,7 +99,7 @@ pub fn freed() -> anyhow::Result<Table> {
     let of = |mechanism: Mechanism, reset: Reset| {
         let none = "no inertias give a table a motion";
         let table = rows_of(rows(), mechanism);
-        let freed = Freed::inertias(table, reset).context(none)?;
+        let freed = InertiaFit::new(table, reset).context(none)?;
         let [driver, follower] = freed.inertias.map(|inertia| format!("{:.1}", 1e6 * inertia));
         let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(table.first().context(none)?).to_degrees();
         Ok(vec![
@@ -228,7 +229,7 @@ pub fn integrator() -> anyhow::Result<Table> {
 }
 
 /// Cells to the printed digit, and within one unit.
-fn counts(fit: &Fit) -> String {
+fn counts(fit: &ColumnFit) -> String {
     format!("{} / {}", fit.exact, fit.within_one)
 }
 

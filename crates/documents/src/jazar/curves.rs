@@ -121,7 +121,7 @@ fn infinite_jerk() -> Claim {
                     jerks(wheel, stated).iter().all(|t| {
                         // The mean jerk over a thousandth of the way is a thousand times as great.
                         let jerk = |way: f64| {
-                            let at = |t| wheel.at(0, t).map_or(f64::NAN, |motion| motion.acceleration);
+                            let at = |t| wheel.motion(0, t).map_or(f64::NAN, |motion| motion.acceleration);
                             ((at(t + way) - at(t - way)) / (2.0 * way)).abs()
                         };
                         jerk(1e-9) > 900.0 * jerk(1e-6)
@@ -270,7 +270,7 @@ const SUBINTERVALS: i32 = 2000;
 /// slope in its middle: a jump or a kink in it is left over, whatever its width.
 fn steps_without_a_slope(wheel: &Wheel, middle: f64, width: f64) -> f64 {
     let at =
-        |t: f64| wheel.at(0, t).map_or([f64::NAN; 3], |motion| [motion.velocity, motion.acceleration, motion.jerk]);
+        |t: f64| wheel.motion(0, t).map_or([f64::NAN; 3], |motion| [motion.velocity, motion.acceleration, motion.jerk]);
     let [before, slopes, after] = [at(middle - width / 2.0), at(middle), at(middle + width / 2.0)];
     let rest = |order: usize| (after[order] - before[order] - width * slopes[order + 1]).abs();
     rest(0).max(rest(1))

@@ -83,7 +83,7 @@ fn part(alpha: f64, sign: f64) -> f64 {
 
 /// Part of a turn in which the wheel is locked, from where its motion ends and begins.
 fn locked_part(wheel: &Wheel) -> f64 {
-    let moves = |t: f64| wheel.at(0, t).is_ok_and(|motion| motion.phase == Phase::Advance);
+    let moves = |t: f64| wheel.motion(0, t).is_ok_and(|motion| motion.phase == Phase::Advance);
     1.0 - halved([0.0, PI], moves)[0] / PI
 }
 

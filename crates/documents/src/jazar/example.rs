@@ -264,7 +264,7 @@ fn advances_in_ten_seconds() -> f64 {
     let turns = 10.0 * example_speed() / (2.0 * PI);
     let moves = |eighth: i64| {
         let crank = PI * (eighth.rem_euclid(8) as f64 - 4.0) / 4.0;
-        wheel.at(eighth.div_euclid(8), crank).is_ok_and(|motion| motion.phase == Phase::Advance)
+        wheel.motion(eighth.div_euclid(8), crank).is_ok_and(|motion| motion.phase == Phase::Advance)
     };
     let eighths = libm::round(8.0 * turns) as i64;
     (0..eighths).filter(|eighth| !moves(*eighth) && moves(eighth + 1)).count() as f64

@@ -119,7 +119,7 @@ fn quarter_turn() -> Claim {
             let turned = |wheel: &Wheel| {
                 let slot = |crank: f64| by_cosines(wheel.centre_distance_ratio(), crank).1;
                 let pitch = slot(wheel.engagement_half_angle()) - slot(-wheel.engagement_half_angle());
-                wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64 * pitch + motion.angle)
+                wheel.motion(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64 * pitch + motion.angle)
             };
             same(of(4, turned), 2.0 * PI)
         })
@@ -366,6 +366,6 @@ fn crossings<'a>(wheel: &Wheel, parts: &'a [f64]) -> impl Iterator<Item = (f64, 
 pub(super) fn locked_part(wheel: &Wheel) -> f64 {
     let steps = 4000;
     let middles = (0..steps).map(|k| PI * (2.0 * (f64::from(k) + 0.5) / f64::from(steps) - 1.0));
-    let locked = middles.filter(|t| wheel.at(0, *t).is_ok_and(|m| m.phase == Phase::Dwell)).count();
+    let locked = middles.filter(|t| wheel.motion(0, *t).is_ok_and(|m| m.phase == Phase::Dwell)).count();
     locked as f64 / f64::from(steps)
 }

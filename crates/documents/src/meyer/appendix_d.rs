@@ -368,7 +368,7 @@ fn of_slots(mechanism: Mechanism) -> impl Iterator<Item = (reading::Letters, Coe
             ("IW", follower),
         ];
         let letters = reading::by_name(cards);
-        (letters, Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower)))
+        (letters, Coefficients::from_pose(&pose, &(driver / follower), &friction, &(torque / follower)))
     })
 }
 

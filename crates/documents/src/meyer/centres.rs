@@ -8,7 +8,7 @@ use super::terms::is_there;
 use super::*;
 use crate::evidence::{QUADRATURE, RUNGE_KUTTA};
 use geneva_case1973::Row;
-use geneva_dynamics::steady::Printed;
+use geneva_dynamics::steady::PrintedLine;
 
 /// The extremes between two peaks are put on the line of centres.
 const EXTREMES_ON_CENTRES: Slip = Slip {
@@ -114,7 +114,7 @@ impl Middle {
     fn of(cycle: &Cycle) -> Option<Self> {
         let pair = cycle.lines.windows(2).find(|pair| pair[0].angle <= 0.0 && pair[1].angle > 0.0)?;
         let share = pair[0].angle / (pair[0].angle - pair[1].angle);
-        let at = |of: fn(&Printed) -> f64| of(&pair[0]) + share * (of(&pair[1]) - of(&pair[0]));
+        let at = |of: fn(&PrintedLine) -> f64| of(&pair[0]) + share * (of(&pair[1]) - of(&pair[0]));
         let [driver, follower] = [at(|line| line.speed), at(|line| line.follower_speed)];
         let most = cycle.lines.iter().map(|line| line.follower_speed).fold(0.0, f64::max);
         Some(Self {

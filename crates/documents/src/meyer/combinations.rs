@@ -6,7 +6,7 @@ use super::hand_over_letters::{COUNTS, RIGHT_TRIANGLE};
 use super::*;
 use geneva_evidence::agreement::joined;
 use geneva_kinematics::escapement::entry_proofs::PinsAndSlots;
-use geneva_kinematics::escapement::{pins_needed, possible};
+use geneva_kinematics::escapement::{pins_needed, possible_pairs};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Jet, Rational, rational};
 
@@ -93,7 +93,7 @@ fn combinations() -> Vec<Claim> {
             .statement("meyer.only-three", "only three", "there are three combinations of integers, and no more")
             .first_route(Evidence::EXACT_IDENTITY, |stated| {
                 let Finding { holds, how, .. } = prove(&PinsAndSlots::Factors).into();
-                let found = possible().len();
+                let found = possible_pairs().len();
                 Finding::new(
                     holds && found == stated.pick(stated.count() as usize, 4),
                     format!("(m − 2)(n − 2) = 4, and 4 has {found} pairs of divisors; {how}"),
@@ -226,7 +226,7 @@ fn whole(number: u32) -> Rational {
 
 /// The combination in this row of the list that the divisors give, as slots and pins.
 fn listed(row: usize) -> (f64, f64) {
-    possible().get(row).map_or((f64::NAN, f64::NAN), |pair| (pair.0.into(), pair.1.into()))
+    possible_pairs().get(row).map_or((f64::NAN, f64::NAN), |pair| (pair.0.into(), pair.1.into()))
 }
 
 /// All combinations of numbers to 100, by rising number of slots.

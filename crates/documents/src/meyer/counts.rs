@@ -17,7 +17,7 @@ pub fn of_the_derivation() -> Vec<Claim> {
             )
             .first_route(Evidence::LIMIT_CASE, |stated| {
                 let turns = i64::from(stated.pick(stated.count(), 2));
-                let moved = |slots| Wheel::new(slots).ok()?.at(turns, 0.0).ok().map(|motion| motion.stations);
+                let moved = |slots| Wheel::new(slots).ok()?.motion(turns, 0.0).ok().map(|motion| motion.stations);
                 let once = (3..=18).filter(|slots| moved(*slots) == Some(1)).count();
                 Finding::new(once == 16, format!("the follower is one slot on with {once} of 16 numbers of slots"))
             })

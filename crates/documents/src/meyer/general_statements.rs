@@ -294,8 +294,9 @@ mod tests {
     #[test]
     fn more_torque_never_lengthens_the_rise_under_a_definition_by_the_motion_alone() {
         use geneva_case1973::rise_times::{Target, Whole};
-        let by_the_motion =
-            |near: &geneva_case1973::rise_times::Near| near.target == Target::Computed && near.whole != Whole::Units;
+        let by_the_motion = |near: &geneva_case1973::rise_times::RiseTolerance| {
+            near.target == Target::Computed && near.whole != Whole::Units
+        };
         let mut tried_pairs = 0;
         for tried in explained().iter().filter(|tried| tried.near.as_ref().is_some_and(by_the_motion)) {
             // The time at which a speed is first passed is read off printed lines, which come at times of their own.
@@ -326,7 +327,7 @@ mod tests {
             let printed = pair.map(|row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum)));
             assert!(printed[1] > printed[0]);
         }
-        let printed = Trend::of(Column::Rise, pairs_by_torque(rows()));
+        let printed = Trend::count(Column::Rise, pairs_by_torque(rows()));
         assert_eq!((printed.up, printed.equal, printed.pairs), (2, 2, 37));
     }
 

@@ -4,7 +4,7 @@ use super::hand_over::Drawn;
 use super::hand_over_letters::{HALVES, RATIO, RIGHT_TRIANGLE};
 use super::*;
 use geneva_evidence::agreement::joined_numbers;
-use geneva_kinematics::escapement::{AtHandOver, Continuous};
+use geneva_kinematics::escapement::{ContinuousEscapement, HandOverMotion};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
@@ -173,8 +173,8 @@ fn sides(at: &HandOver) -> [Vector2<Roots>; 3] {
 /// follower is at rest then, and therefore crank and slot are at right angles.
 pub fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
     let rests = |at: &Mechanism| {
-        let more = Continuous::new(at.pins(), at.slots() + 1);
-        more.is_some_and(|pair| pair.at_hand_over() == AtHandOver::Rests)
+        let more = ContinuousEscapement::new(at.pins(), at.slots() + 1);
+        more.is_some_and(|pair| pair.hand_over_motion() == HandOverMotion::Rests)
     };
     let all = stated.pick(true, Mechanism::ALL.iter().all(rests));
     let but = if all { "" } else { "; with one more slot, the follower is not at rest then" };
@@ -236,7 +236,7 @@ fn moved_on(stated: Stated, turned: fn(&Wheel) -> f64, what: &str) -> Finding {
 /// How far the follower goes on during a turn of the driver, from an instant of an advance to that of the next.
 fn moved_by_a_turn(wheel: &Wheel) -> f64 {
     let place = |turns| {
-        wheel.at(turns, 0.3).map_or(f64::NAN, |at| at.stations as f64 * 2.0 * wheel.half_pitch_angle() + at.angle)
+        wheel.motion(turns, 0.3).map_or(f64::NAN, |at| at.stations as f64 * 2.0 * wheel.half_pitch_angle() + at.angle)
     };
     place(1) - place(0)
 }

@@ -8,7 +8,7 @@ use super::*;
 use crate::evidence::RUNGE_KUTTA;
 use geneva_case1973::Column;
 use geneva_evidence::agreement::joined;
-use geneva_kinematics::escapement::{ContinuityStep, Continuous};
+use geneva_kinematics::escapement::{ContinuityStep, ContinuousEscapement};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::{Jet, angular_velocity};
 use std::sync::OnceLock;
@@ -284,7 +284,7 @@ fn said_of_pairs(stated: Stated, asked: &Asked) -> Finding {
 fn hands_over(pins: u32, slots: u32) -> bool {
     static PROVEN: OnceLock<bool> = OnceLock::new();
     let proven = *PROVEN.get_or_init(|| all_proven(&ContinuityStep::ALL).holds);
-    proven && Continuous::new(pins, slots).is_some()
+    proven && ContinuousEscapement::new(pins, slots).is_some()
 }
 
 /// Whether a pair works, by coordinates, and with a terminal velocity by steps.

@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn the_printed_rise_times_go_up_in_eight_pairs_and_fall_from_the_least_friction_to_the_greatest() {
-        let printed = Trend::of(Column::Rise, pairs_by_friction(rows()));
+        let printed = Trend::count(Column::Rise, pairs_by_friction(rows()));
         assert_eq!((printed.up, printed.pairs), (8, 34));
         let [least, greatest] =
             [f64::min, f64::max].map(|of| rows().iter().map(Row::friction).reduce(of).expect("a row"));

@@ -56,7 +56,7 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
     let sliding = turning.radius_squared.rate() / 2;
     let rubbing = -bars * follower * friction * follower_acceleration * sliding / square;
     let torque = force - rubbing;
-    let factors = Coefficients::of_pose(&pose, &inertias, &friction, &(torque / follower));
+    let factors = Coefficients::from_pose(&pose, &inertias, &friction, &(torque / follower));
     let momentum_letters = ["dT/dtheta'", "dT/dq'_k"];
     let letters = [
         ("a", a),

@@ -7,7 +7,7 @@ use super::terms::is_there;
 use super::*;
 use crate::evidence::{QUADRATURE, RUNGE_KUTTA};
 use geneva_case1973::{Hypothesis, Row};
-use geneva_dynamics::steady::{Printed, SteadyState};
+use geneva_dynamics::steady::{PrintedLine, SteadyState};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
 use geneva_kinematics::pin_slot::velocity_ratio;
@@ -113,8 +113,9 @@ fn at_entry() -> Vec<Claim> {
             .first_route(QUADRATURE, |stated| {
                 let found = cycles().iter().map(|Cycle { state, lines }| {
                     let until = stated.pick(state.minimum.angle, f64::INFINITY);
-                    let [driver, follower] = [|line: &Printed| line.speed, |line: &Printed| line.follower_speed]
-                        .map(|of| lines.iter().filter(|line| line.angle <= until).map(of).collect::<Vec<_>>());
+                    let [driver, follower] =
+                        [|line: &PrintedLine| line.speed, |line: &PrintedLine| line.follower_speed]
+                            .map(|of| lines.iter().filter(|line| line.angle <= until).map(of).collect::<Vec<_>>());
                     falls(&driver) && falls(&reversed(&follower))
                 });
                 all_of(found.collect(), rows().len(), "runs, to within one unit of the tables")
@@ -320,7 +321,7 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool, runs: &str) -> Findin
 /// A row's steady motion at instants of its cycle.
 pub struct Cycle {
     pub state: SteadyState,
-    pub lines: Vec<Printed>,
+    pub lines: Vec<PrintedLine>,
 }
 
 /// The steady cycles of all rows.
@@ -399,7 +400,7 @@ mod tests {
         let gains: Vec<f64> = cycles()
             .iter()
             .map(|Cycle { state, lines }| {
-                let until = |line: &&Printed| line.angle <= state.minimum.angle;
+                let until = |line: &&PrintedLine| line.angle <= state.minimum.angle;
                 let speeds: Vec<f64> = lines.iter().filter(until).map(|line| line.speed).collect();
                 fall(reversed(&speeds).into_iter())
             })

@@ -7,7 +7,7 @@ use super::slips::SAMPLED_PEAKS;
 use super::terms::Start;
 use super::*;
 use crate::evidence::{QUADRATURE, RUNGE_KUTTA};
-use geneva_case1973::program::Program;
+use geneva_case1973::program::Program1973;
 use geneva_case1973::{Column, Hypothesis, Listing, Row, series};
 
 pub fn claims() -> Vec<Claim> {
@@ -76,7 +76,7 @@ fn cyclic_oscillations() -> Claim {
             // The program with its reset angle, its lagged sign and its own π, printing as often.
             let interval = listing().interval * stated.pick(1.0, 0.02);
             swinging(looked_at(stated), &|row| {
-                let program = Program { torque: EXCESSIVE * row.torque(), ..Hypothesis::AS_RUN.program(row)? };
+                let program = Program1973 { torque: EXCESSIVE * row.torque(), ..Hypothesis::AS_RUN.program(row)? };
                 let lines = program.run(&Listing { interval, ..listing() }.integrator()).ok()?.lines;
                 Some(lines.iter().map(|line| ((line.turned / program.reset) as usize, line.speed)).collect())
             })

@@ -392,5 +392,5 @@ const NEXT_RATIO: f64 = 1.0625;
 /// The factors of the equation of motion for a torque of one.
 fn factors(mechanism: Mechanism, inertia: f64, angle: f64, friction: f64) -> Coefficients<f64> {
     let pose = Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
-    Coefficients::of_pose(&pose, &inertia, &friction, &1.0)
+    Coefficients::from_pose(&pose, &inertia, &friction, &1.0)
 }

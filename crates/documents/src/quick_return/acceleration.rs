@@ -155,7 +155,7 @@ fn known() -> Vec<Claim> {
                 at_the_instant(|at| {
                     let place = |degrees: f64| {
                         let crank = at.position.crank.plus(&Turn::from_degrees(degrees));
-                        let here = at.linkage.at_crank(&crank).ok()?;
+                        let here = at.linkage.position_at_crank(&crank).ok()?;
                         let back = here.lever.reversed().plus(&at.position.lever);
                         let seen = stated.pick(back.plus(&here.lever), here.lever);
                         Some(seen.direction() * here.pin_distance)

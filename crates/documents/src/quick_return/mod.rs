@@ -26,7 +26,7 @@ use geneva_evidence::{
 };
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::series::{PolarRates, polar_rates};
-use geneva_kinematics::quick_return::{Branch, Drive, Motion, Position, QuickReturn};
+use geneva_kinematics::quick_return::{Branch, Drive, LeverMotion, Position, QuickReturn};
 use geneva_kinematics::{KinematicsError, Turn};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -116,7 +116,7 @@ impl Instant {
             QUICK_RETURN.printed_number("quick-return.ground"),
             QUICK_RETURN.printed_number("quick-return.crank"),
         )?;
-        let position = linkage.at_lever_degrees(lever, branch)?;
+        let position = linkage.position_at_lever_degrees(lever, branch)?;
         Ok(Self {
             linkage,
             position,
@@ -125,8 +125,8 @@ impl Instant {
     }
 
     /// Solves by the source's own route, closed vector diagrams. `None` if the pin is on the lever's pivot.
-    pub fn by_diagrams(&self) -> Option<Motion<f64>> {
-        Motion::at(&self.linkage.ground(), &self.linkage.crank(), &self.position.crank, &self.drive)
+    pub fn by_diagrams(&self) -> Option<LeverMotion<f64>> {
+        LeverMotion::new(&self.linkage.ground(), &self.linkage.crank(), &self.position.crank, &self.drive)
     }
 
     /// Solves by a second route, the differentiated loop closure. `None` if the pin is on the lever's pivot.
@@ -159,7 +159,7 @@ pub fn claims() -> Vec<Claim> {
 }
 
 /// A quantity of the diagrams at the printed instant.
-fn diagram(quantity: fn(&Motion<f64>) -> f64) -> f64 {
+fn diagram(quantity: fn(&LeverMotion<f64>) -> f64) -> f64 {
     Instant::printed().ok().and_then(|instant| instant.by_diagrams()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 

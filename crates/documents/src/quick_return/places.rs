@@ -82,7 +82,7 @@ pub fn claims() -> Vec<Claim> {
                     let axis = Vector2::new(instant.linkage.ground(), 0.0);
                     let [now, later] = [0.0, 1.0].map(|degrees| {
                         let crank = instant.position.crank.plus(&Turn::from_degrees(degrees));
-                        let position = instant.linkage.at_crank(&crank).ok()?;
+                        let position = instant.linkage.position_at_crank(&crank).ok()?;
                         Some((axis + crank.direction() * axis_to_pin() - position.lever.direction() * length).norm())
                     });
                     let (now, later) = (now? / axis_to_pin(), later? / axis_to_pin());

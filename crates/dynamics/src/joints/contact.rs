@@ -30,7 +30,7 @@ use geneva_kinematics::Field;
 /// use geneva_kinematics::Turn;
 ///
 /// // On the line of centres with a = 2: R = 1, both members at one speed, and the pin's centre does not slide.
-/// let reach = Reach::of_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
+/// let reach = Reach::from_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
 /// assert_eq!((reach.radius, reach.ratio, reach.slide), (1.0, 1.0, 0.0));
 /// // The surface of a pin of a tenth of the crank radius slides, as it turns in the slot at twice the speed.
 /// assert_eq!(reach.sliding(&0.1, Sign::Plus), 0.2);
@@ -53,7 +53,7 @@ pub struct Reach<S> {
 /// use geneva_kinematics::Turn;
 ///
 /// // Without friction the normal force alone acts: R on the follower, R φ'/θ' on the driver.
-/// let reach = Reach::of_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
+/// let reach = Reach::from_pose(&Pose::new(&2.0, &Turn::from_radians(0.0)));
 /// let arms = reach.arms(&0.1, &0.0, Sign::Plus, Sign::Plus);
 /// assert_eq!((arms.follower, arms.driver), (1.0, 1.0)); // crank radii
 /// ```
@@ -67,7 +67,7 @@ pub struct Arms<S> {
 
 impl Reach<f64> {
     /// The place for a pose: R² is its square, dR/dθ = a sin θ / R.
-    pub fn of_pose(pose: &Pose<f64>) -> Self {
+    pub fn from_pose(pose: &Pose<f64>) -> Self {
         let radius = pose.radius_squared.sqrt();
         // At the ends a cos θ − 1 is zero but for rounding.
         Self { radius, ratio: pose.numerator.max(0.0) / pose.radius_squared, slide: pose.k_sin_theta / radius }
@@ -78,15 +78,15 @@ impl<S: Field> Reach<S> {
     /// Sliding of the pin's surface on the slot's side over θ', outward, in crank radii, for a pin of this radius on
     /// this flank (plus: leading): dR/dθ + s ρ (1 + q).
     pub fn sliding(&self, pin: &S, flank: Sign) -> S {
-        self.slide.clone() + flank.of(pin.clone() * (S::one() + self.ratio.clone()))
+        self.slide.clone() + flank.apply(pin.clone() * (S::one() + self.ratio.clone()))
     }
 
     /// The arms for a pin of this radius with friction μ, on this flank, sliding outward (plus) or inward.
     pub fn arms(&self, pin: &S, friction: &S, flank: Sign, sliding: Sign) -> Arms<S> {
-        let side = flank.of(self.slide.clone()) + pin.clone();
+        let side = flank.apply(self.slide.clone()) + pin.clone();
         Arms {
-            follower: self.radius.clone() - sliding.of(friction.clone() * pin.clone()),
-            driver: self.ratio.clone() * self.radius.clone() + sliding.of(friction.clone() * side),
+            follower: self.radius.clone() - sliding.apply(friction.clone() * pin.clone()),
+            driver: self.ratio.clone() * self.radius.clone() + sliding.apply(friction.clone() * side),
         }
     }
 }
@@ -113,8 +113,8 @@ impl<S: Field> Arms<S> {
     /// This contact with journals whose torques have these arms over |N| = s N: both take from what the force gives.
     pub fn with_journals(&self, driver: &S, follower: &S, flank: Sign) -> Self {
         Self {
-            follower: self.follower.clone() - flank.of(follower.clone()),
-            driver: self.driver.clone() + flank.of(driver.clone()),
+            follower: self.follower.clone() - flank.apply(follower.clone()),
+            driver: self.driver.clone() + flank.apply(driver.clone()),
         }
     }
 }

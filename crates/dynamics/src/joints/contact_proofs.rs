@@ -47,12 +47,12 @@ impl Scene {
 
     /// The point of contact for a pin of this radius.
     fn contact(&self, pin: Expression, flank: Sign) -> Vector2<Expression> {
-        self.pin + self.across * flank.of(pin)
+        self.pin + self.across * flank.apply(pin)
     }
 
     /// The force on the follower for N = s, so that |N| is one.
     fn force(&self, friction: Expression, flank: Sign, sliding: Sign) -> Vector2<Expression> {
-        self.across * flank.of(Expression::ONE) + self.along * sliding.of(friction)
+        self.across * flank.apply(Expression::ONE) + self.along * sliding.apply(friction)
     }
 
     /// Velocity of the driver at the contact less that of the follower.
@@ -66,7 +66,7 @@ impl Scene {
 
 /// The axis that a moment is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum JointAxis {
     /// The follower's.
     Follower,
     /// The driver's.
@@ -77,7 +77,7 @@ pub enum Axis {
 /// the driver's. Variables: a, R, tan(φ/2), ρ, μ.
 pub struct ContactMoment {
     /// The axis.
-    pub axis: Axis,
+    pub axis: JointAxis,
     /// The flank, s.
     pub flank: Sign,
     /// The sense of the sliding, σ.
@@ -91,8 +91,8 @@ impl Identity<5> for ContactMoment {
         let arms = scene.reach(radius).arms(&pin, &friction, self.flank, self.sliding);
         match self.axis {
             // φ grows clockwise.
-            Axis::Follower => -contact.perp(&force) - self.flank.of(arms.follower),
-            Axis::Driver => (contact - scene.driver_axis).perp(&-force) + self.flank.of(arms.driver),
+            JointAxis::Follower => -contact.perp(&force) - self.flank.apply(arms.follower),
+            JointAxis::Driver => (contact - scene.driver_axis).perp(&-force) + self.flank.apply(arms.driver),
         }
     }
 }
@@ -132,6 +132,6 @@ impl Identity<5> for PowerLost {
         let reach = Reach { radius, ratio, slide };
         let arms = reach.arms(&pin, &friction, self.flank, self.sliding);
         let lost = friction * reach.sliding(&pin, self.flank);
-        arms.driver - ratio * arms.follower - self.flank.times(self.sliding).of(lost)
+        arms.driver - ratio * arms.follower - self.flank.times(self.sliding).apply(lost)
     }
 }

@@ -2,8 +2,8 @@
 
 use super::Joints;
 use super::equation::Escapement;
-use super::passage::Passage;
-use crate::Error;
+use super::passage::JointPassage;
+use crate::DynamicsError;
 use crate::Parameters;
 
 /// A size of the joints that a series goes through.
@@ -65,7 +65,7 @@ pub struct Effect {
     /// Greatest less least speed, over the mean, dimensionless.
     pub swing: f64,
     /// The steady motion itself.
-    pub state: Passage,
+    pub state: JointPassage,
 }
 
 /// Relative tolerance of the steady states.
@@ -82,16 +82,20 @@ const TOLERANCE: f64 = 1e-9;
 /// let both = effects(&timer, [(0.0, Joints::IDEAL), (0.1, Joints::journals(0.1, 0.1))])?;
 /// assert_eq!(both[0].mean_speed, 1.0); // over the mean speed with ideal joints
 /// assert!(both[1].mean_speed < 1.0); // journals with friction slow it down
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
 /// As for [`Escapement::new`] and [`Escapement::steady_state`]; without friction in the slot the ideal escapement has
-/// no terminal speed to compare with ([`Error::NoTerminalSpeed`]).
-pub fn effects(parameters: &Parameters, joints: impl IntoIterator<Item = (f64, Joints)>) -> Result<Vec<Effect>, Error> {
-    let steady =
-        |joints| -> Result<Passage, Error> { Ok(Escapement::new(parameters, joints)?.steady_state(TOLERANCE)?.state) };
+/// no terminal speed to compare with ([`DynamicsError::NoTerminalSpeed`]).
+pub fn effects(
+    parameters: &Parameters,
+    joints: impl IntoIterator<Item = (f64, Joints)>,
+) -> Result<Vec<Effect>, DynamicsError> {
+    let steady = |joints| -> Result<JointPassage, DynamicsError> {
+        Ok(Escapement::new(parameters, joints)?.steady_state(TOLERANCE)?.state)
+    };
     let ideal = steady(Joints::IDEAL)?;
     let effect = |(value, joints)| {
         let state = steady(joints)?;
@@ -121,7 +125,7 @@ pub fn effects(parameters: &Parameters, joints: impl IntoIterator<Item = (f64, J
 /// for effect in series {
 ///     assert!((effect.mean_speed - (1.0 - effect.value).sqrt()).abs() < 1e-8);
 /// }
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
@@ -132,6 +136,6 @@ pub fn series(
     joints: &Joints,
     varied: Varied,
     values: impl IntoIterator<Item = f64>,
-) -> Result<Vec<Effect>, Error> {
+) -> Result<Vec<Effect>, DynamicsError> {
     effects(parameters, values.into_iter().map(|value| (value, varied.set(joints, value))))
 }

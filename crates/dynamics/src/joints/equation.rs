@@ -16,10 +16,10 @@
 
 use super::Joints;
 use super::contact::{Arms, Journals, Reach};
-use super::existence;
 use crate::error::not_negative;
-use crate::{Error, Parameters, Sign};
+use crate::{DynamicsError, Parameters, Sign};
 use geneva_kinematics::Field;
+use geneva_kinematics::bisection::bisect;
 
 /// Terms of the equation of motion at one crank angle, without the contact; inertias and torques over I_f.
 ///
@@ -71,7 +71,7 @@ impl<S: Field> Terms<S> {
 
 /// Motion and forces at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct JointMotion {
     /// θ'', in radians per square of the unit of time.
     pub angular_acceleration: f64,
     /// φ'', acceleration of the follower, in radians per square of the unit of time.
@@ -101,7 +101,7 @@ pub struct Motion {
 /// let growth = 0.1 * speed * motion.angular_acceleration
 ///     + timer.pose(angle).velocity_ratio() * speed * motion.follower_acceleration;
 /// assert!((ideal.power(angle, speed)?.growth() - growth).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Escapement {
@@ -113,7 +113,7 @@ pub struct Escapement {
 }
 
 /// A place in the engagement, for any speed.
-pub(super) struct Place {
+pub(super) struct JointPose {
     pub reach: Reach<f64>,
     pub terms: Terms<f64>,
 }
@@ -123,28 +123,28 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::Negative`], [`Error::PinTooThick`] and [`Error::DragTorque`] for sizes out of range;
-    /// [`Error::SelfLocking`] if friction can hold the follower against any force;
-    /// [`Error::Jams`] if somewhere no acceleration, or more than one, obeys the equation.
-    pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
-        let escapement = Self::assembled(parameters, joints)?;
+    /// [`DynamicsError::Negative`], [`DynamicsError::PinTooThick`] and [`DynamicsError::DragTorque`] for sizes out of range;
+    /// [`DynamicsError::SelfLocking`] if friction can hold the follower against any force;
+    /// [`DynamicsError::Jams`] if somewhere no acceleration, or more than one, obeys the equation.
+    pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, DynamicsError> {
+        let escapement = Self::assemble(parameters, joints)?;
         escapement.exists()?;
         Ok(escapement)
     }
 
     /// An escapement with sizes in range, which may lock or jam.
-    pub(super) fn assembled(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
+    pub(super) fn assemble(parameters: &Parameters, joints: Joints) -> Result<Self, DynamicsError> {
         for (name, asked) in joints.named() {
             not_negative(name, asked)?;
         }
         if joints.pin_radius >= 1.0 {
-            return Err(Error::PinTooThick { asked: joints.pin_radius });
+            return Err(DynamicsError::PinTooThick { asked: joints.pin_radius });
         }
         if joints.driver_drag_torque >= parameters.torque() {
-            return Err(Error::DragTorque { asked: joints.driver_drag_torque, torque: parameters.torque() });
+            return Err(DynamicsError::DragTorque { asked: joints.driver_drag_torque, torque: parameters.torque() });
         }
         let journals = Journals::new(&joints, parameters.friction());
-        let reversal = existence::reversal(parameters, joints.pin_radius);
+        let reversal = reversal_angle(parameters, joints.pin_radius);
         Ok(Self { parameters: *parameters, joints, journals, reversal })
     }
 
@@ -169,16 +169,16 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::OutsideTheSlot`], [`Error::Speed`].
-    pub fn motion(&self, angle: f64, speed: f64) -> Result<Motion, Error> {
+    /// [`DynamicsError::OutsideTheSlot`], [`DynamicsError::Speed`].
+    pub fn motion(&self, angle: f64, speed: f64) -> Result<JointMotion, DynamicsError> {
         let limit = self.parameters.mechanism().engagement_half_angle();
         // Half a turn over the number of pins is known to its last place only.
         let within = angle.abs() <= limit * (1.0 + f64::EPSILON);
         if !within {
-            return Err(Error::OutsideTheSlot { asked: angle, limit });
+            return Err(DynamicsError::OutsideTheSlot { asked: angle, limit });
         }
         if !(speed >= 0.0 && (speed * speed).is_finite()) {
-            return Err(Error::Speed { name: "driver speed", asked: speed });
+            return Err(DynamicsError::Speed { name: "driver speed", asked: speed });
         }
         let (place, square) = (self.place(angle), speed * speed);
         let flank = Sign::from_number(place.terms.flank_switching_function(&square));
@@ -188,13 +188,13 @@ impl Escapement {
         let moment = place.terms.moment(&square, &angular_acceleration);
         let follower_acceleration = moment - place.terms.drag;
         let normal_moment = self.parameters.inertias().follower() * moment / arms.follower;
-        Ok(Motion { angular_acceleration, follower_acceleration, normal_moment, flank, sliding })
+        Ok(JointMotion { angular_acceleration, follower_acceleration, normal_moment, flank, sliding })
     }
 
     /// The equation's terms at a crank angle.
-    pub(super) fn place(&self, angle: f64) -> Place {
+    pub(super) fn place(&self, angle: f64) -> JointPose {
         let pose = self.parameters.pose(angle);
-        let reach = Reach::of_pose(&pose);
+        let reach = Reach::from_pose(&pose);
         let (inertias, joints) = (self.parameters.inertias(), &self.joints);
         let terms = Terms {
             inertia: inertias.ratio(),
@@ -203,7 +203,7 @@ impl Escapement {
             ratio: reach.ratio,
             bend: pose.acceleration_ratio(),
         };
-        Place { reach, terms }
+        JointPose { reach, terms }
     }
 
     /// κ and λ: the arms of contact and journals.
@@ -211,6 +211,19 @@ impl Escapement {
         let contact = reach.arms(&self.joints.pin_radius, &self.parameters.friction(), flank, sliding);
         contact.with_journals(&self.journals.driver, &self.journals.follower, flank)
     }
+}
+
+/// Crank angle behind the line of centres at which a pin of this radius stops sliding inward on the trailing flank.
+///
+/// On the leading flank it is the mirror image. There R dR/dθ + ρ (R² + h)/R, with h = a cos θ − 1, rises all the way
+/// from entry to the line of centres: the first term by h + 1, the second by −ρ g h/R³ with g = a sin θ < 0. At entry
+/// it is −R + ρ R < 0 if ρ < 1, on the line of centres it is not negative.
+fn reversal_angle(parameters: &Parameters, pin: f64) -> f64 {
+    if pin == 0.0 {
+        return 0.0;
+    }
+    let inward = |angle| Reach::from_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
+    bisect([0.0, parameters.mechanism().engagement_half_angle()], inward)[1]
 }
 
 /// Power at one instant, in the unit of the torque times radians per unit of time; or, summed over a time, work done,
@@ -255,13 +268,13 @@ impl Escapement {
     /// # Errors
     ///
     /// As for [`Escapement::motion`].
-    pub fn power(&self, angle: f64, speed: f64) -> Result<Power, Error> {
+    pub fn power(&self, angle: f64, speed: f64) -> Result<Power, DynamicsError> {
         let motion = self.motion(angle, speed)?;
         Ok(self.work_rate(self.place(angle).reach.ratio, &motion).times(speed))
     }
 
     /// The power over θ', that is the work per radian of the driver.
-    pub(super) fn work_rate(&self, ratio: f64, motion: &Motion) -> Power {
+    pub(super) fn work_rate(&self, ratio: f64, motion: &JointMotion) -> Power {
         let load = motion.normal_moment.abs();
         let joints = self.joints();
         Power {

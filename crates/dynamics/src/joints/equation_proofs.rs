@@ -48,14 +48,14 @@ impl Identity<7> for SwitchingFunctionDecidesFlank {
 ///
 /// So speeds go as √(K/I_f) if there is no constant torque, or one that grows with K. The arms of pin and journals
 /// stand in m alone, which stays. Variables: factor of θ'', m, q, p, drive, drag torque, θ'², κ.
-pub enum Similarity {
+pub enum JointSimilarity {
     /// Of θ''.
     AngularAcceleration,
     /// Of the number that decides the flank.
     Flank,
 }
 
-impl Identity<8> for Similarity {
+impl Identity<8> for JointSimilarity {
     fn difference(&self, [slope, leverage, ratio, bend, drive, drag, square, kappa]: [Expression; 8]) -> Expression {
         let scaled = |number: Expression| kappa * number;
         let old = terms([slope, leverage, ratio, bend, drive, drag]);
@@ -91,7 +91,7 @@ impl Identity<8> for GoesOverToMeyer {
         let pose = Pose::from_square(&radius.squared(), &numerator, &cross);
         let sign = self.flank.times(self.sliding);
         let meyer =
-            Coefficients::of_pose(&pose, &inertia, &friction, &drive).residual(&speed, &angular_acceleration, sign);
+            Coefficients::from_pose(&pose, &inertia, &friction, &drive).residual(&speed, &angular_acceleration, sign);
         let reach = Reach { radius, ratio: pose.velocity_ratio(), slide: cross / radius };
         let arms = reach.arms(&Expression::ZERO, &friction, self.flank, self.sliding);
         let moment = pose.follower_acceleration(&speed, &angular_acceleration);

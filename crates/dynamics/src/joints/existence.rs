@@ -9,15 +9,13 @@
 //! flank; both must be positive, as A > |D| must in the ideal model, to which the margin goes over. No closed form is
 //! known for where the least of them is: it is looked for on a grid, and about its lowest point refined.
 
-use super::contact::Reach;
 use super::equation::Escapement;
-use crate::{Error, Parameters, Sign};
+use crate::{DynamicsError, Sign};
 use geneva_kinematics::Mechanism;
-use geneva_kinematics::bisection::bisect;
 
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LeastMargin {
+pub struct LeastJointMargin {
     /// I_D/I_f + m q there, dimensionless; A − |D| if the joints are ideal.
     pub margin: f64,
     /// Crank angle in radians from the line of centres.
@@ -44,31 +42,18 @@ pub fn largest_pin_radius(mechanism: Mechanism) -> f64 {
 /// Points of the grid over one engagement.
 const GRID: u32 = 2048;
 
-/// Crank angle behind the line of centres at which a pin of this radius stops sliding inward on the trailing flank.
-///
-/// On the leading flank it is the mirror image. There R dR/dθ + ρ (R² + h)/R, with h = a cos θ − 1, rises all the way
-/// from entry to the line of centres: the first term by h + 1, the second by −ρ g h/R³ with g = a sin θ < 0. At entry
-/// it is −R + ρ R < 0 if ρ < 1, on the line of centres it is not negative.
-pub(super) fn reversal(parameters: &Parameters, pin: f64) -> f64 {
-    if pin == 0.0 {
-        return 0.0;
-    }
-    let inward = |angle| Reach::of_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
-    bisect([0.0, parameters.mechanism().engagement_half_angle()], inward)[1]
-}
-
 impl Escapement {
     /// An error unless the equation of motion has one solution in every pose and at every speed.
-    pub(super) fn exists(&self) -> Result<(), Error> {
+    pub(super) fn exists(&self) -> Result<(), DynamicsError> {
         let lever = self.parameters().mechanism().centre_distance_ratio() - 1.0;
         let taken = self.parameters().friction() * self.joints().pin_radius + self.journals.follower;
         // Written so that what is not a number is refused.
         let turns = taken < lever;
         if !turns {
-            return Err(Error::SelfLocking { taken, lever });
+            return Err(DynamicsError::SelfLocking { taken, lever });
         }
-        let LeastMargin { margin, angle, .. } = self.least_margin();
-        if margin > 0.0 { Ok(()) } else { Err(Error::Jams { margin, angle }) }
+        let LeastJointMargin { margin, angle, .. } = self.least_margin();
+        if margin > 0.0 { Ok(()) } else { Err(DynamicsError::Jams { margin, angle }) }
     }
 
     /// The least factor of θ'' in the engagement: how far the escapement is from jamming.
@@ -83,9 +68,9 @@ impl Escapement {
     /// let ideal = Escapement::new(&timer, Joints::IDEAL)?;
     /// let expected = existence::least_margin(Mechanism::FOUR_PIN, 0.1, 0.2)?;
     /// assert!((ideal.least_margin().margin - expected.margin).abs() < 1e-12);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
-    pub fn least_margin(&self) -> LeastMargin {
+    pub fn least_margin(&self) -> LeastJointMargin {
         let half = self.parameters().mechanism().engagement_half_angle();
         let step = 2.0 * half / f64::from(GRID);
         let candidates = Sign::BOTH.into_iter().map(|flank| {
@@ -96,9 +81,9 @@ impl Escapement {
                 if margin < best.0 { (margin, angle) } else { best }
             });
             let (margin, angle) = refined(at, worst, step);
-            LeastMargin { margin, angle: angle.clamp(-half, half), flank }
+            LeastJointMargin { margin, angle: angle.clamp(-half, half), flank }
         });
-        candidates.fold(LeastMargin { margin: f64::INFINITY, angle: 0.0, flank: Sign::Plus }, |best, new| {
+        candidates.fold(LeastJointMargin { margin: f64::INFINITY, angle: 0.0, flank: Sign::Plus }, |best, new| {
             if new.margin < best.margin { new } else { best }
         })
     }

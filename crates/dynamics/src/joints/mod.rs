@@ -49,8 +49,8 @@
 //! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`)
 //! with those of the journals, the equation of motion with the flank decided beforehand and where the power goes
 //! (`equation`, proven in [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where
-//! it has one solution (`existence`), the motion over one engagement by Runge-Kutta steps of the angle ([`Passage`]),
-//! the one that repeats itself ([`Settled`]), and what each size does to it ([`series`]).
+//! it has one solution (`existence`), the motion over one engagement by Runge-Kutta steps of the angle ([`JointPassage`]),
+//! the one that repeats itself ([`SettledPassage`]), and what each size does to it ([`series`]).
 
 mod contact;
 pub mod contact_proofs;
@@ -63,10 +63,10 @@ mod steady;
 
 pub use contact::{Arms, Reach};
 pub use effects::{Effect, Varied, effects, series};
-pub use equation::{Escapement, Motion, Power, Terms};
-pub use existence::{LeastMargin, largest_pin_radius};
-pub use passage::{Passage, STEPS};
-pub use steady::Settled;
+pub use equation::{Escapement, JointMotion, Power, Terms};
+pub use existence::{LeastJointMargin, largest_pin_radius};
+pub use passage::{JointPassage, STEPS};
+pub use steady::SettledPassage;
 
 /// Sizes and frictions of the joints.
 ///
@@ -80,7 +80,7 @@ pub use steady::Settled;
 /// let thick = Escapement::new(&timer, Joints { pin_radius: 0.1, ..Joints::IDEAL })?;
 /// assert!(thick.reversal_angle() > 0.0); // rad: the surface of a thick pin slides outward before the line of centres
 /// assert_eq!(Escapement::new(&timer, Joints::IDEAL)?.reversal_angle(), 0.0);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joints {

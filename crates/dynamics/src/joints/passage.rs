@@ -6,8 +6,8 @@
 //! itself. With u go the logarithm of how much a small difference of two motions shrinks, the time, and the work of
 //! friction. Two changes of the flank within one step would be missed.
 
-use super::equation::{Escapement, Motion, Power};
-use crate::Error;
+use super::equation::{Escapement, JointMotion, Power};
+use crate::DynamicsError;
 use crate::Sign;
 use crate::steady::Extreme;
 use geneva_kinematics::bisection::bisect_times;
@@ -36,10 +36,10 @@ type State = SVector<f64, 6>;
 /// // What friction leaves of the work goes into the driver, as the follower is at rest at both ends.
 /// let gain = 2.0 * (passage.exit_speed.powi(2) - passage.entry_speed.powi(2)) / 2.0;
 /// assert!((passage.work.growth() - gain).abs() < 1e-9);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Passage {
+pub struct JointPassage {
     /// θ' at entry, in radians per unit of time.
     pub entry_speed: f64,
     /// θ' at exit, in radians per unit of time.
@@ -61,7 +61,7 @@ pub struct Passage {
 }
 
 /// A part of the engagement within which the sliding has one sense on either flank.
-struct Part {
+struct SlidingInterval {
     start: f64,
     end: f64,
     leading: Sign,
@@ -69,7 +69,7 @@ struct Part {
 }
 
 /// A node, with the slope of the state on the side of the step that it belongs to.
-struct Node {
+struct StepNode {
     angle: f64,
     state: State,
     slope: State,
@@ -80,20 +80,20 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::OutOfRange`], [`Error::Speed`], and [`Error::Stalls`] if the driver comes to rest. A start
+    /// [`DynamicsError::OutOfRange`], [`DynamicsError::Speed`], and [`DynamicsError::Stalls`] if the driver comes to rest. A start
     /// from rest is refused too: over the angle, the time of the first step has no bound there.
-    pub fn passage(&self, entry_speed: f64, steps: u32) -> Result<Passage, Error> {
+    pub fn passage(&self, entry_speed: f64, steps: u32) -> Result<JointPassage, DynamicsError> {
         let square = entry_speed * entry_speed;
         if !(entry_speed >= 0.0 && square.is_finite()) {
-            return Err(Error::Speed { name: "driver speed", asked: entry_speed });
+            return Err(DynamicsError::Speed { name: "driver speed", asked: entry_speed });
         }
         self.passage_of_square(square, steps)
     }
 
     /// The passage of an engagement from the square of the entry speed.
-    pub(super) fn passage_of_square(&self, square: f64, steps: u32) -> Result<Passage, Error> {
+    pub(super) fn passage_of_square(&self, square: f64, steps: u32) -> Result<JointPassage, DynamicsError> {
         if !STEPS.contains(&steps) {
-            return Err(Error::OutOfRange {
+            return Err(DynamicsError::OutOfRange {
                 name: "steps",
                 asked: steps.into(),
                 least: (*STEPS.start()).into(),
@@ -117,7 +117,7 @@ impl Escapement {
             }
         }
         let input = 2.0 * half * self.parameters().torque();
-        Ok(Passage {
+        Ok(JointPassage {
             entry_speed: square.sqrt(),
             exit_speed: state[0].sqrt(),
             multiplier: libm::exp(state[1]),
@@ -136,9 +136,9 @@ impl Escapement {
     }
 
     /// The parts between entry, the two angles at which the sliding can turn, and exit.
-    fn parts(&self) -> impl Iterator<Item = Part> {
+    fn parts(&self) -> impl Iterator<Item = SlidingInterval> {
         let (half, turn) = (self.parameters().mechanism().engagement_half_angle(), self.reversal_angle());
-        let part = |start, end, leading, trailing| Part { start, end, leading, trailing };
+        let part = |start, end, leading, trailing| SlidingInterval { start, end, leading, trailing };
         let all = [
             part(-half, -turn, Sign::Minus, Sign::Minus),
             part(-turn, turn, Sign::Plus, Sign::Minus),
@@ -150,12 +150,12 @@ impl Escapement {
     /// The state and the flank after a step, cut where the flank changes.
     fn advance(
         &self,
-        part: &Part,
+        part: &SlidingInterval,
         (mut from, to): (f64, f64),
         mut state: State,
         mut flank: Sign,
         track: &mut Track,
-    ) -> Result<(State, Sign), Error> {
+    ) -> Result<(State, Sign), DynamicsError> {
         for _ in 0..MOST_CHANGES {
             let end = self.step(part, flank, from, to, &state)?;
             if self.flank(to, end[0]) == flank {
@@ -189,20 +189,27 @@ impl Escapement {
     }
 
     /// One step on one flank.
-    fn step(&self, part: &Part, flank: Sign, from: f64, to: f64, state: &State) -> Result<State, Error> {
+    fn step(
+        &self,
+        part: &SlidingInterval,
+        flank: Sign,
+        from: f64,
+        to: f64,
+        state: &State,
+    ) -> Result<State, DynamicsError> {
         let first = self.rate(part, flank, from, state)?;
         let rate = |angle: f64, state: &State| self.rate(part, flank, angle, state);
         let end = runge_kutta_step(rate, from, to, state, &first)?;
         let runs = end[0] > 0.0 && end[0].is_finite();
-        if runs { Ok(end) } else { Err(Error::Stalls { angle: to }) }
+        if runs { Ok(end) } else { Err(DynamicsError::Stalls { angle: to }) }
     }
 
     /// The state's slope over the angle on one flank.
-    fn rate(&self, part: &Part, flank: Sign, angle: f64, state: &State) -> Result<State, Error> {
+    fn rate(&self, part: &SlidingInterval, flank: Sign, angle: f64, state: &State) -> Result<State, DynamicsError> {
         let square = state[0];
         let runs = square > 0.0 && square.is_finite();
         if !runs {
-            return Err(Error::Stalls { angle });
+            return Err(DynamicsError::Stalls { angle });
         }
         let place = self.place(angle);
         let sense = if flank == Sign::Plus { part.leading } else { part.trailing };
@@ -210,7 +217,7 @@ impl Escapement {
         let leverage = arms.driver / arms.follower;
         let angular_acceleration = place.terms.angular_acceleration(&square, &leverage);
         let moment = place.terms.moment(&square, &angular_acceleration);
-        let motion = Motion {
+        let motion = JointMotion {
             angular_acceleration,
             follower_acceleration: moment - place.terms.drag,
             normal_moment: self.parameters().inertias().follower() * moment / arms.follower,
@@ -233,16 +240,16 @@ impl Escapement {
     /// Takes a step into account that is on one flank.
     fn record(
         &self,
-        part: &Part,
+        part: &SlidingInterval,
         flank: Sign,
         (from, state): (f64, State),
         (to, end): (f64, State),
         track: &mut Track,
-    ) -> Result<(), Error> {
+    ) -> Result<(), DynamicsError> {
         let slope = self.rate(part, flank, from, &state)?;
-        let before = Node { angle: from, state, slope };
+        let before = StepNode { angle: from, state, slope };
         let slope = self.rate(part, flank, to, &end)?;
-        track.take(&before, &Node { angle: to, state: end, slope });
+        track.take(&before, &StepNode { angle: to, state: end, slope });
         Ok(())
     }
 }
@@ -274,7 +281,7 @@ impl Track {
         Self { peak: spot, minimum: spot, changes: Vec::new() }
     }
 
-    fn take(&mut self, from: &Node, to: &Node) {
+    fn take(&mut self, from: &StepNode, to: &StepNode) {
         let turns = from.slope[0] * to.slope[0] < 0.0;
         for part in [turns.then(|| level(from, to)), Some(1.0)].into_iter().flatten() {
             let angle = if part < 1.0 { from.angle + part * (to.angle - from.angle) } else { to.angle };
@@ -290,7 +297,7 @@ impl Track {
 }
 
 /// The cubic through values and slopes at both nodes, at a part of the way.
-fn cubic(from: &Node, to: &Node, which: usize, part: f64) -> f64 {
+fn cubic(from: &StepNode, to: &StepNode, which: usize, part: f64) -> f64 {
     let (width, rest) = (to.angle - from.angle, 1.0 - part);
     let ends =
         from.state[which] * rest * rest * (1.0 + 2.0 * part) + to.state[which] * part * part * (1.0 + 2.0 * rest);
@@ -298,7 +305,7 @@ fn cubic(from: &Node, to: &Node, which: usize, part: f64) -> f64 {
 }
 
 /// Where between two nodes the cubic of u is level; its slopes there have opposite signs.
-fn level(from: &Node, to: &Node) -> f64 {
+fn level(from: &StepNode, to: &StepNode) -> f64 {
     let (width, first, last) = (to.angle - from.angle, from.slope[0], to.slope[0]);
     let chord = (to.state[0] - from.state[0]) / width;
     // The cubic's slope as a parabola.

@@ -4,8 +4,8 @@
 //! is the slope of that function. So Newton's method finds the u that is handed on unchanged.
 
 use super::equation::Escapement;
-use super::passage::{Passage, STEPS};
-use crate::Error;
+use super::passage::{JointPassage, STEPS};
+use crate::DynamicsError;
 
 /// A steady state with what halving the steps told of its error.
 ///
@@ -20,12 +20,12 @@ use crate::Error;
 /// let settled = Escapement::new(&timer, Joints::IDEAL)?.steady_state(1e-9)?;
 /// let exact = Engagement::new(&timer)?.steady_state()?;
 /// assert!((settled.state.mean_speed / exact.mean_speed - 1.0).abs() < 1e-8);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settled {
+pub struct SettledPassage {
     /// The passage that repeats itself, with the finer steps.
-    pub state: Passage,
+    pub state: JointPassage,
     /// Steps that an engagement was divided into at last.
     pub steps: u32,
     /// Greatest relative change, dimensionless, of entry speed, peak, minimum, period and multiplier when the steps
@@ -44,17 +44,17 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::OutOfRange`]; [`Error::NoTerminalSpeed`] if only constant torques brake, or nothing does;
-    /// [`Error::Stalls`] if the driver slows down until it stops on the way; [`Error::NotRepeated`] if no
+    /// [`DynamicsError::OutOfRange`]; [`DynamicsError::NoTerminalSpeed`] if only constant torques brake, or nothing does;
+    /// [`DynamicsError::Stalls`] if the driver slows down until it stops on the way; [`DynamicsError::NotRepeated`] if no
     /// speed was found that repeats itself.
-    pub fn steady_state_in(&self, steps: u32) -> Result<Passage, Error> {
+    pub fn steady_state_in(&self, steps: u32) -> Result<JointPassage, DynamicsError> {
         let mut passage = self.running(steps)?;
         for _ in 0..MOST_TRIALS {
             let (entry, exit) = (passage.entry_speed, passage.exit_speed);
             let rest = 1.0 - passage.multiplier;
             // Within rounding: the multiplier is a sum over all steps.
             if rest <= 1e-12 {
-                return Err(Error::NoTerminalSpeed { multiplier: passage.multiplier });
+                return Err(DynamicsError::NoTerminalSpeed { multiplier: passage.multiplier });
             }
             let excess = (exit - entry) * (exit + entry);
             if excess.abs() <= 4.0 * f64::EPSILON * entry * entry {
@@ -68,19 +68,19 @@ impl Escapement {
             }
             passage = next;
         }
-        Err(Error::NotRepeated { entry: passage.entry_speed, exit: passage.exit_speed })
+        Err(DynamicsError::NotRepeated { entry: passage.entry_speed, exit: passage.exit_speed })
     }
 
     /// The passage from a square of the speed, or if that stalls, the one that follows on the last.
     ///
     /// u at exit grows with u at entry, so that passages which follow on one another go the right way, if slowly.
-    fn nearer(&self, square: f64, exit: f64, steps: u32) -> Result<Passage, Error> {
+    fn nearer(&self, square: f64, exit: f64, steps: u32) -> Result<JointPassage, DynamicsError> {
         let follow = || self.passage_of_square(exit * exit, steps);
         if !(square > 0.0 && square.is_finite()) {
             return follow();
         }
         match self.passage_of_square(square, steps) {
-            Err(Error::Stalls { .. }) => follow(),
+            Err(DynamicsError::Stalls { .. }) => follow(),
             other => other,
         }
     }
@@ -89,8 +89,8 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// As for [`Escapement::steady_state_in`], and [`Error::NotSettled`] if the most steps do not reach it.
-    pub fn steady_state(&self, tolerance: f64) -> Result<Settled, Error> {
+    /// As for [`Escapement::steady_state_in`], and [`DynamicsError::NotSettled`] if the most steps do not reach it.
+    pub fn steady_state(&self, tolerance: f64) -> Result<SettledPassage, DynamicsError> {
         let mut steps = FIRST_STEPS;
         let mut coarse = self.steady_state_in(steps)?;
         loop {
@@ -98,22 +98,22 @@ impl Escapement {
             let fine = self.steady_state_in(steps)?;
             let change = change(&coarse, &fine);
             if change <= tolerance {
-                return Ok(Settled { state: fine, steps, change });
+                return Ok(SettledPassage { state: fine, steps, change });
             }
             if steps >= *STEPS.end() {
-                return Err(Error::NotSettled { tolerance, reached: change });
+                return Err(DynamicsError::NotSettled { tolerance, reached: change });
             }
             coarse = fine;
         }
     }
 
     /// A passage that does not stall, entered as fast as need be.
-    fn running(&self, steps: u32) -> Result<Passage, Error> {
+    fn running(&self, steps: u32) -> Result<JointPassage, DynamicsError> {
         let mut square = self.parameters().drive();
         let mut tried = self.passage_of_square(square, steps);
         for _ in 0..20 {
             match tried {
-                Err(Error::Stalls { .. }) => square *= 4.0,
+                Err(DynamicsError::Stalls { .. }) => square *= 4.0,
                 other => return other,
             }
             tried = self.passage_of_square(square, steps);
@@ -123,8 +123,9 @@ impl Escapement {
 }
 
 /// The greatest relative change of what a steady state is made of.
-fn change(old: &Passage, new: &Passage) -> f64 {
-    let of =
-        |state: &Passage| [state.entry_speed, state.peak.speed, state.minimum.speed, state.duration, state.multiplier];
+fn change(old: &JointPassage, new: &JointPassage) -> f64 {
+    let of = |state: &JointPassage| {
+        [state.entry_speed, state.peak.speed, state.minimum.speed, state.duration, state.multiplier]
+    };
     of(old).into_iter().zip(of(new)).map(|(old, new)| ((new - old) / new).abs()).fold(0.0, f64::max)
 }

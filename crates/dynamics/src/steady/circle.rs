@@ -34,7 +34,7 @@ pub(super) struct Circle {
 
 /// One place on the circle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct CirclePoint {
     /// ρ, the velocity ratio, dimensionless: follower's speed over driver's.
     pub rho: f64,
     /// k, the sliding ratio, dimensionless: sliding per radian over R, positive past the line of centres.
@@ -43,7 +43,7 @@ pub(super) struct Place {
     pub jacobian: f64,
 }
 
-impl Place {
+impl CirclePoint {
     /// dψ/dθ, the angular velocity of ψ over the driver's, dimensionless.
     #[inline]
     pub fn angular_velocity(&self) -> f64 {
@@ -56,7 +56,7 @@ static CIRCLES: LazyLock<[Circle; 3]> = LazyLock::new(|| Mechanism::ALL.map(Circ
 
 impl Circle {
     /// The circle of a mechanism, made at the first call.
-    pub fn of(mechanism: Mechanism) -> Self {
+    pub fn lookup(mechanism: Mechanism) -> Self {
         CIRCLES[mechanism.index()]
     }
 
@@ -71,11 +71,11 @@ impl Circle {
 
     /// The place at w.
     #[inline]
-    pub fn place(&self, w: f64) -> Place {
+    pub fn place(&self, w: f64) -> CirclePoint {
         let scale = 1.0 / (1.0 + w * w);
         let (sin, cos) = (2.0 * w * scale, (1.0 - w * w) * scale);
         let rho = self.centre + self.radius * ((cos - sin) * (cos + sin));
-        Place { rho, k: self.radius * (2.0 * sin * cos), jacobian: 4.0 * scale }
+        CirclePoint { rho, k: self.radius * (2.0 * sin * cos), jacobian: 4.0 * scale }
     }
 
     /// θ at w, in radians; not negative.
@@ -86,7 +86,7 @@ impl Circle {
     }
 
     /// w, dimensionless, at θ, for θ from 0 to π.
-    pub fn at_angle(&self, angle: f64) -> f64 {
+    pub fn w_at_angle(&self, angle: f64) -> f64 {
         let less = 1.0 / (self.centre * (self.ratio + 1.0));
         let (sin, cos) = (libm::sin(angle / 2.0) * (self.ratio + 1.0), libm::cos(angle / 2.0) * less);
         sin / (cos + libm::hypot(sin, cos))

@@ -9,7 +9,7 @@
 
 use super::engagement::Engagement;
 use super::quadrature::NodalValues;
-use super::subinterval::{NodeMapping, Nodes, Solution};
+use super::subinterval::{NodeMapping, Nodes, SubintervalSolution};
 
 /// A step of Newton's method, over the subinterval, from which on u is taken on nodes of its own.
 pub(super) const COARSE: f64 = 1e-4;
@@ -38,19 +38,19 @@ pub(super) struct Split {
     /// u where it is divided, dimensionless.
     pub square: f64,
     /// With the plus sign up to there, with the minus sign from there on.
-    pub parts: Box<[Part; 2]>,
+    pub parts: Box<[SplitPart; 2]>,
 }
 
 /// A part of a subinterval on nodes of its own, with the sign that it has.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
+pub(super) struct SplitPart {
     pub nodes: Nodes,
-    pub solution: Solution,
+    pub solution: SubintervalSolution,
 }
 
 /// What Newton's method ends with.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
+pub(super) struct LocatedReversal {
     /// w of the switch, dimensionless.
     pub reversal: f64,
     /// w of the last place that was asked for, dimensionless.
@@ -75,10 +75,10 @@ impl Engagement {
     }
 
     /// From low to high, with σ = S μ.
-    pub(super) fn part(&self, low: f64, high: f64, sigma: f64) -> Part {
+    pub(super) fn part(&self, low: f64, high: f64, sigma: f64) -> SplitPart {
         let nodes = self.nodes(low, high, NodeMapping::Linear);
         let solution = self.solution(&nodes, sigma);
-        Part { nodes, solution }
+        SplitPart { nodes, solution }
     }
 
     /// The switching function ρ − i k (1 + 2 ρ) u, positive before the contact reversal.
@@ -97,7 +97,7 @@ impl Engagement {
         ends: [f64; 2],
         coarse: impl Fn(&NodalValues) -> f64,
         mut fine: impl FnMut(f64) -> f64,
-    ) -> Found {
+    ) -> LocatedReversal {
         let (mut low, mut high) = (nodes.low, nodes.high);
         let (width, part, enough) = (high - low, ends[0] / (ends[0] - ends[1]), self.fine());
         // Newton's method, kept between the ends: a step that leaves them is replaced by a halving.
@@ -108,7 +108,7 @@ impl Engagement {
             let next = w - excess / slope;
             let moved = next - w;
             if refining && libm::fabs(moved) <= enough * width {
-                return Found { reversal: next.clamp(nodes.low, nodes.high), at: w, square };
+                return LocatedReversal { reversal: next.clamp(nodes.low, nodes.high), at: w, square };
             }
             if !refining {
                 *(if excess > 0.0 { &mut low } else { &mut high }) = w;
@@ -117,7 +117,7 @@ impl Engagement {
             refining |= inside && libm::fabs(moved) <= COARSE * width;
             w = if inside || refining { next.clamp(nodes.low, nodes.high) } else { low + (high - low) / 2.0 };
         }
-        Found { reversal: w, at: w, square: fine(w) }
+        LocatedReversal { reversal: w, at: w, square: fine(w) }
     }
 
     /// The excess, and its slope by w at the switch.

@@ -1,9 +1,9 @@
 //! One engagement: the solution of the equation of motion between two hand-overs, for all entry speeds at once.
 
-use super::circle::{Circle, Place};
+use super::circle::{Circle, CirclePoint};
 use super::quadrature::{GaussLegendre, NODES, rule};
-use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisected, middle};
-use crate::{Error, Parameters};
+use super::subinterval::{NodeMapping, Nodes, NodesOf, SubintervalSolution, bisection_tree, middle};
+use crate::{DynamicsError, Parameters};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::{LazyLock, OnceLock};
@@ -34,7 +34,7 @@ pub const MOST_SUBINTERVALS: usize = 4096;
 /// let (weak, strong) = (timer(1e-3)?.steady_state()?, timer(4e-3)?.steady_state()?);
 /// assert!((strong.mean_speed / weak.mean_speed - 2.0).abs() < 1e-12); // by the law of similarity
 /// assert!((strong.period / weak.period - 0.5).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Engagement {
@@ -68,7 +68,7 @@ pub struct Engagement {
 pub(super) struct Subinterval {
     pub nodes: NodesOf<'static>,
     /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
-    pub plus: Solution,
+    pub plus: SubintervalSolution,
     /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end, dimensionless.
     pub before: (f64, f64),
     /// Made when it is asked for: the motion has this sign from the contact reversal on only.
@@ -78,14 +78,14 @@ pub(super) struct Subinterval {
 /// The trailing flank: friction with the minus sign past the line of centres.
 #[derive(Clone, Debug)]
 pub(super) struct Trailing {
-    pub minus: Solution,
+    pub minus: SubintervalSolution,
     /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation, dimensionless.
     pub gap: f64,
 }
 
 impl Subinterval {
     /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end, dimensionless.
-    pub fn after(&self) -> (f64, f64) {
+    pub fn upper_integrals(&self) -> (f64, f64) {
         let (product, sum) = self.before;
         (product * self.plus.factor_end, sum + self.plus.integral_end / product)
     }
@@ -101,8 +101,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`Error::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
-    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+    /// [`DynamicsError::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
+    pub fn new(parameters: &Parameters) -> Result<Self, DynamicsError> {
         Self::with_tolerance(parameters, TOLERANCE)
     }
 
@@ -110,9 +110,9 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::new`], and [`Error::OutOfRange`].
-    pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, Error> {
-        let exit = Circle::of(parameters.mechanism()).exit;
+    /// As for [`Engagement::new`], and [`DynamicsError::OutOfRange`].
+    pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, DynamicsError> {
+        let exit = Circle::lookup(parameters.mechanism()).exit;
         Self::to(parameters, 2.0 * parameters.mechanism().engagement_half_angle(), exit, tolerance)
     }
 
@@ -134,32 +134,32 @@ impl Engagement {
     /// let reset = Engagement::reset_after(&timer, FRAC_PI_2, 1e-12)?;
     /// assert_eq!(reset.steady_state()?, Engagement::new(&timer)?.steady_state()?);
     /// assert!(Engagement::reset_after(&timer, 2.0 * PI, 1e-12).is_err());
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::with_tolerance`], and [`Error::Reset`].
+    /// As for [`Engagement::with_tolerance`], and [`DynamicsError::Reset`].
     ///
     /// Beyond the exit the equation has one solution if it has within: with |ρ| = x there, k² = c² a² − (c + x)², and
     /// at the place within where ρ = x it is c² a² − (c − x)², which is more; so |D| − ρ² = x (μ k − x) is less.
-    pub fn reset_after(parameters: &Parameters, reset: f64, tolerance: f64) -> Result<Self, Error> {
+    pub fn reset_after(parameters: &Parameters, reset: f64, tolerance: f64) -> Result<Self, DynamicsError> {
         let half = parameters.mechanism().engagement_half_angle();
         if reset == 2.0 * half {
             return Self::with_tolerance(parameters, tolerance);
         }
         let (limit, end) = (PI + half, reset - half);
         if !(reset > 0.0 && end < PI) {
-            return Err(Error::Reset { asked: reset, limit });
+            return Err(DynamicsError::Reset { asked: reset, limit });
         }
-        let circle = Circle::of(parameters.mechanism());
-        Self::to(parameters, reset, circle.at_angle(end.abs()).copysign(end), tolerance)
+        let circle = Circle::lookup(parameters.mechanism());
+        Self::to(parameters, reset, circle.w_at_angle(end.abs()).copysign(end), tolerance)
     }
 
     /// `end` is w at the end, negative before the line of centres.
-    fn to(parameters: &Parameters, reset: f64, end: f64, tolerance: f64) -> Result<Self, Error> {
+    fn to(parameters: &Parameters, reset: f64, end: f64, tolerance: f64) -> Result<Self, DynamicsError> {
         if !TOLERANCES.contains(&tolerance) {
-            return Err(Error::OutOfRange {
+            return Err(DynamicsError::OutOfRange {
                 name: "tolerance",
                 asked: tolerance,
                 least: *TOLERANCES.start(),
@@ -169,14 +169,20 @@ impl Engagement {
         Self::divided(parameters, reset, end, tolerance, &Scales::of_integrals(tolerance))
     }
 
-    fn divided(parameters: &Parameters, reset: f64, end: f64, tolerance: f64, scales: &Scales) -> Result<Self, Error> {
+    fn divided(
+        parameters: &Parameters,
+        reset: f64,
+        end: f64,
+        tolerance: f64,
+        scales: &Scales,
+    ) -> Result<Self, DynamicsError> {
         let mut engagement = Self {
             parameters: *parameters,
             reset,
             tolerance,
             energy_range: scales.energy_range,
             rule: rule(),
-            circle: Circle::of(parameters.mechanism()),
+            circle: Circle::lookup(parameters.mechanism()),
             inertia: parameters.inertias().ratio(),
             friction: parameters.friction(),
             unit: parameters.drive().sqrt(),
@@ -189,7 +195,7 @@ impl Engagement {
         let (exit, reach) = (engagement.circle.exit, end.abs());
         // At the exit A falls to i within √i: places, which are known to some units of 2⁻⁵³, must be finer than that.
         if engagement.inertia.sqrt() * tolerance < 4.0 * f64::EPSILON {
-            return Err(Error::TooSharp { angle: engagement.circle.angle(exit), margin: engagement.inertia });
+            return Err(DynamicsError::TooSharp { angle: engagement.circle.angle(exit), margin: engagement.inertia });
         }
         engagement.divide(0.0, exit.min(reach), scales)?;
         let nearer = engagement.subintervals.len();
@@ -200,12 +206,12 @@ impl Engagement {
     }
 
     /// Adds subintervals from `low` to `high`, each short enough for its nodes to resolve.
-    fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), Error> {
+    fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), DynamicsError> {
         if low >= high {
             return Ok(());
         }
         let mut rest = Vec::with_capacity(8);
-        let tree = bisected(self.parameters.mechanism());
+        let tree = bisection_tree(self.parameters.mechanism());
         rest.push((low, high, (low == 0.0 && high == self.circle.exit).then_some(0)));
         while let Some((low, high, number)) = rest.pop() {
             let middle = middle(low, high);
@@ -218,7 +224,7 @@ impl Engagement {
                     |shared| NodesOf::Shared(&shared.nodes),
                 );
                 let plus = self.solution(&nodes, self.friction);
-                let before = self.subintervals.last().map_or((1.0, 0.0), Subinterval::after);
+                let before = self.subintervals.last().map_or((1.0, 0.0), Subinterval::upper_integrals);
                 self.subintervals.push(Subinterval { nodes, plus, before, trailing: OnceLock::new() });
             } else if self.subintervals.len() + rest.len() < MOST_SUBINTERVALS && low < middle && middle < high {
                 let child = |which: usize| number.map(|number| number.saturating_mul(2).saturating_add(which));
@@ -227,14 +233,14 @@ impl Engagement {
             } else {
                 let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
                 let margin = self.inert(&self.circle.place(middle), sigma).value;
-                return Err(Error::TooSharp { angle: self.circle.angle(middle), margin });
+                return Err(DynamicsError::TooSharp { angle: self.circle.angle(middle), margin });
             }
         }
         Ok(())
     }
 
     /// Whether no pole of the equation is too near, and its solution does not grow too much, from low to high.
-    fn resolves(&self, low: f64, middle: f64, high: f64, places: &[Place; 3], scales: &Scales) -> bool {
+    fn resolves(&self, low: f64, middle: f64, high: f64, places: &[CirclePoint; 3], scales: &Scales) -> bool {
         let near = scales.distance * (high - low) / 2.0;
         // Poles that do not depend on the friction: w = ±i, where ψ is infinite, and where 1 + 2 ρ = 0. That is at
         // ψ = π ± i ln a, where w is on the unit circle and its imaginary part tanh(ln a / 2) = (a − 1)/(a + 1).
@@ -254,7 +260,7 @@ impl Engagement {
     }
 
     /// A + S D past the line of centres, with the first two derivatives by ψ, for σ = S μ.
-    fn inert(&self, place: &Place, sigma: f64) -> Parabola {
+    fn inert(&self, place: &CirclePoint, sigma: f64) -> Parabola {
         let centre = self.circle.centre;
         let (rho, k, across) = (place.rho, place.k, place.rho - centre);
         Parabola {
@@ -270,7 +276,7 @@ impl Engagement {
     }
 
     /// The solution at nodes with σ = S μ.
-    pub(super) fn solution(&self, nodes: &Nodes, sigma: f64) -> Solution {
+    pub(super) fn solution(&self, nodes: &Nodes, sigma: f64) -> SubintervalSolution {
         nodes.solution(self.rule, self.inertia, sigma)
     }
 
@@ -290,7 +296,7 @@ impl Engagement {
     }
 
     /// This engagement with subintervals so short that values between their nodes are as good as the integrals.
-    pub(super) fn refined(&self) -> Result<Self, Error> {
+    pub(super) fn refine(&self) -> Result<Self, DynamicsError> {
         Self::divided(&self.parameters, self.reset, self.end, self.tolerance, &Scales::between(self.tolerance))
     }
 

@@ -7,7 +7,7 @@ use super::contact_reversal::{COARSE, STEPS};
 use super::engagement::Engagement;
 use super::passage::{ContactMode, Passage, Traversal};
 use super::quadrature::{NODES, dot};
-use crate::Error;
+use crate::DynamicsError;
 
 /// A greatest or least speed of the driver, and where it has it.
 ///
@@ -24,7 +24,7 @@ use crate::Error;
 /// // Where the speed is least the driver has no acceleration: that is inside the engagement.
 /// assert!(slowest.angle.abs() < timer.mechanism().engagement_half_angle()); // rad
 /// assert!(timer.acceleration(slowest.angle, slowest.speed)?.value.abs() < 1e-6);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
@@ -129,7 +129,7 @@ impl Passage<'_> {
         for (index, value) in slopes.iter_mut().enumerate() {
             *value = slope(sigma, mirror, nodes.rho[index], nodes.k[index], traversal.squares[index]);
         }
-        let place = |index: usize| nodes.at(self.engagement.rule.nodes[index]);
+        let place = |index: usize| nodes.w_at(self.engagement.rule.nodes[index]);
         let ends = [slope_at(nodes.low, low), slope_at(nodes.high, high)];
         // A bit for each place where u grows, the two ends included; then one for each change between neighbours.
         let mut growing = u32::from(ends[0] > 0.0) | u32::from(ends[1] > 0.0) << (NODES + 1);
@@ -158,7 +158,7 @@ impl Passage<'_> {
         let (mut w, mut refining) = (start.clamp(first, last), false);
         for _ in 0..STEPS {
             let (square, time) = if refining {
-                self.within(number, w)
+                self.partial_traversal(number, w)
             } else {
                 (dot(&traversal.nodes.shares(self.engagement.rule, w), &traversal.squares), 0.0)
             };
@@ -186,7 +186,7 @@ impl Passage<'_> {
             refining |= inside && libm::fabs(moved) <= COARSE * width;
             w = if inside || refining { next.clamp(first, last) } else { low + (high - low) / 2.0 };
         }
-        let (square, time) = self.within(number, w);
+        let (square, time) = self.partial_traversal(number, w);
         Spot { traversal: number, at: w, square, time }
     }
 }
@@ -222,14 +222,14 @@ impl Engagement {
     /// let first = Engagement::new(&timer)?.first_minimum()?.expect("a light driver is slowed by the follower");
     /// // The speed is level there.
     /// assert!(timer.acceleration(first.angle, first.speed)?.value.abs() < 1e-6);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::new`].
-    pub fn first_minimum(&self) -> Result<Option<Extreme>, Error> {
-        let engagement = self.refined()?;
+    pub fn first_minimum(&self) -> Result<Option<Extreme>, DynamicsError> {
+        let engagement = self.refine()?;
         let (mut square, mut time) = (0.0, 0.0);
         for _ in 0..LOOKED_AT {
             let passage = engagement.pass(square);

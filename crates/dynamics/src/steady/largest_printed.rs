@@ -3,7 +3,7 @@
 use super::engagement::Engagement;
 use super::passage::Passage;
 use super::run::{Clock, MOST_PRINTED};
-use crate::Error;
+use crate::DynamicsError;
 
 /// Engagements whose squares of the entry speed differ by no more than this part of them are alike.
 const ALIKE: f64 = 1e-14;
@@ -26,25 +26,25 @@ impl Engagement {
     /// let all = engagement.run(interval, duration)?;
     /// let largest = all.iter().map(|line| line.speed).fold(0.0, f64::max); // rad/s
     /// assert!((engagement.largest_printed(interval, 0.0, duration)? - largest).abs() < 1e-9);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::run`]; [`Error::Negative`] for a `first` that is negative or not finite.
-    pub fn largest_printed(&self, interval: f64, first: f64, duration: f64) -> Result<f64, Error> {
+    /// As for [`Engagement::run`]; [`DynamicsError::Negative`] for a `first` that is negative or not finite.
+    pub fn largest_printed(&self, interval: f64, first: f64, duration: f64) -> Result<f64, DynamicsError> {
         for (name, asked) in [("print interval", interval), ("duration", duration)] {
             if !(asked > 0.0 && asked.is_finite()) {
-                return Err(Error::NotPositive { name, asked });
+                return Err(DynamicsError::NotPositive { name, asked });
             }
         }
         crate::error::not_negative("first line", first)?;
         if duration / interval >= MOST_PRINTED as f64 {
-            return Err(Error::TooMany { name: "printed lines", limit: MOST_PRINTED });
+            return Err(DynamicsError::TooMany { name: "printed lines", limit: MOST_PRINTED });
         }
         // A duration within rounding of a multiple is one.
         let last = ((duration - first) / interval * (1.0 + 1e-12)).floor();
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let unit = engagement.unit;
         let (mut square, mut start, mut largest) = (0.0, 0.0, 0.0_f64);
         let mut passed = Passed::of(&engagement, square);
@@ -71,7 +71,7 @@ impl Engagement {
             }
             square = passed.passage.end;
         }
-        Err(Error::TooMany { name: "engagements", limit: MOST_PRINTED })
+        Err(DynamicsError::TooMany { name: "engagements", limit: MOST_PRINTED })
     }
 }
 

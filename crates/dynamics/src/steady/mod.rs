@@ -10,7 +10,7 @@
 //!
 //! In order: the variable (`circle`), the Gauss-Legendre rule (`quadrature`), the integrals over a `subinterval`,
 //! [`Engagement`], the `contact_reversal`, [`Passage`] with its [`Extreme`]s, the [`SteadyState`], [`Rise`], and runs on a
-//! print grid ([`Printed`]). The identities behind them are proven in [`proofs`].
+//! print grid ([`PrintedLine`]). The identities behind them are proven in [`proofs`].
 
 mod circle;
 mod contact_reversal;
@@ -29,6 +29,6 @@ mod subinterval;
 pub use engagement::{Engagement, MOST_SUBINTERVALS, TOLERANCE, TOLERANCES};
 pub use extremes::Extreme;
 pub use passage::Passage;
-pub use rise::{Cycle, MOST_CYCLES, Rise, RiseMeasure};
-pub use run::{MOST_PRINTED, Printed};
+pub use rise::{MOST_CYCLES, Rise, RiseCycle, RiseMeasure};
+pub use run::{MOST_PRINTED, PrintedLine};
 pub use steady_state::SteadyState;

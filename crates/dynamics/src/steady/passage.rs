@@ -3,8 +3,8 @@
 use super::contact_reversal::{ContactReversal, Split};
 use super::engagement::{Engagement, exponents};
 use super::quadrature::{NODES, NodalValues};
-use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, middle};
-use crate::Error;
+use super::subinterval::{NodeMapping, Nodes, NodesOf, SubintervalSolution, middle};
+use crate::DynamicsError;
 
 /// Motion over one engagement from one speed at entry.
 ///
@@ -22,7 +22,7 @@ use crate::Error;
 /// let square = 1.0 + 2.0 * torque * FRAC_PI_2 / driver_inertia; // over a quarter of a turn
 /// assert!((passage.end_speed() - square.sqrt()).abs() < 1e-12); // rad/s
 /// assert!((passage.multiplier() - 1.0).abs() < 1e-12); // no difference is ever forgotten
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Passage<'a> {
@@ -43,13 +43,13 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`Error::Speed`] for a speed that is negative or not finite, or whose square over E is not.
-    pub fn passage(&self, entry_speed: f64) -> Result<Passage<'_>, Error> {
+    /// [`DynamicsError::Speed`] for a speed that is negative or not finite, or whose square over E is not.
+    pub fn passage(&self, entry_speed: f64) -> Result<Passage<'_>, DynamicsError> {
         let (speed, square) = (entry_speed / self.unit, (entry_speed / self.unit) * (entry_speed / self.unit));
         if speed >= 0.0 && square.is_finite() {
             Ok(self.pass(square))
         } else {
-            Err(Error::Speed { name: "entry speed", asked: entry_speed })
+            Err(DynamicsError::Speed { name: "entry speed", asked: entry_speed })
         }
     }
 
@@ -66,13 +66,13 @@ impl Engagement {
     /// let terminal = engagement.steady_state()?.entry_speed; // the fixed point of the map
     /// assert!((engagement.return_map(terminal)? / terminal - 1.0).abs() < 1e-12);
     /// assert!(engagement.return_map(0.9 * terminal)? > 0.9 * terminal); // from below it is approached
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::passage`].
-    pub fn return_map(&self, entry_speed: f64) -> Result<f64, Error> {
+    pub fn return_map(&self, entry_speed: f64) -> Result<f64, DynamicsError> {
         Ok(self.passage(entry_speed)?.end_speed())
     }
 
@@ -92,7 +92,7 @@ impl Engagement {
             // At the exit ρ is zero but for rounding.
             if number + 1 == self.to_exit || ends[1] <= 0.0 {
                 let coarse = |shares: &NodalValues| {
-                    let (factor, integral) = subinterval.plus.between(shares);
+                    let (factor, integral) = subinterval.plus.interpolate(shares);
                     factor * (square + integral)
                 };
                 let mut before = None;
@@ -120,7 +120,7 @@ impl Engagement {
 
     /// u at the end of that motion and how long it takes, in units of time: the numbers that its passage has.
     pub(super) fn end_of(&self, entry: f64) -> (f64, f64) {
-        let march = March::new(self, entry).over(self.split(entry).as_ref());
+        let march = March::new(self, entry).finish(self.split(entry).as_ref());
         (march.square, march.time / self.unit)
     }
 
@@ -128,20 +128,20 @@ impl Engagement {
     pub(super) fn pass_with(&self, entry: f64, split: Option<&Split>) -> Passage<'_> {
         let mut march = March::new(self, entry);
         march.traversals = Some(Vec::with_capacity(2 * self.subintervals.len() + 2));
-        let march = march.over(split);
+        let march = march.finish(split);
         let (end, time, reversal) = (march.square, march.time, split.map(|split| split.reversal));
         Passage { engagement: self, entry, end, time, reversal, traversals: march.traversals.unwrap_or_default() }
     }
 
     /// How long that motion takes, in units of 1/√E: the same number as its passage has.
     pub(super) fn time_with(&self, entry: f64, split: Option<&Split>) -> f64 {
-        March::new(self, entry).over(split).time
+        March::new(self, entry).finish(split).time
     }
 }
 
 impl<'a> Passage<'a> {
     /// Within a traversal, u at w and the time from its start, in units of 1/√E, on nodes of its own.
-    pub(super) fn within(&self, number: usize, w: f64) -> (f64, f64) {
+    pub(super) fn partial_traversal(&self, number: usize, w: f64) -> (f64, f64) {
         let (engagement, whole) = (self.engagement, &self.traversals[number]);
         let mirrored = whole.mode == ContactMode::Approach;
         let (low, high) = if mirrored { (w, whole.nodes.high) } else { (whole.nodes.low, w) };
@@ -281,7 +281,7 @@ impl<'a> March<'a> {
     }
 
     /// From entry to end.
-    pub fn over(mut self, split: Option<&Split>) -> Self {
+    pub fn finish(mut self, split: Option<&Split>) -> Self {
         let engagement = self.engagement;
         let last = if engagement.ends_before_centres { engagement.to_end } else { 0 };
         for subinterval in engagement.subintervals[last..engagement.to_exit].iter().rev() {
@@ -320,7 +320,14 @@ impl<'a> March<'a> {
     }
 
     /// Goes on over nodes, which may be those of a subinterval; divides them if the energy changes too much.
-    fn add(&mut self, nodes: &Nodes, shared: Option<&'a Nodes>, solution: &Solution, mode: ContactMode, halvings: u32) {
+    fn add(
+        &mut self,
+        nodes: &Nodes,
+        shared: Option<&'a Nodes>,
+        solution: &SubintervalSolution,
+        mode: ContactMode,
+        halvings: u32,
+    ) {
         let engagement = self.engagement;
         let (squares, end) = solution.motion(mode == ContactMode::Approach, self.square);
         let (low, high) = (nodes.low, nodes.high);

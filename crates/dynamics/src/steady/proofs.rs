@@ -58,7 +58,7 @@ pub struct SwitchingFactors;
 impl Identity<6> for SwitchingFactors {
     fn difference(&self, [ratio, tangent, inertia, friction, drive, speed]: [Expression; 6]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
-        let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
+        let coefficients = Coefficients::from_pose(&pose, &inertia, &friction, &drive);
         let slide = friction * (pose.k_sin_theta / pose.radius_squared);
         let square = speed * speed;
         let angular_acceleration = inertia * pose.acceleration_ratio() * square + pose.velocity_ratio() * drive;
@@ -75,7 +75,7 @@ pub struct RateOfDecay;
 impl Identity<4> for RateOfDecay {
     fn difference(&self, [ratio, tangent, inertia, friction]: [Expression; 4]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
-        let of = Coefficients::of_pose(&pose, &inertia, &friction, &Expression::ONE);
+        let of = Coefficients::from_pose(&pose, &inertia, &friction, &Expression::ONE);
         let (numerator, slide) = (pose.velocity_ratio(), pose.k_sin_theta / pose.radius_squared);
         let both = numerator + friction * slide;
         let inert = inertia + numerator * both;

@@ -8,12 +8,12 @@ use super::extremes::Extreme;
 use super::passage::{ContactMode, Passage, Traversal};
 use super::quadrature::dot;
 use super::steady_state::SteadyState;
-use crate::Error;
+use crate::DynamicsError;
 use geneva_kinematics::bisection::bisect_times;
 
 /// One engagement of a start from rest. Times are from the start, speeds the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cycle {
+pub struct RiseCycle {
     /// When it starts, in units of time.
     pub start: f64,
     /// When it ends, in units of time.
@@ -45,14 +45,14 @@ pub struct Cycle {
 /// assert!(rise.until_entry_speed(0.1) < rise.until_entry_speed(0.01)); // to within 10 % it takes less time
 /// let last = rise.cycles.last().expect("a cycle");
 /// assert_eq!(engagement.engagements_to_settle(0.001)?, (rise.cycles.len(), last.end));
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rise {
     /// The steady state that is approached.
     pub steady: SteadyState,
     /// The engagements, in order, until the speed at the end is within `settled` of the steady one.
-    pub cycles: Vec<Cycle>,
+    pub cycles: Vec<RiseCycle>,
 }
 
 /// What tells that a start from rest is over: the measures of a rise time, each with the name by which it is called.
@@ -121,15 +121,15 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `settled` is not between 0 and 1;
-    /// [`Error::TooMany`] if [`MOST_CYCLES`] are not enough.
-    pub fn rise(&self, settled: f64) -> Result<Rise, Error> {
+    /// As for [`Engagement::steady_state`]; [`DynamicsError::OutOfRange`] if `settled` is not between 0 and 1;
+    /// [`DynamicsError::TooMany`] if [`MOST_CYCLES`] are not enough.
+    pub fn rise(&self, settled: f64) -> Result<Rise, DynamicsError> {
         let mut cycles = Vec::new();
         let (steady, ..) = self.settle(settled, MOST_CYCLES, |square, start| {
             let passage = self.pass(square);
             let duration = passage.duration();
             let [peak, minimum] = passage.extremes().map(|extreme| Extreme { time: start + extreme.time, ..extreme });
-            cycles.push(Cycle {
+            cycles.push(RiseCycle {
                 start,
                 end: start + duration,
                 entry_speed: passage.entry_speed(),
@@ -149,7 +149,7 @@ impl Engagement {
     /// # Errors
     ///
     /// The errors of [`Engagement::rise`].
-    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), Error> {
+    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), DynamicsError> {
         self.engagements_to_settle_within(settled, MOST_CYCLES)
     }
 
@@ -157,8 +157,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// The errors of [`Engagement::rise`]; [`Error::TooMany`] if `most` engagements are not enough.
-    pub fn engagements_to_settle_within(&self, settled: f64, most: usize) -> Result<(usize, f64), Error> {
+    /// The errors of [`Engagement::rise`]; [`DynamicsError::TooMany`] if `most` engagements are not enough.
+    pub fn engagements_to_settle_within(&self, settled: f64, most: usize) -> Result<(usize, f64), DynamicsError> {
         let (_, count, time) = self.settle(settled, most, |square, _| self.end_of(square))?;
         Ok((count, time))
     }
@@ -172,9 +172,9 @@ impl Engagement {
         settled: f64,
         most: usize,
         mut pass: impl FnMut(f64, f64) -> (f64, f64),
-    ) -> Result<(SteadyState, usize, f64), Error> {
+    ) -> Result<(SteadyState, usize, f64), DynamicsError> {
         if !(settled > 0.0 && settled < 1.0) {
-            return Err(Error::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
+            return Err(DynamicsError::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
         }
         let steady = self.steady_state()?;
         let (mut time, mut square) = (0.0, 0.0);
@@ -185,7 +185,7 @@ impl Engagement {
                 return Ok((steady, count, time));
             }
         }
-        Err(Error::TooMany { name: "engagements", limit: most })
+        Err(DynamicsError::TooMany { name: "engagements", limit: most })
     }
 
     /// When a start from rest has taken on the steady velocity profile: from then on the driver's speed at every crank
@@ -204,14 +204,14 @@ impl Engagement {
     /// let engagement = Engagement::new(&timer)?;
     /// // To within 1 % it takes longer than to within 10 %, in units of time.
     /// assert!(engagement.until_profile(0.01)? > engagement.until_profile(0.1)?);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `part` is not between 0 and 1; [`Error::TooMany`] if
+    /// As for [`Engagement::steady_state`]; [`DynamicsError::OutOfRange`] if `part` is not between 0 and 1; [`DynamicsError::TooMany`] if
     /// [`MOST_CYCLES`] engagements are not enough.
-    pub fn until_profile(&self, part: f64) -> Result<f64, Error> {
+    pub fn until_profile(&self, part: f64) -> Result<f64, DynamicsError> {
         self.until_profile_in(part, MOST_CYCLES)
     }
 
@@ -219,10 +219,10 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::until_profile`]; [`Error::TooMany`] if `most` engagements are not enough.
-    pub fn until_profile_in(&self, part: f64, most: usize) -> Result<f64, Error> {
+    /// As for [`Engagement::until_profile`]; [`DynamicsError::TooMany`] if `most` engagements are not enough.
+    pub fn until_profile_in(&self, part: f64, most: usize) -> Result<f64, DynamicsError> {
         if !(part > 0.0 && part < 1.0) {
-            return Err(Error::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
+            return Err(DynamicsError::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
         }
         self.until_all(most, |speed, steady| near(speed, steady, part))
     }
@@ -243,23 +243,28 @@ impl Engagement {
     /// let [most, least] = [steady.peak, steady.minimum].map(|extreme| 0.01 * extreme.speed);
     /// assert!(engagement.until_profile_within(most)? <= engagement.until_profile(0.01)?);
     /// assert!(engagement.until_profile_within(least)? >= engagement.until_profile(0.01)?);
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::until_profile`], with the difference for the part, which has no greatest value.
-    pub fn until_profile_within(&self, difference: f64) -> Result<f64, Error> {
+    pub fn until_profile_within(&self, difference: f64) -> Result<f64, DynamicsError> {
         if !(difference > 0.0 && difference.is_finite()) {
-            return Err(Error::OutOfRange { name: "difference", asked: difference, least: 0.0, most: f64::INFINITY });
+            return Err(DynamicsError::OutOfRange {
+                name: "difference",
+                asked: difference,
+                least: 0.0,
+                most: f64::INFINITY,
+            });
         }
         self.until_all(MOST_CYCLES, |speed, steady| (speed - steady).abs() <= difference)
     }
 
     /// When a start from rest is near the steady motion at all angles from then on; each speed beside the steady one at its
     /// angle. In units of time.
-    fn until_all(&self, most: usize, is_near: impl Fn(f64, f64) -> bool) -> Result<f64, Error> {
-        let engagement = self.refined()?;
+    fn until_all(&self, most: usize, is_near: impl Fn(f64, f64) -> bool) -> Result<f64, DynamicsError> {
+        let engagement = self.refine()?;
         let repeated = engagement.fixed_point()?;
         let steady = engagement.pass_with(repeated.entry, repeated.split.as_ref());
         let (mut square, mut time, mut reached) = (0.0, 0.0, 0.0);
@@ -272,7 +277,7 @@ impl Engagement {
             time += passage.duration();
             square = passage.end;
         }
-        Err(Error::TooMany { name: "engagements", limit: most })
+        Err(DynamicsError::TooMany { name: "engagements", limit: most })
     }
 
     /// When a start from rest has come to the steady average: the end of the first engagement whose mean of peak and minimum
@@ -283,9 +288,9 @@ impl Engagement {
     /// # Errors
     ///
     /// As for [`Engagement::until_profile_in`].
-    pub fn until_average_in(&self, part: f64, most: usize) -> Result<f64, Error> {
+    pub fn until_average_in(&self, part: f64, most: usize) -> Result<f64, DynamicsError> {
         if !(part > 0.0 && part < 1.0) {
-            return Err(Error::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
+            return Err(DynamicsError::OutOfRange { name: "part", asked: part, least: 0.0, most: 1.0 });
         }
         let (steady, first) = (self.steady_state()?.mean_of_extremes(), self.first_minimum()?);
         let (mut square, mut time) = (0.0, 0.0);
@@ -298,7 +303,7 @@ impl Engagement {
                 return Ok(time);
             }
         }
-        Err(Error::TooMany { name: "engagements", limit: most })
+        Err(DynamicsError::TooMany { name: "engagements", limit: most })
     }
 }
 
@@ -309,7 +314,7 @@ fn near(speed: f64, steady: f64, part: f64) -> bool {
 
 impl Rise {
     /// The first engagement of which a speed is within `part` of the steady one.
-    fn first(&self, part: f64, steady: f64, speed: fn(&Cycle) -> f64) -> Option<&Cycle> {
+    fn first(&self, part: f64, steady: f64, speed: fn(&RiseCycle) -> f64) -> Option<&RiseCycle> {
         self.cycles.iter().find(|cycle| near(speed(cycle), steady, part))
     }
 
@@ -324,11 +329,6 @@ impl Rise {
     /// When the first engagement ends whose mean speed is within `part` of the steady one, in units of time.
     pub fn until_mean_speed(&self, part: f64) -> Option<f64> {
         self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.end)
-    }
-
-    /// When the first engagement starts whose mean speed is within `part` of the steady one, in units of time.
-    pub fn until_mean_speed_begins(&self, part: f64) -> Option<f64> {
-        self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.start)
     }
 
     /// When the driver is first at a greatest speed of an engagement that is within `part` of the steady one, in units
@@ -347,13 +347,6 @@ impl Rise {
     pub fn until_first_minimum(&self) -> Option<f64> {
         self.cycles.get(1).map(|cycle| cycle.minimum.time)
     }
-
-    /// When the mean of an engagement's greatest and least speed is first within `part` of the steady one, in units of
-    /// time: the end of that engagement.
-    pub fn until_mean_of_extremes(&self, part: f64) -> Option<f64> {
-        let mean = |cycle: &Cycle| f64::midpoint(cycle.peak.speed, cycle.minimum.speed);
-        self.first(part, self.steady.mean_of_extremes(), mean).map(|cycle| cycle.end)
-    }
 }
 
 impl Passage<'_> {
@@ -366,7 +359,7 @@ impl Passage<'_> {
         for (number, traversal) in self.traversals.iter().enumerate().rev() {
             let mirrored = traversal.mode == ContactMode::Approach;
             let departs = |s: f64| {
-                let w = traversal.nodes.at(s);
+                let w = traversal.nodes.w_at(s);
                 let there = other.square_at(w, mirrored);
                 let speeds = [traversal.square_between(rule, s), there].map(|square| unit * square.sqrt());
                 !is_near(speeds[0], speeds[1])
@@ -381,7 +374,7 @@ impl Passage<'_> {
                 }
                 let ends = [s, later.map_or(s, |(at, later)| if at == number { later } else { s })];
                 let [last, _] = bisect_times(HALVINGS, ends, &departs);
-                let (_, since) = self.within(number, traversal.nodes.at(last));
+                let (_, since) = self.partial_traversal(number, traversal.nodes.w_at(last));
                 let before: f64 = self.traversals[..number].iter().map(|traversal| traversal.duration).sum();
                 return Some((before + since) / self.engagement.unit);
             }

@@ -4,7 +4,7 @@ use super::engagement::Engagement;
 use super::passage::{ContactMode, Passage, Traversal};
 use super::quadrature::{GaussLegendre, NodalValues, dot};
 use super::subinterval::NodeMapping;
-use crate::Error;
+use crate::DynamicsError;
 
 /// One printed line of a run.
 ///
@@ -21,10 +21,10 @@ use crate::Error;
 /// // It starts with the acceleration of the driver alone.
 /// let turned = torque / driver_inertia * 0.01 * 0.01 / 2.0; // rad
 /// assert!((lines[1].turned / turned - 1.0).abs() < 1e-3);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Printed {
+pub struct PrintedLine {
     /// Time from the start, in units of time.
     pub time: f64,
     /// Angle in radians through which the driver has turned.
@@ -51,38 +51,38 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::new`]; [`Error::NotPositive`] for an interval or duration that is not positive and finite;
-    /// [`Error::TooMany`] for more than [`MOST_PRINTED`] lines or engagements.
-    pub fn run(&self, interval: f64, duration: f64) -> Result<Vec<Printed>, Error> {
+    /// As for [`Engagement::new`]; [`DynamicsError::NotPositive`] for an interval or duration that is not positive and finite;
+    /// [`DynamicsError::TooMany`] for more than [`MOST_PRINTED`] lines or engagements.
+    pub fn run(&self, interval: f64, duration: f64) -> Result<Vec<PrintedLine>, DynamicsError> {
         for (name, asked) in [("print interval", interval), ("duration", duration)] {
             if !(asked > 0.0 && asked.is_finite()) {
-                return Err(Error::NotPositive { name, asked });
+                return Err(DynamicsError::NotPositive { name, asked });
             }
         }
         // A duration within rounding of a multiple is one.
         let count = duration / interval * (1.0 + 1e-12);
         if count >= MOST_PRINTED as f64 {
-            return Err(Error::TooMany { name: "printed lines", limit: MOST_PRINTED });
+            return Err(DynamicsError::TooMany { name: "printed lines", limit: MOST_PRINTED });
         }
         let last = count.floor() as usize;
         // Lines fall between the nodes of the rule.
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let mut lines = Vec::with_capacity(last + 1);
         let (mut square, mut start) = (0.0, 0.0);
         for number in 0..MOST_PRINTED {
             let passage = engagement.pass(square);
-            start = passage.print(&mut lines, Grid { interval, last, number }, start);
+            start = passage.print(&mut lines, PrintSchedule { interval, last, number }, start);
             if lines.len() > last {
                 return Ok(lines);
             }
             square = passage.end;
         }
-        Err(Error::TooMany { name: "engagements", limit: MOST_PRINTED })
+        Err(DynamicsError::TooMany { name: "engagements", limit: MOST_PRINTED })
     }
 }
 
 /// Where lines are printed: at multiples of an interval up to the last, in the engagement of a number.
-pub(super) struct Grid {
+pub(super) struct PrintSchedule {
     /// In units of time.
     pub interval: f64,
     pub last: usize,
@@ -91,7 +91,7 @@ pub(super) struct Grid {
 
 impl Passage<'_> {
     /// Adds the lines that fall within the passage, which begins at `start`, and gives its end, both in units of 1/√E.
-    pub(super) fn print(&self, lines: &mut Vec<Printed>, grid: Grid, mut start: f64) -> f64 {
+    pub(super) fn print(&self, lines: &mut Vec<PrintedLine>, grid: PrintSchedule, mut start: f64) -> f64 {
         for traversal in &self.traversals {
             let clock = traversal.clock(self.engagement.rule);
             let end = start + clock.whole;
@@ -108,7 +108,7 @@ impl Passage<'_> {
     }
 
     /// The line at the end of the passage.
-    pub(super) fn last_line(&self, time: f64, number: usize) -> Option<Printed> {
+    pub(super) fn last_line(&self, time: f64, number: usize) -> Option<PrintedLine> {
         let traversal = self.traversals.last()?;
         let clock = traversal.clock(self.engagement.rule);
         Some(self.line(traversal, &clock, clock.whole, time, number))
@@ -121,11 +121,11 @@ impl Passage<'_> {
         since: f64,
         time: f64,
         number: usize,
-    ) -> Printed {
+    ) -> PrintedLine {
         let engagement = self.engagement;
         let backward = traversal.mode == ContactMode::Approach;
-        let s = clock.at(engagement.rule, backward, since.max(0.0));
-        let w = traversal.nodes.at(s);
+        let s = clock.s_at_time(engagement.rule, backward, since.max(0.0));
+        let w = traversal.nodes.w_at(s);
         let square = traversal.square_between(engagement.rule, s);
         let (angle, place) = (engagement.circle.angle(w), engagement.circle.place(w));
         let angle = if backward { -angle } else { angle };
@@ -136,7 +136,7 @@ impl Passage<'_> {
         let acceleration = force / (engagement.inertia + place.rho * both);
         let speed = self.speed(square);
         let half = engagement.parameters().mechanism().engagement_half_angle();
-        Printed {
+        PrintedLine {
             time,
             turned: engagement.reset() * number as f64 + (angle + half),
             angle,
@@ -165,23 +165,23 @@ impl Engagement {
     /// let (first, last) = (&cycle[0], &cycle[100]);
     /// assert!((last.turned - first.turned - FRAC_PI_2).abs() < 1e-12); // rad, with four pins
     /// assert!((last.speed / first.speed - 1.0).abs() < 1e-12); // it repeats itself
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`Error::TooMany`] for [`MOST_PRINTED`] parts or more.
-    pub fn steady_cycle(&self, parts: usize) -> Result<Vec<Printed>, Error> {
+    /// As for [`Engagement::steady_state`]; [`DynamicsError::TooMany`] for [`MOST_PRINTED`] parts or more.
+    pub fn steady_cycle(&self, parts: usize) -> Result<Vec<PrintedLine>, DynamicsError> {
         if parts >= MOST_PRINTED {
-            return Err(Error::TooMany { name: "parts of a period", limit: MOST_PRINTED });
+            return Err(DynamicsError::TooMany { name: "parts of a period", limit: MOST_PRINTED });
         }
-        let engagement = self.refined()?;
+        let engagement = self.refine()?;
         let repeated = engagement.fixed_point()?;
         let passage = engagement.pass_with(repeated.entry, repeated.split.as_ref());
         let period = passage.duration();
         let mut lines = Vec::with_capacity(parts + 1);
         if let Some(last) = parts.checked_sub(1) {
-            passage.print(&mut lines, Grid { interval: period / parts as f64, last, number: 0 }, 0.0);
+            passage.print(&mut lines, PrintSchedule { interval: period / parts as f64, last, number: 0 }, 0.0);
         }
         lines.extend(passage.last_line(period, 0));
         Ok(lines)
@@ -237,7 +237,7 @@ pub(super) struct Clock {
 
 impl Clock {
     /// s, dimensionless, at a time from 0 to the whole.
-    pub fn at(&self, rule: &GaussLegendre, backward: bool, time: f64) -> f64 {
+    pub fn s_at_time(&self, rule: &GaussLegendre, backward: bool, time: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
         let sign = if backward { -1.0 } else { 1.0 };
         let mut s = sign * (2.0 * time / self.whole - 1.0);

@@ -5,19 +5,19 @@
 //! map, so that a₁ − a₂ = a₁ (1 − κ) is found without cancellation. The switch is where the two agree: there is one,
 //! because u_end(u_entry) rises everywhere by less than the difference at entry.
 
-use super::contact_reversal::{ContactReversal, Part, Split};
+use super::contact_reversal::{ContactReversal, Split, SplitPart};
 use super::engagement::{Engagement, Subinterval, Trailing, exponents};
 use super::extremes::Extreme;
 use super::quadrature::{NodalValues, dot};
-use super::subinterval::Solution;
-use crate::Error;
+use super::subinterval::SubintervalSolution;
+use crate::DynamicsError;
 use std::cell::LazyCell;
 
 /// The motion that repeats itself. Speeds are the driver's θ'.
 ///
 /// ```
 /// use geneva_dynamics::steady::Engagement;
-/// use geneva_dynamics::{Error, Inertias, Parameters};
+/// use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 /// use geneva_kinematics::Mechanism;
 /// use std::f64::consts::FRAC_PI_2;
 ///
@@ -27,8 +27,8 @@ use std::cell::LazyCell;
 /// assert!(0.0 < steady.multiplier && steady.multiplier < 1.0);
 /// assert!(steady.minimum.speed < steady.mean_of_extremes() && steady.mean_of_extremes() < steady.peak.speed);
 /// // Without friction the speed grows without end.
-/// assert!(matches!(Engagement::new(&timer(0.0)?)?.steady_state(), Err(Error::NoTerminalSpeed { .. })));
-/// # Ok::<(), Error>(())
+/// assert!(matches!(Engagement::new(&timer(0.0)?)?.steady_state(), Err(DynamicsError::NoTerminalSpeed { .. })));
+/// # Ok::<(), DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyState {
@@ -115,8 +115,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`Error::NoTerminalSpeed`] without friction, reset at the exit: the speed grows without end.
-    pub fn steady_state(&self) -> Result<SteadyState, Error> {
+    /// [`DynamicsError::NoTerminalSpeed`] without friction, reset at the exit: the speed grows without end.
+    pub fn steady_state(&self) -> Result<SteadyState, DynamicsError> {
         let repeated = self.fixed_point()?;
         let passage = self.pass_with(repeated.entry, repeated.split.as_ref());
         let [peak, minimum] = passage.extremes();
@@ -144,19 +144,19 @@ impl Engagement {
     /// let engagement = Engagement::new(&timer)?;
     /// let whole = engagement.steady_state()?;
     /// assert_eq!(engagement.entry_speed_and_period()?, (whole.entry_speed, whole.period));
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for [`Engagement::steady_state`].
-    pub fn entry_speed_and_period(&self) -> Result<(f64, f64), Error> {
+    pub fn entry_speed_and_period(&self) -> Result<(f64, f64), DynamicsError> {
         let FixedPoint { entry, split, .. } = self.fixed_point()?;
         Ok((self.unit * entry.sqrt(), self.time_with(entry, split.as_ref()) / self.unit))
     }
 
     /// The fixed point of the return map.
-    pub(super) fn fixed_point(&self) -> Result<FixedPoint, Error> {
+    pub(super) fn fixed_point(&self) -> Result<FixedPoint, DynamicsError> {
         let short = self.ends_before_centres || self.to_end < self.to_exit;
         if let Some(entry) = short.then(|| self.fixed_point_without_reversal()).flatten() {
             return Ok(FixedPoint { entry, split: None, log: self.log_multiplier(None) });
@@ -168,10 +168,10 @@ impl Engagement {
         }
         // Without friction the multiplier does not depend on the switch, and there must be some by the reset angle.
         if self.friction == 0.0 && -libm::expm1(rest.log) <= 4.0 * f64::EPSILON {
-            return Err(Error::NoTerminalSpeed { multiplier: libm::exp(rest.log) });
+            return Err(DynamicsError::NoTerminalSpeed { multiplier: libm::exp(rest.log) });
         }
         // From the end on, until a subinterval starts before the switch.
-        let all = self.subintervals[..exit].last().map_or((1.0, 0.0), Subinterval::after);
+        let all = self.subintervals[..exit].last().map_or((1.0, 0.0), Subinterval::upper_integrals);
         let mut number = end.min(exit) - 1;
         let mut high = f64::NEG_INFINITY;
         let low = loop {
@@ -188,7 +188,7 @@ impl Engagement {
         if entry.is_finite() {
             Ok(FixedPoint { entry, split, log })
         } else {
-            Err(Error::NoTerminalSpeed { multiplier: 1.0 })
+            Err(DynamicsError::NoTerminalSpeed { multiplier: 1.0 })
         }
     }
 
@@ -205,14 +205,14 @@ impl Engagement {
         let (nodes, trailing) = (&subinterval.nodes, self.trailing(subinterval));
         let gap = LazyCell::new(|| self.rule.cumulative(&nodes.gap(self.inertia, self.friction)).0);
         let coarse = |shares: &NodalValues| {
-            let [plus, minus] = [&subinterval.plus, &trailing.minus].map(|of| of.between(shares));
+            let [plus, minus] = [&subinterval.plus, &trailing.minus].map(|of| of.interpolate(shares));
             let factor = rest.on.0 * trailing.minus.factor_end;
             let forth = (factor / minus.0, rest.on.1 + factor * (trailing.minus.integral_end - minus.1));
             let (product, sum) = subinterval.before;
             let balance = Balance::new(all, (product * plus.0, sum + plus.1 / product), forth);
             balance.about(|| rest.log - (trailing.gap - dot(shares, &gap)))
         };
-        let mut last: Option<(f64, f64, Box<[Part; 2]>)> = None;
+        let mut last: Option<(f64, f64, Box<[SplitPart; 2]>)> = None;
         let fine = |w: f64| {
             let before = self.part(nodes.low, w, self.friction);
             let after = self.part(w, nodes.high, -self.friction);
@@ -259,7 +259,7 @@ impl Engagement {
 }
 
 /// What follows a part with the minus sign, put after it.
-fn on_with(minus: &Solution, rest: Rest, log: f64) -> Rest {
+fn on_with(minus: &SubintervalSolution, rest: Rest, log: f64) -> Rest {
     let factor = rest.on.0 * minus.factor_end;
     Rest { on: (factor, rest.on.1 + factor * minus.integral_end), log: rest.log + log }
 }

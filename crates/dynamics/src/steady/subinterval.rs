@@ -9,7 +9,7 @@
 //! mechanism, and the subintervals of an engagement that ends at the exit or beyond are among these, unless they are very
 //! short.
 
-use super::circle::{Circle, Place};
+use super::circle::{Circle, CirclePoint};
 use super::exponential::exponentials;
 use super::quadrature::{GaussLegendre, NODES, NodalValues, dot, rule};
 use geneva_kinematics::Mechanism;
@@ -45,7 +45,7 @@ pub(super) struct Nodes {
 
 /// The solution with one sign over a subinterval, from its lower end.
 #[derive(Clone, Debug)]
-pub(super) struct Solution {
+pub(super) struct SubintervalSolution {
     /// e^Λ at the nodes.
     pub factor: NodalValues,
     /// J at the nodes.
@@ -67,7 +67,7 @@ impl Nodes {
             NodeMapping::Linear => places = rule.nodes.map(|s| low + half * (1.0 + s)),
             NodeMapping::FromRest => {
                 for ((place, rate), &s) in places.iter_mut().zip(&mut rates).zip(&rule.nodes) {
-                    (*place, *rate) = (nodes.at(s), half * (1.0 - s));
+                    (*place, *rate) = (nodes.w_at(s), half * (1.0 - s));
                 }
             }
         }
@@ -82,7 +82,7 @@ impl Nodes {
     }
 
     /// w at s between −1 and 1, dimensionless.
-    pub fn at(&self, s: f64) -> f64 {
+    pub fn w_at(&self, s: f64) -> f64 {
         match self.mapping {
             NodeMapping::Linear => self.low + (self.high - self.low) * ((1.0 + s) / 2.0),
             NodeMapping::FromRest => self.high - (self.high - self.low) * ((1.0 - s) / 2.0) * ((1.0 - s) / 2.0),
@@ -117,7 +117,7 @@ impl Nodes {
     }
 
     /// The solution with the friction σ = S μ.
-    pub fn solution(&self, rule: &GaussLegendre, inertia: f64, sigma: f64) -> Solution {
+    pub fn solution(&self, rule: &GaussLegendre, inertia: f64, sigma: f64) -> SubintervalSolution {
         let (mut rate, mut force) = ([0.0; _], self.inert(inertia, sigma));
         for index in 0..rate.len() {
             let (rho, k) = (self.rho[index], self.k[index]);
@@ -132,7 +132,7 @@ impl Nodes {
             *force /= factor;
         }
         let (integral, integral_end) = rule.cumulative(&force);
-        Solution { factor, integral, factor_end, integral_end, exponent }
+        SubintervalSolution { factor, integral, factor_end, integral_end, exponent }
     }
 
     /// p with the plus sign less p with the minus sign, per unit of the rule: 4 μ i k²/(A₊ A₋) without cancellation.
@@ -147,7 +147,7 @@ impl Nodes {
     }
 }
 
-impl Solution {
+impl SubintervalSolution {
     /// The square's change over a subinterval: u at the nodes and at the end, from u at the start, dimensionless.
     pub fn motion(&self, mirrored: bool, start: f64) -> (NodalValues, f64) {
         if mirrored {
@@ -188,7 +188,7 @@ impl Solution {
     }
 
     /// e^Λ and J between the nodes, dimensionless.
-    pub fn between(&self, shares: &NodalValues) -> (f64, f64) {
+    pub fn interpolate(&self, shares: &NodalValues) -> (f64, f64) {
         (dot(shares, &self.factor), dot(shares, &self.integral))
     }
 }
@@ -200,14 +200,14 @@ const LEVELS: u32 = 5;
 #[derive(Debug)]
 pub(super) struct SharedSubinterval {
     /// At the lower end, in the middle, at the upper end.
-    pub places: [Place; 3],
+    pub places: [CirclePoint; 3],
     pub nodes: Nodes,
 }
 
 /// By mechanism, then the whole first, then its two halves, then their halves.
 static BISECTED: LazyLock<[Vec<SharedSubinterval>; 3]> = LazyLock::new(|| {
     Mechanism::ALL.map(|mechanism| {
-        let circle = Circle::of(mechanism);
+        let circle = Circle::lookup(mechanism);
         let mut ends = vec![(0.0, circle.exit)];
         for number in 0..(1 << (LEVELS - 1)) - 1 {
             let (low, high) = ends[number];
@@ -228,7 +228,7 @@ pub(super) fn middle(low: f64, high: f64) -> f64 {
 }
 
 /// The bisection tree of a mechanism. The halves of the subinterval with number k have the numbers 2 k + 1 and 2 k + 2.
-pub(super) fn bisected(mechanism: Mechanism) -> &'static [SharedSubinterval] {
+pub(super) fn bisection_tree(mechanism: Mechanism) -> &'static [SharedSubinterval] {
     &BISECTED[mechanism.index()]
 }
 

@@ -8,7 +8,7 @@
 
 use crate::error::positive;
 use crate::steady::Engagement;
-use crate::{Error, Parameters};
+use crate::{DynamicsError, Parameters};
 use geneva_kinematics::bisection::bisect_times;
 use geneva_kinematics::{Turn, pin_slot};
 
@@ -31,7 +31,7 @@ use geneva_kinematics::{Turn, pin_slot};
 /// let mass = 1.0 / (pose.radius_squared * (1.0 + pose.velocity_ratio().powi(2) / 0.1));
 /// let energy = mass * weak.closing_speed * weak.closing_speed / 2.0;
 /// assert!((weak.energy / energy - 1.0).abs() < 0.02); // the better the less play there is
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
@@ -64,8 +64,8 @@ impl Crossing {
     ///
     /// # Errors
     ///
-    /// [`Error::NotPositive`] for a play that is not positive and finite, and as for [`Engagement::steady_state`].
-    pub fn new(parameters: &Parameters, play: f64) -> Result<Option<Self>, Error> {
+    /// [`DynamicsError::NotPositive`] for a play that is not positive and finite, and as for [`Engagement::steady_state`].
+    pub fn new(parameters: &Parameters, play: f64) -> Result<Option<Self>, DynamicsError> {
         let play = positive("play", play)?;
         let engagement = Engagement::new(parameters)?;
         let passage = engagement.passage(engagement.steady_state()?.entry_speed)?;
@@ -113,7 +113,7 @@ impl Crossing {
 /// let (flank, pin) = (1.0 - blow.late.sin(), blow.late.sin());
 /// let mass = 1.0 / (flank * flank / 1.0 + pin * pin / 2.0); // that meet, with I_f = 1 and I_D = 2
 /// assert!((blow.energy - mass * blow.closing_speed * blow.closing_speed / 2.0).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EntryBlow {
@@ -136,10 +136,10 @@ impl EntryBlow {
     ///
     /// # Errors
     ///
-    /// [`Error::OutOfRange`] for a play that is not between 0 and 1, and as for [`Engagement::steady_state`].
-    pub fn new(parameters: &Parameters, play: f64) -> Result<Self, Error> {
+    /// [`DynamicsError::OutOfRange`] for a play that is not between 0 and 1, and as for [`Engagement::steady_state`].
+    pub fn new(parameters: &Parameters, play: f64) -> Result<Self, DynamicsError> {
         if !(play > 0.0 && play < 1.0) {
-            return Err(Error::OutOfRange { name: "play", asked: play, least: 0.0, most: 1.0 });
+            return Err(DynamicsError::OutOfRange { name: "play", asked: play, least: 0.0, most: 1.0 });
         }
         let (inertias, torque) = (parameters.inertias(), parameters.torque());
         let half = parameters.mechanism().engagement_half_angle();

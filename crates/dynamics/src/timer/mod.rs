@@ -10,12 +10,12 @@ pub mod runaway;
 pub use crossing::{Crossing, EntryBlow};
 
 use crate::steady::Engagement;
-use crate::{Error, Inertias, Parameters};
+use crate::{DynamicsError, Inertias, Parameters};
 use geneva_kinematics::bisection::try_bisect_times;
 
 /// The greatest value of a quantity, by its size, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Strongest {
+pub struct SignedPeak {
     /// The value, with its sign, in the quantity's own unit.
     pub value: f64,
     /// Crank angle in radians from the line of centres.
@@ -38,16 +38,16 @@ pub struct Strongest {
 /// let (weak, strong) = (of(1.0)?, of(2.0)?);
 /// assert!((strong.driver.value / weak.driver.value - 2.0).abs() < 1e-9);
 /// assert!((strong.normal_moment.value / weak.normal_moment.value - 2.0).abs() < 1e-9);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerations {
     /// Strongest acceleration of the driver, θ''.
-    pub driver: Strongest,
+    pub driver: SignedPeak,
     /// Strongest acceleration of the follower, φ''.
-    pub follower: Strongest,
+    pub follower: SignedPeak,
     /// Normal force between pin and slot times the crank radius.
-    pub normal_moment: Strongest,
+    pub normal_moment: SignedPeak,
     /// Jump of the follower's acceleration as one pin hands over to the next, in radians per square of the
     /// unit of time: entry less exit.
     pub jump: f64,
@@ -65,34 +65,34 @@ impl Accelerations {
     /// # Errors
     ///
     /// As for [`Engagement::steady_state`]: without friction there is no steady state.
-    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+    pub fn new(parameters: &Parameters) -> Result<Self, DynamicsError> {
         let lines = Engagement::new(parameters)?.steady_cycle(INSTANTS)?;
         let all = lines.iter().map(|line| Ok((line.angle, at(parameters, line.angle, line.speed)?)));
-        let all = all.collect::<Result<Vec<_>, Error>>()?;
+        let all = all.collect::<Result<Vec<_>, DynamicsError>>()?;
         let jump = match all.as_slice() {
             [(_, first), .., (_, last)] => first[1] - last[1],
             _ => 0.0,
         };
         Ok(Self {
-            driver: Strongest::of(&all, 0),
-            follower: Strongest::of(&all, 1),
-            normal_moment: Strongest::of(&all, 2),
+            driver: SignedPeak::new(&all, 0),
+            follower: SignedPeak::new(&all, 1),
+            normal_moment: SignedPeak::new(&all, 2),
             jump,
         })
     }
 }
 
 /// Accelerations of driver and follower and normal force times crank radius.
-fn at(parameters: &Parameters, angle: f64, speed: f64) -> Result<[f64; 3], Error> {
+fn at(parameters: &Parameters, angle: f64, speed: f64) -> Result<[f64; 3], DynamicsError> {
     let driver = parameters.acceleration(angle, speed)?.value;
     let forces = parameters.contact_forces(angle, speed)?;
     Ok([driver, forces.follower_acceleration, forces.normal_moment])
 }
 
-impl Strongest {
+impl SignedPeak {
     /// Of one of three quantities at instants that are equally far apart: by the parabola through the strongest and its
     /// neighbours.
-    fn of(instants: &[(f64, [f64; 3])], quantity: usize) -> Self {
+    fn new(instants: &[(f64, [f64; 3])], quantity: usize) -> Self {
         let value = |(_, values): &(f64, [f64; 3])| values[quantity];
         let strength = |at: &usize| libm::fabs(value(&instants[*at]));
         let Some(at) = (0..instants.len()).max_by(|a, b| strength(a).total_cmp(&strength(b))) else {
@@ -125,7 +125,7 @@ impl Strongest {
 /// assert!(powers.friction < 0.0); // friction brakes
 /// // Torque and both inertias times one factor change nothing.
 /// assert!((powers.torque + powers.driver_inertia + powers.follower_inertia).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivities {
@@ -150,7 +150,7 @@ impl Sensitivities {
     ///
     /// As for [`Engagement::steady_state`]: without friction there is no steady state. Too near to the critical
     /// friction the neighbours of the escapement have none either.
-    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+    pub fn new(parameters: &Parameters) -> Result<Self, DynamicsError> {
         let friction = power(|factor| of(parameters, factor, 1.0))?;
         let driver_inertia = power(|factor| of(parameters, 1.0, factor))?;
         // Speeds are a function of μ and I_D/I_f times √(K/I_f).
@@ -159,7 +159,7 @@ impl Sensitivities {
 }
 
 /// The logarithm of the mean speed with this much times the friction and the driver's inertia.
-fn of(parameters: &Parameters, friction: f64, driver: f64) -> Result<f64, Error> {
+fn of(parameters: &Parameters, friction: f64, driver: f64) -> Result<f64, DynamicsError> {
     let inertias = parameters.inertias();
     let inertias = Inertias::new(inertias.driver() * driver, inertias.follower())?;
     let changed =
@@ -168,9 +168,10 @@ fn of(parameters: &Parameters, friction: f64, driver: f64) -> Result<f64, Error>
 }
 
 /// d f / d ln x at x = 1, by differences of the whole and of half the change.
-fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
-    let slope =
-        |change: f64| -> Result<f64, Error> { Ok((f(libm::exp(change))? - f(libm::exp(-change))?) / (2.0 * change)) };
+fn power(f: impl Fn(f64) -> Result<f64, DynamicsError>) -> Result<f64, DynamicsError> {
+    let slope = |change: f64| -> Result<f64, DynamicsError> {
+        Ok((f(libm::exp(change))? - f(libm::exp(-change))?) / (2.0 * change))
+    };
     let (whole, half) = (slope(CHANGE)?, slope(CHANGE / 2.0)?);
     Ok(half + (half - whole) / 3.0)
 }
@@ -185,17 +186,17 @@ fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
 /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
 /// assert_eq!(speed_change(&timer, 0.2)?, 0.0);
 /// assert!(speed_change(&timer, 0.1)? > 0.0 && speed_change(&timer, 0.3)? < 0.0); // friction brakes
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
 /// As for [`Parameters::new`] and [`Engagement::steady_state`].
-pub fn speed_change(parameters: &Parameters, friction: f64) -> Result<f64, Error> {
+pub fn speed_change(parameters: &Parameters, friction: f64) -> Result<f64, DynamicsError> {
     Ok(mean_speed(&parameters.with_friction(friction)?)? / mean_speed(parameters)? - 1.0)
 }
 
-fn mean_speed(parameters: &Parameters) -> Result<f64, Error> {
+fn mean_speed(parameters: &Parameters) -> Result<f64, DynamicsError> {
     Ok(Engagement::new(parameters)?.steady_state()?.mean_speed)
 }
 
@@ -209,24 +210,24 @@ fn mean_speed(parameters: &Parameters) -> Result<f64, Error> {
 /// let timer = Parameters::new(Mechanism::FOUR_PIN, Inertias::new(2.0, 1.0)?, 1.0, 0.2)?;
 /// let ratio = 1.0 + speed_change(&timer, 0.15)?;
 /// assert!((apparent_friction(&timer, ratio)? - 0.15).abs() < 1e-9);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::OutOfRange`] for a ratio that is not from 1 to what a hundredth of the friction gives, and as for
+/// [`DynamicsError::OutOfRange`] for a ratio that is not from 1 to what a hundredth of the friction gives, and as for
 /// [`Engagement::steady_state`].
-pub fn apparent_friction(parameters: &Parameters, ratio: f64) -> Result<f64, Error> {
+pub fn apparent_friction(parameters: &Parameters, ratio: f64) -> Result<f64, DynamicsError> {
     /// The least friction, as a part of its own, and halvings of the interval.
     const LEAST: f64 = 0.01;
     const HALVINGS: u32 = 50;
     let ends = [LEAST * parameters.friction(), parameters.friction()];
     let most = 1.0 + speed_change(parameters, ends[0])?;
     if !(1.0..=most).contains(&ratio) {
-        return Err(Error::OutOfRange { name: "mean speed over its own", asked: ratio, least: 1.0, most });
+        return Err(DynamicsError::OutOfRange { name: "mean speed over its own", asked: ratio, least: 1.0, most });
     }
     // The less friction, the faster.
-    let faster = |friction| Ok::<_, Error>(1.0 + speed_change(parameters, friction)? > ratio);
+    let faster = |friction| Ok::<_, DynamicsError>(1.0 + speed_change(parameters, friction)? > ratio);
     let [low, high] = try_bisect_times(HALVINGS, ends, faster)?;
     Ok(f64::midpoint(low, high))
 }
@@ -242,7 +243,7 @@ pub fn apparent_friction(parameters: &Parameters, ratio: f64) -> Result<f64, Err
 /// let settling = Settling::new(&timer)?;
 /// assert!((settling.engagements(settling.multiplier) - 1.0).abs() < 1e-12); // that is what a multiplier is
 /// assert!((settling.engagements(0.01) / settling.engagements(0.1) - 2.0).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settling {
@@ -258,7 +259,7 @@ impl Settling {
     /// # Errors
     ///
     /// As for [`Engagement::steady_state`]: without friction there is no steady state.
-    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+    pub fn new(parameters: &Parameters) -> Result<Self, DynamicsError> {
         let steady = Engagement::new(parameters)?.steady_state()?;
         Ok(Self { multiplier: steady.multiplier, period: steady.period })
     }

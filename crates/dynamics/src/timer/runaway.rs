@@ -4,7 +4,7 @@
 //! next tooth meets the pallet's other face, and the two bodies go on together after a blow in which neither rebounds.
 //! Besides, a drag may hold the wheel back. The model has no drop, no recoil and no friction at the pallet.
 
-use crate::Error;
+use crate::DynamicsError;
 use crate::error::{not_negative, positive};
 
 /// A torque that holds the wheel back: constant, proportional to the speed, and proportional to its square.
@@ -26,14 +26,14 @@ pub struct Drag {
 ///
 /// // A wheel of inertia 3, a pallet that counts as 1 at the wheel, 0.1 rad from blow to blow, no drag.
 /// let escapement = Runaway::new(3.0, 1.0, 0.1, Drag::default())?;
-/// assert_eq!(escapement.kept(), 0.5); // (3 − 1) / (3 + 1) of the speed
+/// assert_eq!(escapement.speed_retention(), 0.5); // (3 − 1) / (3 + 1) of the speed
 /// assert!((escapement.power(1.0)? - 0.5).abs() < 1e-9); // only blows brake: speeds go as the root of the torque
 /// let steady = escapement.steady(1.0)?;
 /// assert!((steady.after_blow / steady.before_blow - 0.5).abs() < 1e-12);
 /// // From blow to blow the torque's work is the gain of energy: 1 · 0.1 = (3 + 1) (ω₂² − ω₁²) / 2.
 /// let gain = 2.0 * (steady.before_blow.powi(2) - steady.after_blow.powi(2));
 /// assert!((gain - 0.1).abs() < 1e-12);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Runaway {
@@ -45,7 +45,7 @@ pub struct Runaway {
 
 /// The steady motion of a runaway escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Steady {
+pub struct RunawayCycle {
     /// Speed of the wheel just after a blow, in radians per unit of time.
     pub after_blow: f64,
     /// Speed of the wheel just before a blow, in radians per unit of time.
@@ -68,13 +68,18 @@ impl Runaway {
     ///
     /// # Errors
     ///
-    /// [`Error::NotPositive`] for a wheel's inertia or an angle that is not positive, [`Error::Negative`] for a drag that
-    /// is, and [`Error::OutOfRange`] for a pallet that is not lighter than the wheel: it would throw the wheel back.
-    pub fn new(wheel: f64, pallet: f64, beat: f64, drag: Drag) -> Result<Self, Error> {
+    /// [`DynamicsError::NotPositive`] for a wheel's inertia or an angle that is not positive, [`DynamicsError::Negative`] for a drag that
+    /// is, and [`DynamicsError::OutOfRange`] for a pallet that is not lighter than the wheel: it would throw the wheel back.
+    pub fn new(wheel: f64, pallet: f64, beat: f64, drag: Drag) -> Result<Self, DynamicsError> {
         let wheel = positive("wheel inertia", wheel)?;
         let beat = positive("angle from blow to blow", beat)?;
         if !(0.0..wheel).contains(&pallet) {
-            return Err(Error::OutOfRange { name: "reduced pallet inertia", asked: pallet, least: 0.0, most: wheel });
+            return Err(DynamicsError::OutOfRange {
+                name: "reduced pallet inertia",
+                asked: pallet,
+                least: 0.0,
+                most: wheel,
+            });
         }
         for (name, value) in [("constant", drag.constant), ("linear", drag.linear), ("square", drag.square)] {
             not_negative(name, value)?;
@@ -86,7 +91,7 @@ impl Runaway {
     ///
     /// The impulse of the blow turns the pallet round: the wheel's speed ω becomes ω' with
     /// I_w (ω − ω') = I_p (ω + ω'), so ω' = ω (I_w − I_p) / (I_w + I_p).
-    pub fn kept(&self) -> f64 {
+    pub fn speed_retention(&self) -> f64 {
         (self.wheel - self.pallet) / (self.wheel + self.pallet)
     }
 
@@ -135,24 +140,24 @@ impl Runaway {
     /// let fly = Drag { square: 1.0, ..Drag::default() };
     /// let steady = Runaway::new(3.0, 0.0, 0.1, fly)?.steady(4.0)?;
     /// assert!((steady.mean_speed - 2.0).abs() < 1e-9); // where the drag is the torque
-    /// # Ok::<(), geneva_dynamics::Error>(())
+    /// # Ok::<(), geneva_dynamics::DynamicsError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`Error::NotPositive`] for a torque that is not positive, [`Error::DragTorque`] if the constant drag is not below the
-    /// torque, [`Error::NoTerminalSpeed`] if neither blows nor drag grow with the speed, and [`Error::TooMany`] if the motion
+    /// [`DynamicsError::NotPositive`] for a torque that is not positive, [`DynamicsError::DragTorque`] if the constant drag is not below the
+    /// torque, [`DynamicsError::NoTerminalSpeed`] if neither blows nor drag grow with the speed, and [`DynamicsError::TooMany`] if the motion
     /// is not steady after a hundred thousand blows, or the drag is too strong for the four hundred steps of a beat.
-    pub fn steady(&self, torque: f64) -> Result<Steady, Error> {
+    pub fn steady(&self, torque: f64) -> Result<RunawayCycle, DynamicsError> {
         let torque = positive("torque", torque)?;
         let Drag { constant, linear, square } = self.drag;
         if constant >= torque {
-            return Err(Error::DragTorque { asked: constant, torque });
+            return Err(DynamicsError::DragTorque { asked: constant, torque });
         }
         if self.pallet == 0.0 && linear == 0.0 && square == 0.0 {
-            return Err(Error::NoTerminalSpeed { multiplier: 1.0 });
+            return Err(DynamicsError::NoTerminalSpeed { multiplier: 1.0 });
         }
-        let kept = self.kept() * self.kept();
+        let kept = self.speed_retention() * self.speed_retention();
         // From the speed that the energy of one beat gives, so that no step starts from rest.
         let mut after = kept.max(STEADY) * 2.0 * (torque - constant) * self.beat / (self.wheel + self.pallet);
         for _ in 0..BLOWS {
@@ -167,7 +172,7 @@ impl Runaway {
                 break;
             }
             if (next - after).abs() <= STEADY * next {
-                return Ok(Steady {
+                return Ok(RunawayCycle {
                     after_blow: after.sqrt(),
                     before_blow: before.sqrt(),
                     period,
@@ -176,7 +181,7 @@ impl Runaway {
             }
             after = next;
         }
-        Err(Error::TooMany { name: "blows", limit: BLOWS })
+        Err(DynamicsError::TooMany { name: "blows", limit: BLOWS })
     }
 
     /// Power of the torque to which the mean speed goes near this torque, dimensionless:
@@ -185,9 +190,9 @@ impl Runaway {
     /// # Errors
     ///
     /// As for [`steady`](Self::steady).
-    pub fn power(&self, torque: f64) -> Result<f64, Error> {
+    pub fn power(&self, torque: f64) -> Result<f64, DynamicsError> {
         const CHANGE: f64 = 1e-3;
-        let log = |factor: f64| Ok::<_, Error>(libm::log(self.steady(torque * factor)?.mean_speed));
+        let log = |factor: f64| Ok::<_, DynamicsError>(libm::log(self.steady(torque * factor)?.mean_speed));
         Ok((log(libm::exp(CHANGE))? - log(libm::exp(-CHANGE))?) / (2.0 * CHANGE))
     }
 }
@@ -205,15 +210,15 @@ impl Runaway {
 /// let speed = |friction| Runaway::new(3.0, 1.0, 0.1, Drag { constant: friction, ..Drag::default() })?.steady(1.0);
 /// let (before, after) = (speed(0.1)?.mean_speed, speed(0.1 * 1.0001)?.mean_speed);
 /// assert!(((after / before - 1.0) / 0.0001 - friction_power(0.1)?).abs() < 1e-5);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::OutOfRange`] for a part that is not from 0 to below 1.
-pub fn friction_power(part: f64) -> Result<f64, Error> {
+/// [`DynamicsError::OutOfRange`] for a part that is not from 0 to below 1.
+pub fn friction_power(part: f64) -> Result<f64, DynamicsError> {
     if !(0.0..1.0).contains(&part) {
-        return Err(Error::OutOfRange { name: "friction over torque", asked: part, least: 0.0, most: 1.0 });
+        return Err(DynamicsError::OutOfRange { name: "friction over torque", asked: part, least: 0.0, most: 1.0 });
     }
     Ok(-part / (2.0 * (1.0 - part)))
 }
@@ -232,15 +237,15 @@ pub fn friction_power(part: f64) -> Result<f64, Error> {
 /// let torque = 1.1 * 1.1 - 1.0;
 /// let change = (speed(torque * 1.0001) / speed(torque) - 1.0) / 0.0001;
 /// assert!((change - governed_power(1.1)?).abs() < 1e-5);
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::OutOfRange`] for a quotient that is below 1 or not finite.
-pub fn governed_power(beyond: f64) -> Result<f64, Error> {
+/// [`DynamicsError::OutOfRange`] for a quotient that is below 1 or not finite.
+pub fn governed_power(beyond: f64) -> Result<f64, DynamicsError> {
     if !(beyond >= 1.0 && beyond.is_finite()) {
-        return Err(Error::OutOfRange {
+        return Err(DynamicsError::OutOfRange {
             name: "speed over the least braked",
             asked: beyond,
             least: 1.0,
@@ -263,13 +268,13 @@ pub fn governed_power(beyond: f64) -> Result<f64, Error> {
 ///
 /// assert!((foliot_power(1e-3)? - 1.0 / 3.0).abs() < 1e-6); // strong torque, short half period
 /// assert!((foliot_power(1e6)? - 1.0).abs() < 1e-5); // weak torque, long half period
-/// # Ok::<(), geneva_dynamics::Error>(())
+/// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::NotPositive`] for a half period that is not positive.
-pub fn foliot_power(half_period: f64) -> Result<f64, Error> {
+/// [`DynamicsError::NotPositive`] for a half period that is not positive.
+pub fn foliot_power(half_period: f64) -> Result<f64, DynamicsError> {
     let time = positive("half period", half_period)?;
     let tanh = libm::tanh(time / 2.0);
     // Below this the difference loses its digits, and the series T³/12 − T⁵/120 is exact.

@@ -2,7 +2,7 @@
 
 use crate::proving::holds;
 use geneva_dynamics::Sign;
-use geneva_dynamics::joints::contact_proofs::{Axis, ContactMoment, PowerLost, Sliding};
+use geneva_dynamics::joints::contact_proofs::{ContactMoment, JointAxis, PowerLost, Sliding};
 
 #[test]
 fn the_arms_and_the_sliding_are_those_of_the_vectors() {
@@ -10,8 +10,8 @@ fn the_arms_and_the_sliding_are_those_of_the_vectors() {
         holds("sliding", &Sliding::Along(flank));
         holds("no parting", &Sliding::Across(flank));
         for sliding in Sign::BOTH {
-            holds("follower", &ContactMoment { axis: Axis::Follower, flank, sliding });
-            holds("driver", &ContactMoment { axis: Axis::Driver, flank, sliding });
+            holds("follower", &ContactMoment { axis: JointAxis::Follower, flank, sliding });
+            holds("driver", &ContactMoment { axis: JointAxis::Driver, flank, sliding });
             holds("power", &PowerLost { flank, sliding });
         }
     }

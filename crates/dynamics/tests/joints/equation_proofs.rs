@@ -3,13 +3,13 @@
 use crate::proving::holds;
 use geneva_dynamics::Sign;
 use geneva_dynamics::joints::equation_proofs::{
-    GoesOverToMeyer, Similarity, SolutionObeys, SwitchingFunctionDecidesFlank,
+    GoesOverToMeyer, JointSimilarity, SolutionObeys, SwitchingFunctionDecidesFlank,
 };
 
 #[test]
 fn the_flank_is_told_beforehand_and_the_ideal_is_the_thesis() {
-    holds("similarity", &Similarity::AngularAcceleration);
-    holds("similarity of the flank", &Similarity::Flank);
+    holds("similarity", &JointSimilarity::AngularAcceleration);
+    holds("similarity of the flank", &JointSimilarity::Flank);
     holds("solution", &SolutionObeys);
     holds("flank", &SwitchingFunctionDecidesFlank);
     for flank in Sign::BOTH {

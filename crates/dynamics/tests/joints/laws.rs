@@ -2,7 +2,7 @@
 
 use super::*;
 use approx::assert_relative_eq;
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::joints::{Varied, effects, series};
 
 #[test]
@@ -145,7 +145,7 @@ fn journals_alone_brake_and_constant_torques_alone_do_not() {
     let steady = |joints| escapement(&parameters, joints).steady_state_in(1024);
     for joints in [Joints::IDEAL, Joints { driver_drag_torque: 0.1, follower_drag_torque: 0.1, ..Joints::IDEAL }] {
         let error = steady(joints).expect_err("nothing brakes faster running more");
-        assert!(matches!(error, Error::NoTerminalSpeed { .. }), "{error}");
+        assert!(matches!(error, DynamicsError::NoTerminalSpeed { .. }), "{error}");
         assert!(error.to_string().contains("grows with the load"), "{error}");
     }
     let state = steady(Joints::journals(0.2, 0.2)).expect("journals brake");

@@ -3,7 +3,7 @@
 use super::*;
 use approx::assert_relative_eq;
 use geneva_dynamics::joints::{Reach, STEPS, largest_pin_radius};
-use geneva_dynamics::{Error, Sign, existence};
+use geneva_dynamics::{DynamicsError, Sign, existence};
 
 #[test]
 fn the_margin_goes_over_to_the_ideal_one() {
@@ -25,18 +25,18 @@ fn a_follower_that_locks_is_refused_with_what_to_do() {
     let limit = lever / parameters.friction();
     let at = |pin_radius| Escapement::new(&parameters, Joints { pin_radius, ..Joints::IDEAL });
     let error = at(limit * (1.0 + 1e-12)).expect_err("it locks");
-    assert!(matches!(error, Error::SelfLocking { .. }), "{error}");
+    assert!(matches!(error, DynamicsError::SelfLocking { .. }), "{error}");
     assert!(error.to_string().contains("give a thinner pin") && error.to_string().contains("0.154"), "{error}");
     // Just below it the follower can still be turned, by a great force.
     if let Err(error) = at(limit * (1.0 - 1e-6)) {
-        assert!(matches!(error, Error::Jams { .. }), "{error}");
+        assert!(matches!(error, DynamicsError::Jams { .. }), "{error}");
     }
     // The arm of the follower's journal counts as well.
     let journals = Joints { follower_journal: 0.9, bearing_friction: 0.2, ..Joints::IDEAL };
     let error = Escapement::new(&parameters, journals).expect_err("it locks");
-    assert!(matches!(error, Error::SelfLocking { .. }), "{error}");
+    assert!(matches!(error, DynamicsError::SelfLocking { .. }), "{error}");
     let driver = Joints { driver_journal: 0.9, follower_journal: 0.0, ..journals };
-    assert!(!matches!(Escapement::new(&parameters, driver), Err(Error::SelfLocking { .. })));
+    assert!(!matches!(Escapement::new(&parameters, driver), Err(DynamicsError::SelfLocking { .. })));
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
             let Ok(escapement) = Escapement::new(&parameters, spread.joints()) else { continue };
             let arm = |angle: f64, flank| {
                 let (joints, friction) = (escapement.joints(), parameters.friction());
-                let reach = Reach::of_pose(&parameters.pose(angle));
+                let reach = Reach::from_pose(&parameters.pose(angle));
                 let sense = Sign::from_number(reach.sliding(&joints.pin_radius, flank));
                 // A journal bears the whole force of the contact.
                 let journal = |radius: f64| joints.bearing_friction * radius * (1.0 + friction * friction).sqrt();
@@ -65,7 +65,7 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
             let turn = escapement.reversal_angle();
             let pin = escapement.joints().pin_radius;
             for (angle, flank) in [(-turn, Sign::Plus), (turn, Sign::Minus)] {
-                let sliding = Reach::of_pose(&parameters.pose(angle)).sliding(&pin, flank);
+                let sliding = Reach::from_pose(&parameters.pose(angle)).sliding(&pin, flank);
                 assert!(sliding.abs() < 1e-14, "{mechanism:?} {pin} {sliding}");
             }
         }
@@ -79,7 +79,7 @@ fn a_driver_that_jams_is_refused_with_the_angle() {
     let parameters = parameters(Mechanism::FOUR_PIN, 0.06, 0.98 * limit);
     assert!(Escapement::new(&parameters, Joints::IDEAL).is_ok());
     let error = Escapement::new(&parameters, Joints::journals(0.2, 0.2)).expect_err("it jams");
-    let Error::Jams { margin, angle } = error else { panic!("{error}") };
+    let DynamicsError::Jams { margin, angle } = error else { panic!("{error}") };
     assert!(margin <= 0.0 && angle.abs() < Mechanism::FOUR_PIN.engagement_half_angle());
     assert!(error.to_string().contains("more inertia"), "{error}");
 }
@@ -89,7 +89,7 @@ fn beyond_the_limit_there_are_two_accelerations_or_none() {
     let limit = existence::critical_friction(Mechanism::FOUR_PIN, 0.06).expect("sound").friction;
     let parameters = parameters(Mechanism::FOUR_PIN, 0.06, 0.98 * limit);
     let jammed = Joints::journals(0.2, 0.2);
-    let Err(Error::Jams { margin, angle }) = Escapement::new(&parameters, jammed) else { panic!("it jams") };
+    let Err(DynamicsError::Jams { margin, angle }) = Escapement::new(&parameters, jammed) else { panic!("it jams") };
     assert!(margin < 0.0, "{margin}");
     // With ever more friction in the journals it is the trailing flank that comes to it.
     let (mut sound, mut least) = (0.0, None);
@@ -125,32 +125,32 @@ fn impossible_values_are_named() {
         ];
         for joints in sizes {
             let error = Escapement::new(&parameters, joints).expect_err("bad size");
-            assert!(matches!(error, Error::Negative { .. }), "{error}");
+            assert!(matches!(error, DynamicsError::Negative { .. }), "{error}");
         }
     }
     let refused = |joints| Escapement::new(&parameters, joints).expect_err("refused");
-    assert!(matches!(refused(Joints { pin_radius: 1.0, ..Joints::IDEAL }), Error::PinTooThick { .. }));
-    assert!(matches!(refused(Joints { driver_drag_torque: 1.0, ..Joints::IDEAL }), Error::DragTorque { .. }));
+    assert!(matches!(refused(Joints { pin_radius: 1.0, ..Joints::IDEAL }), DynamicsError::PinTooThick { .. }));
+    assert!(matches!(refused(Joints { driver_drag_torque: 1.0, ..Joints::IDEAL }), DynamicsError::DragTorque { .. }));
     // A product that is not a number is refused too.
     let endless = Joints { follower_journal: f64::MAX, bearing_friction: f64::MAX, ..Joints::IDEAL };
-    assert!(matches!(refused(endless), Error::SelfLocking { .. }));
+    assert!(matches!(refused(endless), DynamicsError::SelfLocking { .. }));
     let endless = Joints { driver_journal: f64::MAX, bearing_friction: f64::MAX, ..Joints::IDEAL };
-    assert!(matches!(refused(endless), Error::Jams { .. }));
+    assert!(matches!(refused(endless), DynamicsError::Jams { .. }));
 
     let sound = escapement(&parameters, Joints::IDEAL);
     for angle in [f64::NAN, f64::INFINITY, 0.8] {
-        assert!(matches!(sound.motion(angle, 1.0), Err(Error::OutsideTheSlot { .. })), "{angle}");
+        assert!(matches!(sound.motion(angle, 1.0), Err(DynamicsError::OutsideTheSlot { .. })), "{angle}");
     }
     for speed in [-1.0, f64::NAN, f64::INFINITY, 1e200] {
-        assert!(matches!(sound.motion(0.0, speed), Err(Error::Speed { .. })), "{speed}");
-        assert!(matches!(sound.passage(speed, 64), Err(Error::Speed { .. })), "{speed}");
+        assert!(matches!(sound.motion(0.0, speed), Err(DynamicsError::Speed { .. })), "{speed}");
+        assert!(matches!(sound.passage(speed, 64), Err(DynamicsError::Speed { .. })), "{speed}");
     }
     for steps in [0, STEPS.end() + 1] {
-        assert!(matches!(sound.passage(1.0, steps), Err(Error::OutOfRange { .. })), "{steps}");
-        assert!(matches!(sound.steady_state_in(steps), Err(Error::OutOfRange { .. })), "{steps}");
+        assert!(matches!(sound.passage(1.0, steps), Err(DynamicsError::OutOfRange { .. })), "{steps}");
+        assert!(matches!(sound.steady_state_in(steps), Err(DynamicsError::OutOfRange { .. })), "{steps}");
     }
     let error = sound.steady_state(0.0).expect_err("nothing is exact");
-    assert!(matches!(error, Error::NotSettled { .. }), "{error}");
+    assert!(matches!(error, DynamicsError::NotSettled { .. }), "{error}");
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use super::*;
 use approx::assert_relative_eq;
-use geneva_dynamics::Error;
-use geneva_dynamics::joints::{Passage, effects};
+use geneva_dynamics::DynamicsError;
+use geneva_dynamics::joints::{JointPassage, effects};
 
 fn samples() -> Vec<Escapement> {
     let sizes = [
@@ -16,8 +16,8 @@ fn samples() -> Vec<Escapement> {
     all.map(|(mechanism, joints)| escapement(&like_the_thesis(mechanism), joints)).collect()
 }
 
-fn parts(passage: &Passage) -> [f64; 5] {
-    let Passage { exit_speed, multiplier, duration, peak, minimum, .. } = passage;
+fn parts(passage: &JointPassage) -> [f64; 5] {
+    let JointPassage { exit_speed, multiplier, duration, peak, minimum, .. } = passage;
     [*exit_speed, *multiplier, *duration, peak.speed, minimum.speed]
 }
 
@@ -108,10 +108,10 @@ fn a_drag_torque_that_is_too_great_stalls_the_driver() {
     assert!(running > 5 && running < 40 && means[running..].iter().all(Option::is_none), "{means:?}");
     assert!(means[..running].windows(2).all(|pair| pair[1] < pair[0]), "{means:?}");
     let error = stopped(1.5).expect_err("the follower's bearing holds it");
-    assert!(matches!(error, Error::Stalls { .. }), "{error}");
+    assert!(matches!(error, DynamicsError::Stalls { .. }), "{error}");
     assert!(error.to_string().contains("give more torque"), "{error}");
     let rest = escapement(&parameters, Joints::IDEAL).passage(0.0, 512).expect_err("from rest");
-    assert!(matches!(rest, Error::Stalls { .. }), "{rest}");
+    assert!(matches!(rest, DynamicsError::Stalls { .. }), "{rest}");
 }
 
 #[test]

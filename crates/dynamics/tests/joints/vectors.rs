@@ -45,12 +45,12 @@ impl Instant {
         let across = Vector2::new(along.y, -along.x);
         let velocity = turned(pin) * speed;
         let (outward, follower_speed) = (velocity.dot(&along), velocity.dot(&across) / radius);
-        let side = flank.of(1.0);
+        let side = flank.apply(1.0);
         let offset = across * (side * joints.pin_radius);
         let (from_driver, from_follower) = (pin + offset, reach + offset);
         let relative = turned(from_driver) * speed - turned(from_follower) * -follower_speed;
         let sliding = relative.dot(&along);
-        let friction = parameters.friction() * side * Sign::from_number(sliding).of(1.0);
+        let friction = parameters.friction() * side * Sign::from_number(sliding).apply(1.0);
         // Per unit of N; |N| is `side` times N.
         let force = across + along * friction;
         let bearing = |journal: f64| side * joints.bearing_friction * journal * force.norm();
@@ -87,7 +87,7 @@ pub fn angular_acceleration(escapement: &Escapement, angle: f64, speed: f64) -> 
 
 /// The flanks that agree with the normal force that they lead to, of an escapement that may jam.
 pub fn solutions(parameters: &Parameters, joints: &Joints, angle: f64, speed: f64) -> Vec<Sign> {
-    let agrees = |flank: &Sign| flank.of(Instant::new(parameters, joints, angle, speed, *flank).solution[2]) >= 0.0;
+    let agrees = |flank: &Sign| flank.apply(Instant::new(parameters, joints, angle, speed, *flank).solution[2]) >= 0.0;
     Sign::BOTH.into_iter().filter(agrees).collect()
 }
 
@@ -108,7 +108,7 @@ fn for_instants(mut check: impl FnMut(&Escapement, f64, &Instant, Sign)) {
             let sound: Vec<_> = Sign::BOTH
                 .into_iter()
                 .map(|flank| (flank, Instant::new(&parameters, &joints, angle, speed, flank)))
-                .filter(|(flank, instant)| flank.of(instant.solution[2]) >= 0.0)
+                .filter(|(flank, instant)| flank.apply(instant.solution[2]) >= 0.0)
                 .collect();
             assert_eq!(sound.len(), 1, "{escapement:?} {angle} {speed}");
             let (flank, instant) = &sound[0];

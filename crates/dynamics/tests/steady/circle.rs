@@ -13,11 +13,11 @@ mod source;
 #[test]
 fn the_circle_has_the_pose_of_the_mechanism() {
     for mechanism in Mechanism::ALL {
-        let circle = Circle::of(mechanism);
+        let circle = Circle::lookup(mechanism);
         for step in 0..=300 {
             let angle = PI * f64::from(step) / 300.0;
             let (w, pose) =
-                (circle.at_angle(angle), Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)));
+                (circle.w_at_angle(angle), Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)));
             let place = circle.place(w);
             assert!((circle.angle(w) - angle).abs() < 2e-15 * (1.0 + angle), "{mechanism:?} {angle}");
             assert!((place.rho - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");

@@ -2,7 +2,7 @@
 
 use super::{escapement, samples};
 use approx::assert_relative_eq;
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::similarity::Scaling;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
@@ -55,8 +55,8 @@ fn without_friction_the_energy_is_the_work_of_the_torque() {
             assert_eq!(passage.multiplier(), 1.0);
         }
         let error = engagement.steady_state().expect_err("nothing brakes");
-        assert_eq!(error, Error::NoTerminalSpeed { multiplier: 1.0 });
-        assert!(matches!(engagement.rise(0.01), Err(Error::NoTerminalSpeed { .. })));
+        assert_eq!(error, DynamicsError::NoTerminalSpeed { multiplier: 1.0 });
+        assert!(matches!(engagement.rise(0.01), Err(DynamicsError::NoTerminalSpeed { .. })));
         // A reset angle elsewhere than at the exit loses the energy of the follower each time: it brakes.
         let reset_after =
             Engagement::reset_after(engagement.parameters(), engagement.reset() * 1.2, 1e-12).expect("in range");
@@ -82,7 +82,7 @@ fn speeds_scale_with_the_root_of_the_torque_over_the_inertia() {
         for (torque, inertia) in [(0.3, 1.0), (7.0, 0.001), (1e-8, 1e8), (1e100, 1e-100)] {
             let (other, scaled) = make(torque, inertia);
             let (scaling, other) =
-                (Scaling::of_drive(base.drive(), scaled.drive()).expect("sound"), other.steady_state());
+                (Scaling::from_drives(base.drive(), scaled.drive()).expect("sound"), other.steady_state());
             let other = other.expect("a terminal speed");
             for (name, one, other) in [
                 ("entry", steady.entry_speed * scaling.speed, other.entry_speed),
@@ -112,7 +112,7 @@ fn the_rise_ends_where_each_definition_says() {
             last = cycle.end;
         }
         // The difference of squares falls by the multiplier, in the end.
-        let gap = |cycle: &geneva_dynamics::steady::Cycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
+        let gap = |cycle: &geneva_dynamics::steady::RiseCycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
         let near = rise.cycles.windows(2).find(|pair| gap(&pair[0]) < 1e-3 * steady.entry_speed.powi(2)).expect("near");
         let factor = gap(&near[1]) / gap(&near[0]);
         assert!((factor / steady.multiplier - 1.0).abs() < 0.02, "{factor} {}", steady.multiplier);
@@ -121,7 +121,6 @@ fn the_rise_ends_where_each_definition_says() {
             rise.until_mean_speed(0.01),
             rise.until_peak(0.01),
             rise.until_minimum(0.01),
-            rise.until_mean_of_extremes(0.01),
         ];
         for time in times {
             let (loose, tight) = (time.expect("reached"), rise.until_entry_speed(1e-6).expect("reached"));

@@ -2,7 +2,7 @@
 
 use super::escapement;
 use geneva_dynamics::steady::{Engagement, TOLERANCES};
-use geneva_dynamics::{Error, existence};
+use geneva_dynamics::{DynamicsError, existence};
 use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 
@@ -47,7 +47,10 @@ fn near_the_critical_friction_there_is_a_number_or_a_reason() {
                         assert!((0.0..1.0).contains(&steady.multiplier), "{mechanism:?} {inertia} {gap}");
                     }
                     Err(error) => {
-                        assert!(matches!(error, Error::TooSharp { .. }) && gap < 1e-4, "{mechanism:?} {gap} {error}");
+                        assert!(
+                            matches!(error, DynamicsError::TooSharp { .. }) && gap < 1e-4,
+                            "{mechanism:?} {gap} {error}"
+                        );
                         assert!(error.to_string().contains("lower the friction"), "{error}");
                     }
                 }
@@ -66,7 +69,7 @@ fn extreme_inertias_give_numbers_or_a_reason() {
                 let engagement = match Engagement::with_tolerance(&escapement(mechanism, inertia, friction), 1e-8) {
                     Ok(engagement) => engagement,
                     Err(error) => {
-                        assert!(matches!(error, Error::TooSharp { .. }), "{error}");
+                        assert!(matches!(error, DynamicsError::TooSharp { .. }), "{error}");
                         continue;
                     }
                 };
@@ -78,7 +81,7 @@ fn extreme_inertias_give_numbers_or_a_reason() {
                             "{mechanism:?} {inertia} {friction} {steady:?}"
                         );
                     }
-                    Err(error) => assert!(matches!(error, Error::NoTerminalSpeed { .. }), "{error}"),
+                    Err(error) => assert!(matches!(error, DynamicsError::NoTerminalSpeed { .. }), "{error}"),
                 }
                 for speed in [0.0, 1e-300, 1e-150, 1.0, 1e100] {
                     if let Ok(passage) = engagement.passage(speed) {
@@ -96,22 +99,22 @@ fn impossible_requests_are_named() {
     let escapement = escapement(Mechanism::FOUR_PIN, 0.07, 0.21);
     for reset in [0.0, -1.0, f64::NAN, f64::INFINITY, PI + PI / 4.0, 9.0] {
         let error = Engagement::reset_after(&escapement, reset, 1e-12).expect_err("no reset angle");
-        assert!(matches!(error, Error::Reset { .. }) && error.to_string().contains("reset angle"), "{error}");
+        assert!(matches!(error, DynamicsError::Reset { .. }) && error.to_string().contains("reset angle"), "{error}");
     }
     for tolerance in [0.0, -1.0, 1.0, f64::NAN, TOLERANCES.start() / 2.0, TOLERANCES.end() * 2.0] {
         let error = Engagement::with_tolerance(&escapement, tolerance).expect_err("no tolerance");
-        assert!(matches!(error, Error::OutOfRange { .. }), "{error}");
+        assert!(matches!(error, DynamicsError::OutOfRange { .. }), "{error}");
     }
     let engagement = Engagement::new(&escapement).expect("an engagement");
     for speed in [-1.0, f64::NAN, f64::INFINITY, 1e200] {
-        assert!(matches!(engagement.passage(speed), Err(Error::Speed { .. })), "{speed}");
-        assert!(matches!(engagement.return_map(speed), Err(Error::Speed { .. })), "{speed}");
+        assert!(matches!(engagement.passage(speed), Err(DynamicsError::Speed { .. })), "{speed}");
+        assert!(matches!(engagement.return_map(speed), Err(DynamicsError::Speed { .. })), "{speed}");
     }
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(engagement.run(bad, 1.0), Err(Error::NotPositive { .. })), "{bad}");
-        assert!(matches!(engagement.run(1.0, bad), Err(Error::NotPositive { .. })), "{bad}");
+        assert!(matches!(engagement.run(bad, 1.0), Err(DynamicsError::NotPositive { .. })), "{bad}");
+        assert!(matches!(engagement.run(1.0, bad), Err(DynamicsError::NotPositive { .. })), "{bad}");
     }
-    assert!(matches!(engagement.run(1e-9, 1.0), Err(Error::TooMany { .. })));
+    assert!(matches!(engagement.run(1e-9, 1.0), Err(DynamicsError::TooMany { .. })));
     for settled in [0.0, 1.0, f64::NAN, -0.5] {
         assert!(engagement.rise(settled).is_err(), "{settled}");
     }

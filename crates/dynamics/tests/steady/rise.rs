@@ -1,8 +1,8 @@
 //! Is a run on the steady profile from the reported time on, and not before?
 
 use super::escapement;
-use geneva_dynamics::Error;
-use geneva_dynamics::steady::{Engagement, Printed};
+use geneva_dynamics::DynamicsError;
+use geneva_dynamics::steady::{Engagement, PrintedLine};
 use geneva_kinematics::Mechanism;
 
 fn engagement(friction: f64) -> Engagement {
@@ -21,7 +21,7 @@ fn from_then_on_each_printed_speed_is_near_the_steady_one_and_just_before_it_is_
             Some(pair[0].speed + share * (pair[1].speed - pair[0].speed))
         };
         let lines = of.run(reached / 400.0, 3.0 * reached).expect("a run");
-        let off = |line: &Printed| (line.speed / steady(line.angle).expect("a speed") - 1.0).abs();
+        let off = |line: &PrintedLine| (line.speed / steady(line.angle).expect("a speed") - 1.0).abs();
         let last = lines.iter().rfind(|line| off(line) > part).expect("a departure");
         assert!((last.time - reached).abs() < 2.0 * reached / 400.0, "{friction}: {} {reached}", last.time);
     }
@@ -30,6 +30,6 @@ fn from_then_on_each_printed_speed_is_near_the_steady_one_and_just_before_it_is_
 #[test]
 fn a_part_that_is_none_is_refused() {
     for part in [0.0, 1.0, -1.0, f64::NAN] {
-        assert!(matches!(engagement(0.3).until_profile(part), Err(Error::OutOfRange { .. })));
+        assert!(matches!(engagement(0.3).until_profile(part), Err(DynamicsError::OutOfRange { .. })));
     }
 }

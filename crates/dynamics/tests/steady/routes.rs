@@ -7,7 +7,7 @@ use super::{escapement, samples};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Parameters, Sign};
 use geneva_kinematics::Mechanism;
-use geneva_mimic::{AtSmallestStep, Kept};
+use geneva_mimic::{MinStepPolicy, StepSolution};
 use nalgebra::Vector2;
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
@@ -185,15 +185,15 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
                 let angular_acceleration = escapement.acceleration(angle, state[1].max(0.0)).expect("one acceleration");
                 Vector2::new(state[1], angular_acceleration.value)
             };
-            let parameters = geneva_mimic::Parameters {
+            let parameters = geneva_mimic::SolverParameters {
                 relative_tolerance: 1e-12,
-                kept: Kept::Extrapolated,
+                kept: StepSolution::Extrapolated,
                 smallest_step: 1e-13,
                 // Of several steps that miss a switch by themselves none may pass for exact.
                 largest_step: 1.0 / 1024.0,
                 initial_step: 1.0 / 1024.0,
-                at_smallest_step: AtSmallestStep::Continue,
-                ..geneva_mimic::Parameters::new(0.125, 8.0)
+                at_smallest_step: MinStepPolicy::Continue,
+                ..geneva_mimic::SolverParameters::new(0.125, 8.0)
             };
             let (mut worst, mut number) = (0.0_f64, 0);
             geneva_mimic::integrate(&mut rates, Vector2::zeros(), &parameters, |point| {

@@ -1,7 +1,7 @@
 //! Compares the entry speed and the period alone with the steady state and its extremes.
 
 use super::{escapement, samples};
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::existence;
 use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
@@ -65,7 +65,7 @@ fn at_the_ends_of_the_range_both_give_numbers_or_both_refuse() {
             ] {
                 match Engagement::with_tolerance(&escapement(mechanism, inertia, friction), 1e-8) {
                     Ok(engagement) => refused += usize::from(!the_same(&engagement)),
-                    Err(error) => assert!(matches!(error, Error::TooSharp { .. }), "{error}"),
+                    Err(error) => assert!(matches!(error, DynamicsError::TooSharp { .. }), "{error}"),
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::FigureError;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Error, Parameters};
+use geneva_dynamics::{DynamicsError, Parameters};
 
 /// Steps from entry to exit that are kept; an even number, so that one ends on the line of centres.
 pub const STEPS: u32 = 180;
@@ -28,7 +28,7 @@ pub struct Instant {
 
 impl Instant {
     /// The forces at an angle and a speed.
-    pub fn new(parameters: &Parameters, theta: f64, speed: f64) -> Result<Self, Error> {
+    pub fn new(parameters: &Parameters, theta: f64, speed: f64) -> Result<Self, DynamicsError> {
         let forces = parameters.contact_forces(theta, speed)?;
         let acceleration = parameters.acceleration(theta, speed)?.value;
         let (torque, drive) = (parameters.torque(), parameters.drive());

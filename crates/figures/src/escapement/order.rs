@@ -5,7 +5,7 @@ use crate::number::fixed;
 use crate::svg::{DASHED, Label};
 use crate::theme::{DRIVER, FOLLOWER};
 use crate::{Figure, Series, Words};
-use geneva_mimic::{Kept, Parameters, integrate};
+use geneva_mimic::{SolverParameters, StepSolution, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::FRAC_PI_2;
 
@@ -120,7 +120,7 @@ fn last<const D: usize>(
     step: f64,
     end: f64,
 ) -> SVector<f64, D> {
-    let run = Parameters { kept: Kept::FullStep, ..Parameters::with_fixed_step(step, end, end) };
+    let run = SolverParameters { kept: StepSolution::FullStep, ..SolverParameters::with_fixed_step(step, end, end) };
     integrate(&mut rate, start, &run, |_| ()).map_or(SVector::repeat(f64::NAN), |outcome| outcome.last.state)
 }
 

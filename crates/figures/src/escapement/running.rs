@@ -8,7 +8,7 @@ use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::forces::Flank;
-use geneva_dynamics::steady::{Engagement, Printed};
+use geneva_dynamics::steady::{Engagement, PrintedLine};
 
 /// Engagements that are shown, and instants in all of them.
 const SHOWN: usize = 6;
@@ -27,7 +27,7 @@ const TRAILING: Stroke = Stroke::new(CORIOLIS).class("trailing");
 
 /// One instant: the line of the run, and F R / K.
 struct Instant {
-    line: Printed,
+    line: PrintedLine,
     normal: f64,
 }
 
@@ -96,7 +96,7 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
 }
 
 /// The force at a line of the run.
-fn instant(parameters: &Parameters, line: Printed) -> Result<Instant, FigureError> {
+fn instant(parameters: &Parameters, line: PrintedLine) -> Result<Instant, FigureError> {
     let forces = parameters.contact_forces(line.angle, line.speed)?;
     let normal = if forces.flank == Flank::Neither { 0.0 } else { forces.normal_moment / parameters.torque() };
     Ok(Instant { line, normal })

@@ -7,7 +7,7 @@ use crate::number::degrees;
 use crate::svg::{Kind, Label};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
-use geneva_kinematics::quick_return::{Drive, Motion, Position, QuickReturn};
+use geneva_kinematics::quick_return::{Drive, LeverMotion, Position, QuickReturn};
 use nalgebra::Vector2;
 
 /// The acceleration diagram in five numbered steps, the last one larger.
@@ -91,7 +91,7 @@ pub fn acceleration_diagram(
 }
 
 /// The vectors: from the pole the pin's, then the lever's side in its order; what is known comes first.
-fn arrows(motion: &Motion<f64>, laid: &Laid) -> Vec<Arrow> {
+fn arrows(motion: &LeverMotion<f64>, laid: &Laid) -> Vec<Arrow> {
     let (terms, zero) = (&motion.accelerations, Vector2::zeros());
     let arrow = |name, symbol, tail, vector, colour, if_zero| Arrow { name, symbol, tail, vector, colour, if_zero };
     let normal = arrow(

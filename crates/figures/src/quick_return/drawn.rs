@@ -25,7 +25,7 @@ fn all_four(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> [
 /// A position in general, as a reader is shown it.
 fn usual() -> [Figure; 4] {
     let linkage = linkage(0.5, 0.24);
-    all_four(&linkage, &linkage.at_lever_degrees(21.0, Branch::Far).expect("reached"), &STEADY)
+    all_four(&linkage, &linkage.position_at_lever_degrees(21.0, Branch::Far).expect("reached"), &STEADY)
 }
 
 /// Levers that swing and turn, all around and at the ends of the swing, the crank steady or not, turning either way.
@@ -36,7 +36,7 @@ fn each_case(mut check: impl FnMut(&QuickReturn, &Position, &Drive<f64>)) {
         let drives = [Drive { speed: 3.0, acceleration: 0.0 }, Drive { speed: -3.0, acceleration: 4.0 }];
         for (k, degrees) in [0.0, 71.0, end, 151.0, 180.0, 200.0, 264.0, -end, 333.0].into_iter().enumerate() {
             // With equal lengths the pin would be on the lever's pivot at a half turn.
-            if let Ok(position) = linkage.at_crank_degrees(degrees) {
+            if let Ok(position) = linkage.position_at_crank_degrees(degrees) {
                 check(&linkage, &position, &drives[k % 2]);
             }
         }
@@ -63,7 +63,7 @@ fn a_crank_at_rest_and_sizes_far_apart_are_drawn_too() {
     for (ground, crank) in [(0.5, 0.22), (1e-9, 1e3), (1e6, 1e-3), (3e-160, 1e-160)] {
         let linkage = linkage(ground, crank);
         for drive in [rest.clone(), STEADY] {
-            let position = linkage.at_crank_degrees(100.0).expect("off the pivot");
+            let position = linkage.position_at_crank_degrees(100.0).expect("off the pivot");
             all_four(&linkage, &position, &drive).iter().for_each(drawn);
         }
     }
@@ -158,7 +158,7 @@ fn the_mechanism_is_to_scale_and_shows_the_other_branch_only_where_there_is_one(
 fn the_curves_go_all_around_and_reverse_with_the_lever() {
     for (ground, crank) in [(0.5, 0.22), (0.5, 0.8)] {
         let linkage = linkage(ground, crank);
-        let position = linkage.at_crank_degrees(64.0).expect("off the pivot");
+        let position = linkage.position_at_crank_degrees(64.0).expect("off the pivot");
         let figure = over_a_turn(&linkage, &position, &STEADY);
         let (rows, strokes) = (columns(&figure.series, ["theta", "phi", "phi'", "phi''"]), linkage.strokes());
         assert_eq!(rows.len(), 361);

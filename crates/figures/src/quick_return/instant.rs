@@ -3,7 +3,7 @@
 use crate::number::short;
 use crate::svg::Label;
 use geneva_kinematics::pin_vectors::PinMotion;
-use geneva_kinematics::quick_return::{Drive, Motion, Position, QuickReturn};
+use geneva_kinematics::quick_return::{Drive, LeverMotion, Position, QuickReturn};
 use geneva_kinematics::relative_motion::SlotAccelerations;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -25,13 +25,14 @@ pub struct Instant {
     /// Unit vector from the lever's pivot to the pin.
     pub along: Vector2<f64>,
     /// All vectors.
-    pub motion: Motion<f64>,
+    pub motion: LeverMotion<f64>,
 }
 
 impl Instant {
     /// The motion of a linkage at a position. With the pin on the lever's pivot nothing moves.
     pub fn new(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> Self {
-        let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).unwrap_or_else(still);
+        let motion =
+            LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive).unwrap_or_else(still);
         let crank_angle = position.crank.radians();
         Self {
             crank_angle: if crank_angle < 0.0 { crank_angle + 2.0 * PI } else { crank_angle },
@@ -60,11 +61,11 @@ impl Instant {
     }
 }
 
-fn still() -> Motion<f64> {
+fn still() -> LeverMotion<f64> {
     let zero = Vector2::zeros;
-    Motion {
+    LeverMotion {
         crank: zero(),
-        velocities: PinMotion::carried(zero(), zero(), 0.0),
+        velocities: PinMotion::new(zero(), zero(), 0.0),
         pin_normal: zero(),
         pin_tangential: zero(),
         accelerations: SlotAccelerations {

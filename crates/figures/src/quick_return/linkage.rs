@@ -189,7 +189,7 @@ pub fn other_branch(at: &Layout, linkage: &QuickReturn, instant: &Instant) -> Op
     if linkage.ratio() <= 1.0 {
         return None;
     }
-    let position = linkage.at_lever_degrees(instant.lever_angle.to_degrees(), other).ok()?;
+    let position = linkage.position_at_lever_degrees(instant.lever_angle.to_degrees(), other).ok()?;
     let pin = at.view.place(&(instant.along * position.pin_distance));
     ((pin - at.pin).norm() > APART).then_some(pin)
 }

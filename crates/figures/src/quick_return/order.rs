@@ -3,7 +3,7 @@
 use super::steps::Direction;
 use crate::theme::{FOLLOWER, RELATIVE};
 use geneva_kinematics::pin_vectors::quarter_turn;
-use geneva_kinematics::quick_return::Motion;
+use geneva_kinematics::quick_return::LeverMotion;
 use nalgebra::Vector2;
 
 /// The place of the Coriolis term in an order in which neighbours are at right angles and the two terms of unknown
@@ -34,7 +34,7 @@ pub struct Laid {
 
 impl Laid {
     /// The first of the orders with the fewest crossings.
-    pub fn new(motion: &Motion<f64>) -> Self {
+    pub fn new(motion: &LeverMotion<f64>) -> Self {
         use Order::{First, Last, Second};
         let mut best = Self::in_order(motion, Last);
         for order in [First, Second] {
@@ -46,7 +46,7 @@ impl Laid {
         best
     }
 
-    fn in_order(motion: &Motion<f64>, order: Order) -> Self {
+    fn in_order(motion: &LeverMotion<f64>, order: Order) -> Self {
         let terms = &motion.accelerations;
         let [n, t, s, c] = [terms.follower_normal, terms.follower_tangential, terms.sliding_tangential, terms.coriolis];
         let zero = Vector2::zeros();
@@ -61,7 +61,7 @@ impl Laid {
 
     /// The lines on which the two terms lie: the one from the end of what is known at the pole, the other through
     /// the end of what is known at the tip.
-    pub fn directions(&self, motion: &Motion<f64>, along: Vector2<f64>) -> [Direction; 2] {
+    pub fn directions(&self, motion: &LeverMotion<f64>, along: Vector2<f64>) -> [Direction; 2] {
         let tip = motion.pin_normal + motion.pin_tangential;
         let (across_from, along_from) = match self.order {
             Order::Last => (self.lever_tangential, self.coriolis),
@@ -77,7 +77,7 @@ impl Laid {
     }
 
     /// How many pairs of vectors cross.
-    fn crossings(&self, motion: &Motion<f64>) -> usize {
+    fn crossings(&self, motion: &LeverMotion<f64>) -> usize {
         let terms = &motion.accelerations;
         let lines = [
             (Vector2::zeros(), motion.pin_normal),
@@ -121,7 +121,7 @@ mod tests {
         let drive = Drive { speed: 3.0, acceleration: -5.0 };
         for degrees in (0..360).step_by(13) {
             let motion =
-                Motion::at(&1.9, &1.0, &Turn::from_degrees(f64::from(degrees)), &drive).expect("off the pivot");
+                LeverMotion::new(&1.9, &1.0, &Turn::from_degrees(f64::from(degrees)), &drive).expect("off the pivot");
             let (tip, terms) = (motion.pin_normal + motion.pin_tangential, &motion.accelerations);
             for order in [Order::Last, Order::First, Order::Second] {
                 let laid = Laid::in_order(&motion, order);
@@ -139,7 +139,7 @@ mod tests {
     fn hardly_any_position_is_left_with_a_crossing() {
         let crossings = |degrees: u32| {
             let crank = Turn::from_degrees(f64::from(degrees));
-            let motion = Motion::at(&1.9, &1.0, &crank, &Drive::steady(3.0)).expect("off the pivot");
+            let motion = LeverMotion::new(&1.9, &1.0, &crank, &Drive::steady(3.0)).expect("off the pivot");
             Laid::new(&motion).crossings(&motion)
         };
         assert!((0..360).map(crossings).filter(|count| *count > 0).count() < 36);

@@ -174,7 +174,8 @@ mod tests {
 
     #[test]
     fn terms_follow_one_another_as_in_the_steps() {
-        let position = linkage().at_lever_degrees(20.0, geneva_kinematics::quick_return::Branch::Far).expect("there");
+        let position =
+            linkage().position_at_lever_degrees(20.0, geneva_kinematics::quick_return::Branch::Far).expect("there");
         let drive = Drive::steady(5.235_987_755_982_988);
         let live = tails(&polygons(&linkage(), &position, &drive, 2.0, "m"), "a-pin");
         let steps = acceleration_diagram(&linkage(), &position, &drive, "m");
@@ -194,7 +195,7 @@ mod tests {
     #[test]
     fn the_diagrams_fill_their_parts_and_every_label_is_clear_of_its_line() {
         for crank in (0..360).step_by(15) {
-            let position = linkage().at_crank_degrees(f64::from(crank)).expect("there");
+            let position = linkage().position_at_crank_degrees(f64::from(crank)).expect("there");
             let figure = polygons(&linkage(), &position, &Drive::steady(5.0), 2.0, "m");
             sound(&figure);
             let drawing = Drawing::of(&figure);

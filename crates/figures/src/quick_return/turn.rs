@@ -62,7 +62,7 @@ fn rows(linkage: &QuickReturn, drive: &Drive<f64>) -> Vec<[f64; 4]> {
     let turns = linkage.strokes().swing_limit.is_none();
     let row = |degrees: u32| {
         let crank = f64::from(degrees);
-        let position = linkage.at_crank(&Turn::from_degrees(crank)).ok()?;
+        let position = linkage.position_at_crank(&Turn::from_degrees(crank)).ok()?;
         let instant = Instant::new(linkage, &position, drive);
         let phi = match position.lever.degrees() {
             _ if degrees == 0 || (degrees == 360 && !turns) => 0.0,

@@ -4,7 +4,7 @@ use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke, of_mechanism
 use crate::svg::Label;
 use crate::theme::FILL;
 use crate::{Figure, Series, Words};
-use geneva_case1973::{Cell, Score};
+use geneva_case1973::{ComparedCell, Score};
 use geneva_kinematics::Mechanism;
 
 /// Differences up to this many units have their place on the axis; a mark at its edge stands for a greater one.
@@ -17,7 +17,7 @@ const SIZE: f64 = 8.0;
 const BEYOND: &str = "An arrowhead at the edge is a number that is farther off.";
 
 /// By how much the printed number is greater.
-fn residual(cell: &Cell) -> f64 {
+fn residual(cell: &ComparedCell) -> f64 {
     cell.printed - cell.computed
 }
 
@@ -27,7 +27,7 @@ pub struct Compared {
     /// The hypothesis, in a few words.
     pub name: String,
     /// The cells.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<ComparedCell>,
 }
 
 impl Compared {
@@ -146,8 +146,8 @@ fn panel(hypothesis: &Compared, x: &Axis) -> Panel {
 
 /// The differences of a mechanism's cells, one below the other in its strip in the order of the tables.
 fn points(hypothesis: &Compared, mechanism: Mechanism, strip: f64) -> Vec<(f64, f64)> {
-    let own: Vec<&Cell> = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism).collect();
-    let place = |(k, cell): (usize, &&Cell)| {
+    let own: Vec<&ComparedCell> = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism).collect();
+    let place = |(k, cell): (usize, &&ComparedCell)| {
         let share = (k as f64 + 0.5) / own.len() as f64 - 0.5;
         (residual(cell), strip + TAKEN * share)
     };
@@ -167,7 +167,7 @@ mod tests {
     use crate::checks::{Drawing, drawn, sound};
 
     fn compared(name: &str, off: f64) -> Compared {
-        let cell = |mechanism| Cell { mechanism, printed: 30.0, computed: 30.0 - off };
+        let cell = |mechanism| ComparedCell { mechanism, printed: 30.0, computed: 30.0 - off };
         Compared { name: name.to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
     }
 
@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn a_unit_is_a_unit_at_either_side() {
-        let cell = |computed| Cell { mechanism: Mechanism::FOUR_PIN, printed: 17.0, computed };
+        let cell = |computed| ComparedCell { mechanism: Mechanism::FOUR_PIN, printed: 17.0, computed };
         assert!([16.0, 16.3, 18.0].into_iter().all(|computed| cell(computed).is_within_one()));
         assert!([15.99, 18.01, f64::NAN].into_iter().all(|computed| !cell(computed).is_within_one()));
     }

@@ -6,7 +6,7 @@ use crate::number::short;
 use crate::svg::Label;
 use crate::theme::FILL;
 use crate::{Figure, Series, Words};
-use geneva_case1973::Cell;
+use geneva_case1973::ComparedCell;
 use geneva_kinematics::Mechanism;
 
 /// The scale, in units of the last place; what is nearer stands at its start.
@@ -56,7 +56,7 @@ pub fn deviations(hypotheses: &[Compared]) -> Figure {
     Chart::new([panel]).key(key).figure(words(hypotheses), Series::new(columns, rows))
 }
 
-fn off(cell: &Cell) -> f64 {
+fn off(cell: &ComparedCell) -> f64 {
     (cell.printed - cell.computed).abs()
 }
 
@@ -66,7 +66,7 @@ fn strips(hypotheses: &[Compared], strip: usize, mechanism: Mechanism) -> Vec<(f
     for (row, hypothesis) in hypotheses.iter().enumerate() {
         let own: Vec<_> = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism).collect();
         let middle = row as f64 + 1.0 + PITCH * (strip as f64 - 1.0);
-        let place = |(k, cell): (usize, &&Cell)| {
+        let place = |(k, cell): (usize, &&ComparedCell)| {
             let aside = (k as f64 + 0.5) / own.len() as f64 - 0.5;
             (off(cell).clamp(LEAST, GREATEST), middle + STRIP * aside)
         };
@@ -101,7 +101,7 @@ mod tests {
     use crate::checks::{Drawing, drawn, sound};
 
     fn hypothesis(off: f64) -> Compared {
-        let cell = |mechanism| Cell { mechanism, printed: 20.0, computed: 20.0 + off };
+        let cell = |mechanism| ComparedCell { mechanism, printed: 20.0, computed: 20.0 + off };
         Compared { name: "one, two, three".to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
     }
 

@@ -40,7 +40,7 @@ fn check(stations: u32, pins: u32) {
     let centres = Vector2::new(star.centre, 0.0);
     for k in -POSITIONS..=POSITIONS {
         let theta = driver.pitch() / 2.0 * f64::from(k) / f64::from(POSITIONS);
-        let motion = wheel.at(0, theta).expect("in the turn");
+        let motion = wheel.motion(0, theta).expect("in the turn");
         let phi = Turn::from_radians(motion.angle + 2.0 * wheel.half_pitch_angle() * motion.stations as f64);
         // The driver turns clockwise for a growing θ.
         let turn = Turn::from_radians(-theta);

@@ -75,7 +75,7 @@ mod tests {
                     let part = f64::from(k) / 50.0;
                     let theta = pair[0].theta + part * (pair[1].theta - pair[0].theta);
                     let line = pair[0].phi + part * (pair[1].phi - pair[0].phi);
-                    let motion = wheel.at(0, theta).expect("in the turn");
+                    let motion = wheel.motion(0, theta).expect("in the turn");
                     // At the very ends of a turn the motion counts the neighbouring pin.
                     let off = line - motion.angle - motion.stations as f64 * 2.0 * wheel.half_pitch_angle();
                     assert!(off.to_degrees().abs() < 1.02 * TOLERANCE, "{stations}, {pins}: {theta}");

@@ -248,7 +248,7 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
 fn bodies(canvas: &mut Canvas, sizes: &Sizes, view: &View) {
     let outline = sizes.outline();
     let axis_at = Vector2::new(sizes.centre_distance, 0.0);
-    let driver = |face: &Face| face.placed(PI, axis_at);
+    let driver = |face: &Face| face.transform(PI, axis_at);
     let face = |canvas: &mut Canvas, face: &Face, fill: Colour, line: Colour, opacity: &str, class: &'static str| {
         let shape = Shape::path(path(face.loops(), view)).fill(fill).with("fill-opacity", opacity).stroke(line, 1.5);
         canvas.draw(shape.with("fill-rule", "evenodd").with("stroke-linejoin", "round").class(class));
@@ -259,7 +259,7 @@ fn bodies(canvas: &mut Canvas, sizes: &Sizes, view: &View) {
         face(canvas, &driver(disc), DRIVER, DRIVER, "0.22", "locking-disc");
     }
     for pin in &outline.pins {
-        let pin = path(std::iter::once(&pin.placed(PI, axis_at)), view);
+        let pin = path(std::iter::once(&pin.transform(PI, axis_at)), view);
         canvas.draw(Shape::path(pin).fill(PAPER).stroke(INK, 1.5).class("pin"));
     }
     let (pivot, centre) = (view.origin, view.place(&axis_at));
@@ -274,7 +274,7 @@ fn bodies(canvas: &mut Canvas, sizes: &Sizes, view: &View) {
 fn path<'a>(loops: impl Iterator<Item = &'a Loop>, view: &View) -> Path {
     loops.fold(Path::empty(DECIMALS), |path, of| {
         let Some(first) = of.edges.first() else { return path };
-        let path = of.edges.iter().fold(path.again_at(&view.place(&first.from())), |path, edge| match *edge {
+        let path = of.edges.iter().fold(path.again_at(&view.place(&first.start_point())), |path, edge| match *edge {
             Edge::Line { to, .. } => path.line_to(&view.place(&to)),
             Edge::Arc { centre, radius, start, sweep } => {
                 // A whole circle has no ends to draw it between: two halves.
@@ -282,7 +282,7 @@ fn path<'a>(loops: impl Iterator<Item = &'a Loop>, view: &View) -> Path {
                 (1..=halves).fold(path, |path, half| {
                     let part = sweep / f64::from(halves);
                     let arc = Edge::Arc { centre, radius, start, sweep: part * f64::from(half) };
-                    path.arc(radius * view.scale, part.abs() > PI, Sense::of(sweep), &view.place(&arc.to()))
+                    path.arc(radius * view.scale, part.abs() > PI, Sense::of(sweep), &view.place(&arc.end_point()))
                 })
             }
         });

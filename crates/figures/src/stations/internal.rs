@@ -238,7 +238,7 @@ mod tests {
             let segment = plane(ring.locking_segment(&Vector2::zeros(), PI, SCALE).data());
             for step in -40..=40 {
                 let theta = PI * f64::from(step) / 40.0;
-                let motion = wheel.at(0, theta).expect("in the turn");
+                let motion = wheel.motion(0, theta).expect("in the turn");
                 let phi = Turn::from_radians(motion.angle + 2.0 * ring.half_pitch * motion.stations as f64);
                 let turn = Turn::from_radians(theta);
                 let turned = |at: &Vector2<f64>, by: &Turn<f64>| {

@@ -19,7 +19,7 @@ const THIN: f64 = 1e-9;
 fn sized(wheel: Wheel, disc: f64) -> Option<Sizes> {
     let choices = Choices {
         pin_diameter: Some(THIN),
-        play: Some(Play::of(0.0)),
+        play: Some(Play::from_slot(0.0)),
         horn_thickness: Some(1.0 - disc - THIN / 2.0),
         ..Choices::default()
     };

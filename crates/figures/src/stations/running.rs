@@ -7,8 +7,8 @@ use crate::parts::{WIDTH, pin_circle};
 use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{Colour, DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
-use geneva_kinematics::indexing::{Indexing, Motion};
-use geneva_kinematics::wheel::Misplaced;
+use geneva_kinematics::indexing::{Indexing, WheelMotion};
+use geneva_kinematics::wheel::MisplacedWheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -33,7 +33,7 @@ const IMPULSES: &str = "Where a curve jumps, its rate of change, the curve below
      an impulse is drawn as an arrow.";
 
 /// One of the curves: its name, its colour and its value.
-type Curve = (&'static str, Colour, fn(&Motion) -> f64);
+type Curve = (&'static str, Colour, fn(&WheelMotion) -> f64);
 
 const CURVES: [Curve; 3] = [
     ("velocity", FOLLOWER, |motion| motion.velocity),
@@ -50,9 +50,9 @@ const CURVES: [Curve; 3] = [
 /// # Errors
 ///
 /// [`FigureError`] for an angle beyond half a turn.
-pub fn running(misplaced: &Misplaced, crank: f64) -> Result<Figure, FigureError> {
+pub fn running(misplaced: &MisplacedWheel, crank: f64) -> Result<Figure, FigureError> {
     let wheel = misplaced.wheel();
-    let motion = misplaced.at(crank)?;
+    let motion = misplaced.motion(crank)?;
     let pitch = 2.0 * PI / f64::from(wheel.pins());
     let near = crank - libm::round(crank / pitch) * pitch;
     let half = misplaced.engagement_half_angle();
@@ -82,12 +82,12 @@ pub fn running(misplaced: &Misplaced, crank: f64) -> Result<Figure, FigureError>
 }
 
 /// θ in degrees, and the wheel there.
-type Row = (f64, Motion);
+type Row = (f64, WheelMotion);
 
 /// The wheel over one passage and a part of the dwell to either side; two rows at each jump.
-fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
+fn rows(of: &MisplacedWheel, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
     let still = |crank: f64| -> Result<Row, FigureError> {
-        Ok((crank.to_degrees(), Motion { velocity: 0.0, acceleration: 0.0, jerk: 0.0, ..of.at(crank)? }))
+        Ok((crank.to_degrees(), WheelMotion { velocity: 0.0, acceleration: 0.0, jerk: 0.0, ..of.motion(crank)? }))
     };
     let mut rows = Vec::new();
     if end > half {
@@ -95,8 +95,8 @@ fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
     }
     for k in 0..=STEPS {
         let crank = half * ((2.0 * f64::from(k) - f64::from(STEPS)) / f64::from(STEPS));
-        let motion = of.at(crank)?;
-        rows.push((crank.to_degrees(), Motion { velocity: without_noise(motion.velocity, 1.0), ..motion }));
+        let motion = of.motion(crank)?;
+        rows.push((crank.to_degrees(), WheelMotion { velocity: without_noise(motion.velocity, 1.0), ..motion }));
     }
     if end > half {
         rows.extend([still(half)?, still(end)?]);
@@ -105,7 +105,7 @@ fn rows(of: &Misplaced, half: f64, end: f64) -> Result<Vec<Row>, FigureError> {
 }
 
 /// The three curves, one under another.
-fn panels(rows: &[Row], near: f64, motion: &Motion, end: f64) -> Vec<Panel> {
+fn panels(rows: &[Row], near: f64, motion: &WheelMotion, end: f64) -> Vec<Panel> {
     let marks = || {
         let count = ((end + 1e-9) / MARKS) as i32;
         (-count..=count).map(|k| MARKS * f64::from(k))
@@ -128,7 +128,7 @@ fn panels(rows: &[Row], near: f64, motion: &Motion, end: f64) -> Vec<Panel> {
         for part in &parts {
             panel = panel.curve(part.iter().map(|(theta, motion)| (*theta, value(motion))), Stroke::new(*colour));
         }
-        let jump = |pair: &[&[Row]], value: fn(&Motion) -> f64| match pair {
+        let jump = |pair: &[&[Row]], value: fn(&WheelMotion) -> f64| match pair {
             [[.., (theta, before)], [(_, after), ..]] => (*theta, [value(before), value(after)]),
             _ => (0.0, [0.0, 0.0]),
         };
@@ -157,7 +157,7 @@ fn panels(rows: &[Row], near: f64, motion: &Motion, end: f64) -> Vec<Panel> {
     CURVES.iter().enumerate().map(panel).collect()
 }
 
-fn words(of: &Misplaced, crank: f64, motion: &Motion, blow: f64) -> Words {
+fn words(of: &MisplacedWheel, crank: f64, motion: &WheelMotion, blow: f64) -> Words {
     let wheel = of.wheel();
     let (stations, pins) = (counted(wheel.stations(), "station"), counted(wheel.pins(), "pin"));
     let distance = match of.error() {
@@ -198,7 +198,7 @@ mod tests {
 
     fn figure(error: f64) -> Figure {
         let wheel = Wheel::new(4).expect("possible");
-        running(&Misplaced::new(&wheel, error).expect("possible"), 0.3).expect("drawn")
+        running(&MisplacedWheel::new(&wheel, error).expect("possible"), 0.3).expect("drawn")
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::timer::{Accelerations, Strongest};
+use geneva_dynamics::timer::{Accelerations, SignedPeak};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Parts of the period that are drawn.
@@ -57,7 +57,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
 
     let [driver, follower] = [0, 1].map(|k| significant(instants.iter().map(|at| at.speeds[k]).fold(0.0, f64::max), 3));
     let strongest = Accelerations::new(parameters)?;
-    let said = |what: Strongest, unit: f64| format!("{} at θ = {}", short(what.value / unit, 3), degrees(what.angle));
+    let said = |what: SignedPeak, unit: f64| format!("{} at θ = {}", short(what.value / unit, 3), degrees(what.angle));
     let [first, last] = [instants.first(), instants.last()].map(|at| at.map_or(0.0, |at| at.accelerations[1]));
     let words = Words::new(
         "timer-accelerations",

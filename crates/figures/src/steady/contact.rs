@@ -116,7 +116,7 @@ pub(super) fn at_instants(escapement: &Escapement, instants: [(f64, f64); 2]) ->
 impl Instant {
     fn new(escapement: &Escapement, theta: f64, speed: f64) -> Result<Self, FigureError> {
         let motion = escapement.motion(theta, speed)?;
-        let slide = Reach::of_pose(&escapement.parameters().pose(theta)).slide;
+        let slide = Reach::from_pose(&escapement.parameters().pose(theta)).slide;
         let side = if motion.flank == Sign::Plus { 1.0 } else { -1.0 };
         Ok(Self { theta, side, slide, turning: motion.sliding - slide, sliding: motion.sliding })
     }

@@ -110,7 +110,7 @@ pub fn runaway() -> Result<Figure, FigureError> {
         for blow in 0..BLOWS {
             let path = model.between_blows(torque, speed);
             points.extend(path.iter().step_by(EACH).map(|(angle, speed)| (blow as f64 + angle, *speed)));
-            speed = path.last().map_or(0.0, |last| last.1) * model.kept();
+            speed = path.last().map_or(0.0, |last| last.1) * model.speed_retention();
         }
         points
     };

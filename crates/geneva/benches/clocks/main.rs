@@ -12,7 +12,7 @@ mod options;
 #[path = "../../../case1973/benches/integrators/record.rs"]
 mod record;
 
-use options::Options;
+use options::BenchOptions;
 use std::fs;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -85,7 +85,7 @@ impl Taken {
 
 impl Asked {
     fn new(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
-        let options = Options::read(arguments)?;
+        let options = BenchOptions::read(arguments)?;
         // As a test it only shows that each line is answered. The book comes last and has tests of its own.
         let usual = if options.is_bench {
             Self { rounds: 5, commands: &COMMANDS, record: None }

@@ -16,10 +16,10 @@ use geneva_case1973::Hypothesis;
 use geneva_documents::meyer::runs::table::rows;
 use geneva_host::files;
 use geneva_mimic::language::{
-    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
-    nearest_to,
+    CardLayout, DECKS, DataSet, Deck, DeckRun, DeckRuns, Program, RememberedPoints, RunError, RunOptions, deck_named,
+    listing_in, nearest_to,
 };
-use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
+use geneva_mimic::{Interpolation, MinStepPolicy, StepSolution};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -303,9 +303,9 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
         (None, None) => bail!("the deck is missing; give a file, or --listing-in FILE"),
     };
     let layout = match wanted.layout {
-        Some(LayoutName::Columns) => Layout::Columns,
-        Some(LayoutName::Free) => Layout::Free,
-        None => Layout::of(&text),
+        Some(LayoutName::Columns) => CardLayout::Columns,
+        Some(LayoutName::Free) => CardLayout::Free,
+        None => CardLayout::detect(&text),
     };
     let mut deck = Deck::read(&text, layout).map_err(|faults| anyhow!("{name}\n{faults}"))?;
     for (set, value) in &wanted.set {
@@ -368,10 +368,10 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
 
 /// All runs, as many at a time as there are threads, which share the memory that one run may have. A run that needs more
 /// of it is made again by itself.
-fn runs(program: &Program, sets: &[DataSet], choices: &Choices, threads: usize) -> Result<Vec<Run>, RunError> {
+fn runs(program: &Program, sets: &[DataSet], choices: &RunOptions, threads: usize) -> Result<Vec<DeckRun>, RunError> {
     let step = progress::bar(sets.len(), "runs", false);
-    let shared = Choices { at_once: threads.max(1), ..*choices };
-    let mut all = Runs::default();
+    let shared = RunOptions { at_once: threads.max(1), ..*choices };
+    let mut all = DeckRuns::default();
     for some in sets.chunks(shared.at_once) {
         let run = |set| {
             let run = program.run(set, &shared);
@@ -411,16 +411,16 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
     Ok(sets.into_iter().map(|set| DataSet(set.0.into_iter().chain(given.iter().cloned()).collect())).collect())
 }
 
-fn choices(wanted: &RunArguments) -> Choices {
-    let usual = Choices::default();
+fn choices(wanted: &RunArguments) -> RunOptions {
+    let usual = RunOptions::default();
     let kept = match wanted.kept {
-        KeptName::FullStep => Kept::FullStep,
-        KeptName::HalfSteps => Kept::TwoHalfSteps,
-        KeptName::Extrapolated => Kept::Extrapolated,
+        KeptName::FullStep => StepSolution::FullStep,
+        KeptName::HalfSteps => StepSolution::TwoHalfSteps,
+        KeptName::Extrapolated => StepSolution::Extrapolated,
     };
     let at_smallest_step = match wanted.at_dtmin {
-        AtDtmin::Keep => AtSmallestStep::Continue,
-        AtDtmin::Stop => AtSmallestStep::Stop,
+        AtDtmin::Keep => MinStepPolicy::Continue,
+        AtDtmin::Stop => MinStepPolicy::Stop,
     };
     let interpolation = match wanted.delay_between {
         Between::Linear => Interpolation::Linear,
@@ -430,12 +430,12 @@ fn choices(wanted: &RunArguments) -> Choices {
         DelayKeeps::All => RememberedPoints::All,
         DelayKeeps::AsAsked => RememberedPoints::AsAsked,
     };
-    let integrator = geneva_mimic::Parameters {
+    let integrator = geneva_mimic::SolverParameters {
         relative_tolerance: wanted.tolerance,
         absolute_floor: wanted.floor,
         kept,
         at_smallest_step,
         ..usual.integrator
     };
-    Choices { integrator, interpolation, remembered, ..usual }
+    RunOptions { integrator, interpolation, remembered, ..usual }
 }

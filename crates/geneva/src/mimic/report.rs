@@ -2,7 +2,7 @@
 
 use crate::output::{TextLayout, count, heading};
 use anyhow::ensure;
-use geneva_mimic::language::{Deck, Program, Run, When, print_out};
+use geneva_mimic::language::{Deck, DeckRun, Program, Schedule, print_out};
 use serde::ser::{Serialize, Serializer};
 use std::io::Write;
 
@@ -12,12 +12,12 @@ const MOST_PRINTED: usize = 64_000_000;
 /// The report on a deck without mistakes: its size and its notes.
 pub fn checked(name: &str, deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let (integrals, instructions) = program.size();
-    let dead = program.sorted().iter().filter(|of| of.is_dead).count();
+    let dead = program.execution_order().iter().filter(|of| of.is_dead).count();
     let mut page = layout.wrapped(
         "",
         &format!(
             "{name}: no mistakes found. {}, {}, {} per evaluation; {} without an effect on what is printed.",
-            count(program.sorted().len(), "statement"),
+            count(program.execution_order().len(), "statement"),
             count(integrals, "integral"),
             count(instructions, "instruction"),
             count(dead, "statement")
@@ -34,9 +34,11 @@ pub fn sorted(deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let bold = heading();
     let (control, result) = (width(program, |of| of.control.as_deref().unwrap_or("")), width(program, |of| &of.result));
     let mut page = String::new();
-    for (when, title) in [(When::Once, "Once in a run"), (When::Always, "At every evaluation of the integrands")] {
+    for (when, title) in
+        [(Schedule::Once, "Once in a run"), (Schedule::Always, "At every evaluation of the integrands")]
+    {
         page += &format!("{bold}{title}{bold:#}\n");
-        for of in program.sorted().iter().filter(|of| of.when == when) {
+        for of in program.execution_order().iter().filter(|of| of.when == when) {
             let dead = if of.is_dead { " (nothing that is printed needs it)" } else { "" };
             let lead = format!(
                 "  card {:>4}  {:<control$}  {:<result$}  ",
@@ -50,12 +52,12 @@ pub fn sorted(deck: &Deck, program: &Program, layout: TextLayout) -> String {
     page
 }
 
-fn width<'a>(program: &'a Program, part: fn(&'a geneva_mimic::language::Sorted) -> &'a str) -> usize {
-    program.sorted().iter().map(|of| part(of).len()).max().unwrap_or(0)
+fn width<'a>(program: &'a Program, part: fn(&'a geneva_mimic::language::SortedStatement) -> &'a str) -> usize {
+    program.execution_order().iter().map(|of| part(of).len()).max().unwrap_or(0)
 }
 
 /// The print-outs of all runs.
-pub fn print_outs(name: &str, runs: &[Run]) -> anyhow::Result<String> {
+pub fn print_outs(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
     let title =
         |at: usize| if runs.len() > 1 { format!("{name}, run {} of {}", at + 1, runs.len()) } else { name.to_owned() };
     let mut pages = String::new();
@@ -88,7 +90,7 @@ impl Serialize for Named<'_> {
 }
 
 /// An array of objects, with a row to a line.
-pub fn json(runs: &[Run]) -> anyhow::Result<String> {
+pub fn json(runs: &[DeckRun]) -> anyhow::Result<String> {
     // Written in one go: many rows as texts of their own would take several times the memory.
     let mut page = b"[\n".to_vec();
     for (at, run) in runs.iter().enumerate() {
@@ -114,7 +116,7 @@ pub fn json(runs: &[Run]) -> anyhow::Result<String> {
 }
 
 /// One row per printed point: the run's number and parameters, and the columns.
-pub fn csv(runs: &[Run]) -> anyhow::Result<String> {
+pub fn csv(runs: &[DeckRun]) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let Some(first) = runs.first() else { return Ok(String::new()) };
     let parameters = first.parameters.iter().map(|(name, _)| name.as_str());
@@ -130,7 +132,7 @@ pub fn csv(runs: &[Run]) -> anyhow::Result<String> {
 }
 
 /// The first plot of the first run; the columns against the first if nothing is plotted.
-pub fn svg(name: &str, runs: &[Run]) -> anyhow::Result<String> {
+pub fn svg(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
     let Some(run) = runs.first() else { anyhow::bail!("{name}: no run") };
     let (names, points) = match run.plots.first() {
         Some((plot, points)) => (&plot.names, points),

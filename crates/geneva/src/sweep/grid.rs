@@ -3,7 +3,7 @@
 use super::SweepArguments;
 use anyhow::ensure;
 use geneva_ask::escapement::{no_reset, own_reset};
-use geneva_dynamics::Error;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -90,7 +90,7 @@ impl Grid {
 fn reset(mechanism: Mechanism, reset_deg: f64) -> anyhow::Result<()> {
     let easy = Parameters::new(mechanism, Inertias::new(1.0, 1.0)?, 1.0, 0.0)?;
     match Engagement::reset_after(&easy, reset_deg.to_radians(), 1e-6) {
-        Err(Error::Reset { limit, .. }) => Err(no_reset(reset_deg, limit).into()),
+        Err(DynamicsError::Reset { limit, .. }) => Err(no_reset(reset_deg, limit).into()),
         _ => Ok(()),
     }
 }

@@ -5,7 +5,7 @@ use super::grid::Cell;
 use crate::fields::Row;
 use geneva_ask::escapement::{engagement, rise};
 use geneva_dynamics::steady::SteadyState;
-use geneva_dynamics::{Error, Inertias, Parameters};
+use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 
 /// Status of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,11 +71,11 @@ fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
     let inertias = Inertias::new(driver, cell.follower_inertia).map_err(|_| Status::TooSharp)?;
     let parameters =
         Parameters::new(cell.mechanism, inertias, cell.torque, cell.friction).map_err(|error| match error {
-            Error::TooMuchFriction { .. } => Status::Jams,
+            DynamicsError::TooMuchFriction { .. } => Status::Jams,
             _ => Status::TooSharp,
         })?;
     let unsteady = |error| match error {
-        Error::NoTerminalSpeed { .. } => Status::NoTerminalSpeed,
+        DynamicsError::NoTerminalSpeed { .. } => Status::NoTerminalSpeed,
         _ => Status::TooSharp,
     };
     let engagement = engagement(&parameters, cell.reset_deg).map_err(unsteady)?;

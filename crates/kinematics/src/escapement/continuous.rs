@@ -17,24 +17,24 @@ use std::f64::consts::PI;
 /// m pins and n slots with one pin always engaged; lengths are in radii of the pins' circle.
 ///
 /// ```
-/// use geneva_kinematics::escapement::{AtHandOver, Continuous};
+/// use geneva_kinematics::escapement::{ContinuousEscapement, HandOverMotion};
 ///
-/// let four = Continuous::new(4, 4).expect("4 pins, 4 slots");
+/// let four = ContinuousEscapement::new(4, 4).expect("4 pins, 4 slots");
 /// assert!((four.centre_distance_ratio() - 2_f64.sqrt()).abs() < 1e-15); // sin 90° / sin 45°
-/// assert_eq!(four.at_hand_over(), AtHandOver::Rests); // 1/4 + 1/4 = 1/2
-/// let twelve = Continuous::new(12, 12).expect("12 pins, 12 slots");
-/// assert_eq!((twelve.rim_radius(), twelve.at_hand_over()), (1.0, AtHandOver::TurnsOn));
+/// assert_eq!(four.hand_over_motion(), HandOverMotion::Rests); // 1/4 + 1/4 = 1/2
+/// let twelve = ContinuousEscapement::new(12, 12).expect("12 pins, 12 slots");
+/// assert_eq!((twelve.rim_radius(), twelve.hand_over_motion()), (1.0, HandOverMotion::TurnsOn));
 /// assert!((twelve.hand_over_ratio() - 0.75_f64.sqrt()).abs() < 1e-15); // cos 30°
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Continuous {
+pub struct ContinuousEscapement {
     pins: u32,
     slots: u32,
 }
 
 /// Motion of the follower as one pin takes over from the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AtHandOver {
+pub enum HandOverMotion {
     /// It turns on: 1/m + 1/n is below one half.
     TurnsOn,
     /// It is at rest for an instant: 1/m + 1/n is one half.
@@ -43,7 +43,7 @@ pub enum AtHandOver {
     TurnsBack,
 }
 
-impl Continuous {
+impl ContinuousEscapement {
     /// A mechanism with so many pins and slots; `None` unless the follower's axis is outside the circle of the pins,
     /// 1/m + 2/n < 1.
     ///
@@ -95,12 +95,12 @@ impl Continuous {
     }
 
     /// Motion of the follower at the hand-over, by integers: 2 (m + n) against m n.
-    pub fn at_hand_over(&self) -> AtHandOver {
+    pub fn hand_over_motion(&self) -> HandOverMotion {
         let [m, n] = [self.pins, self.slots].map(u64::from);
         match (2 * (m + n)).cmp(&(m * n)) {
-            Ordering::Less => AtHandOver::TurnsOn,
-            Ordering::Equal => AtHandOver::Rests,
-            Ordering::Greater => AtHandOver::TurnsBack,
+            Ordering::Less => HandOverMotion::TurnsOn,
+            Ordering::Equal => HandOverMotion::Rests,
+            Ordering::Greater => HandOverMotion::TurnsBack,
         }
     }
 }

@@ -95,11 +95,11 @@ pub fn pins_needed(slots: u32) -> Option<Rational> {
 /// both 0, or −2 and 1. Meyer 1973, table after Eq. (1-3).
 ///
 /// ```
-/// use geneva_kinematics::escapement::possible;
+/// use geneva_kinematics::escapement::possible_pairs;
 ///
-/// assert_eq!(possible(), [(3, 6), (4, 4), (6, 3)]); // 1/3 + 1/6 = 1/4 + 1/4 = 1/2
+/// assert_eq!(possible_pairs(), [(3, 6), (4, 4), (6, 3)]); // 1/3 + 1/6 = 1/4 + 1/4 = 1/2
 /// ```
-pub fn possible() -> Vec<(u32, u32)> {
+pub fn possible_pairs() -> Vec<(u32, u32)> {
     const PRODUCT: u32 = 4;
     (1..=PRODUCT)
         .filter(|divisor| PRODUCT.is_multiple_of(*divisor))
@@ -129,7 +129,7 @@ impl Mechanism {
 
     /// The mechanism as a wheel, which gives the motion and has no dwell.
     pub fn wheel(self) -> Wheel {
-        Wheel::of_fitting_counts(self.slots, self.pins)
+        Wheel::from_fitting_counts(self.slots, self.pins)
     }
 
     /// Number of slots in the follower, n.

@@ -1,5 +1,5 @@
 //! The Geneva escapement: a Geneva wheel with so many pins that one is always in a slot, and whose follower is at rest
-//! as one pin takes over from the next. [`Continuous`] allows any number of pins and slots, without that rest.
+//! as one pin takes over from the next. [`ContinuousEscapement`] allows any number of pins and slots, without that rest.
 //!
 //! Notation: n slots on the follower, m pins on the driver, r radius of the pins' circle, c = a r centre distance, θ
 //! driver angle from the line of centres, φ follower angle from there, R distance of the pin from the follower's axis.
@@ -20,5 +20,5 @@ pub mod entry_proofs;
 
 pub use clearance::{ApproachCoefficient, RimExcess};
 pub use configuration::{Configuration, HandOver, RelativePosition, Roots, Slot};
-pub use continuous::{AtHandOver, ContinuityStep, Continuous};
-pub use geometry::{EscapementError, Mechanism, pins_needed, possible};
+pub use continuous::{ContinuityStep, ContinuousEscapement, HandOverMotion};
+pub use geometry::{EscapementError, Mechanism, pins_needed, possible_pairs};

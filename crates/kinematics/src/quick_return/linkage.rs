@@ -108,7 +108,7 @@ impl QuickReturn {
     /// # Errors
     ///
     /// [`KinematicsError::PinOnPivot`] if the pin is on the lever's pivot.
-    pub fn at_crank(&self, crank: &Turn<f64>) -> Result<Position, KinematicsError> {
+    pub fn position_at_crank(&self, crank: &Turn<f64>) -> Result<Position, KinematicsError> {
         let ratio = self.ratio();
         let (x, y) = (ratio + crank.cos, crank.sin);
         // Without the platform's hypotenuse: lengths in crank radii are of the order of the ratio.
@@ -126,9 +126,9 @@ impl QuickReturn {
     /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
     ///
     /// let mechanism = QuickReturn::new(200.0, 100.0)?; // mm
-    /// let far = mechanism.at_crank_degrees(0.0)?;
+    /// let far = mechanism.position_at_crank_degrees(0.0)?;
     /// assert_eq!((far.pin_distance, far.branch()), (300.0, Branch::Far)); // mm: 200 + 100
-    /// let near = mechanism.at_crank_degrees(180.0)?;
+    /// let near = mechanism.position_at_crank_degrees(180.0)?;
     /// assert!((near.pin_distance - 100.0).abs() < 1e-12 && near.branch() == Branch::Near); // mm: 200 − 100
     /// # Ok::<(), geneva_kinematics::KinematicsError>(())
     /// ```
@@ -136,11 +136,11 @@ impl QuickReturn {
     /// # Errors
     ///
     /// [`KinematicsError::Angle`] if it is not finite, [`KinematicsError::PinOnPivot`] if the pin is on the lever's pivot.
-    pub fn at_crank_degrees(&self, degrees: f64) -> Result<Position, KinematicsError> {
+    pub fn position_at_crank_degrees(&self, degrees: f64) -> Result<Position, KinematicsError> {
         if !degrees.is_finite() {
             return Err(KinematicsError::Angle { name: "crank angle", asked: degrees });
         }
-        self.at_crank(&Turn::from_degrees(degrees % 360.0))
+        self.position_at_crank(&Turn::from_degrees(degrees % 360.0))
     }
 
     /// Position of the parts at a lever angle in degrees, on one of the two branches.
@@ -152,13 +152,13 @@ impl QuickReturn {
     /// use geneva_kinematics::quick_return::{Branch, QuickReturn};
     ///
     /// let mechanism = QuickReturn::new(200.0, 100.0)?; // mm: the lever swings by 30° to either side
-    /// let along = mechanism.at_lever_degrees(0.0, Branch::Near)?;
+    /// let along = mechanism.position_at_lever_degrees(0.0, Branch::Near)?;
     /// assert!((along.crank.degrees().abs() - 180.0).abs() < 1e-12); // the crank points to the lever's pivot
-    /// let [near, far] = [Branch::Near, Branch::Far].map(|branch| mechanism.at_lever_degrees(15.0, branch));
+    /// let [near, far] = [Branch::Near, Branch::Far].map(|branch| mechanism.position_at_lever_degrees(15.0, branch));
     /// // Half-way between the two places of the pin is the foot of the perpendicular from the crank's axis.
     /// let sum = near?.pin_distance + far?.pin_distance; // mm
     /// assert!((sum - 2.0 * 200.0 * 15_f64.to_radians().cos()).abs() < 1e-12);
-    /// assert!(mechanism.at_lever_degrees(31.0, Branch::Near).is_err());
+    /// assert!(mechanism.position_at_lever_degrees(31.0, Branch::Near).is_err());
     /// # Ok::<(), geneva_kinematics::KinematicsError>(())
     /// ```
     ///
@@ -166,7 +166,7 @@ impl QuickReturn {
     ///
     /// [`KinematicsError::Angle`] if the angle is not finite, [`KinematicsError::BeyondTheSwing`] if the lever does not
     /// reach it, [`KinematicsError::OnlyFar`] if there is no near branch.
-    pub fn at_lever_degrees(&self, degrees: f64, branch: Branch) -> Result<Position, KinematicsError> {
+    pub fn position_at_lever_degrees(&self, degrees: f64, branch: Branch) -> Result<Position, KinematicsError> {
         if !degrees.is_finite() {
             return Err(KinematicsError::Angle { name: "lever angle", asked: degrees });
         }

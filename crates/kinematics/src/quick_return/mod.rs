@@ -15,4 +15,4 @@ pub mod proofs;
 pub mod series;
 
 pub use linkage::{Branch, Position, QuickReturn, Strokes};
-pub use motion::{Drive, Motion};
+pub use motion::{Drive, LeverMotion};

@@ -24,18 +24,18 @@ impl<S: Field> Drive<S> {
 /// The whole motion at an instant: vectors in the frame of the [module](super), with directions and senses.
 ///
 /// ```
-/// use geneva_kinematics::quick_return::{Drive, Motion};
+/// use geneva_kinematics::quick_return::{Drive, LeverMotion};
 /// use geneva_kinematics::{Turn, rational};
 ///
 /// // Axes 2 apart, crank 1, at crank angle zero: the pin is 3 from the lever's pivot and moves across the lever.
 /// let along = Turn { cos: rational(1, 1), sin: rational(0, 1) };
 /// let drive = Drive::steady(rational(1, 1)); // rad per unit of time
-/// let motion = Motion::at(&rational(2, 1), &rational(1, 1), &along, &drive).expect("off the pivot");
+/// let motion = LeverMotion::new(&rational(2, 1), &rational(1, 1), &along, &drive).expect("off the pivot");
 /// assert_eq!(motion.velocities.follower_speed, rational(1, 3));
 /// assert_eq!(motion.acceleration_gap().x, rational(0, 1)); // the diagram closes
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Motion<S> {
+pub struct LeverMotion<S> {
     /// From the crank's axis to the pin, in the unit of its radius.
     pub crank: Vector2<S>,
     /// Place and velocities of the pin and of the lever's point under it; angular velocity of the lever.
@@ -48,11 +48,11 @@ pub struct Motion<S> {
     pub accelerations: SlotAccelerations<S>,
 }
 
-impl<S: Field> Motion<S> {
+impl<S: Field> LeverMotion<S> {
     /// The motion at crank angle φ, for ground distance l and crank radius R in one unit of length.
     ///
     /// `None` if the pin is on the lever's pivot.
-    pub fn at(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<Self> {
+    pub fn new(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<Self> {
         let crank = crank.direction() * radius.clone();
         let position = crank.clone() + Vector2::new(ground.clone(), S::zero());
         let pin_velocity = quarter_turn(&crank) * drive.speed.clone();

@@ -7,20 +7,20 @@
 //!
 //! ```
 //! use geneva_kinematics::prove;
-//! use geneva_kinematics::quick_return::proofs::{Compared, DiagramAgainstSeries};
+//! use geneva_kinematics::quick_return::proofs::{DiagramAgainstSeries, LeverQuantity};
 //!
-//! assert!(prove(&DiagramAgainstSeries(Compared::LeverSpeed)).is_ok());
-//! assert!(prove(&DiagramAgainstSeries(Compared::Sliding)).is_ok());
+//! assert!(prove(&DiagramAgainstSeries(LeverQuantity::LeverSpeed)).is_ok());
+//! assert!(prove(&DiagramAgainstSeries(LeverQuantity::Sliding)).is_ok());
 //! ```
 
-use super::motion::{Drive, Motion};
+use super::motion::{Drive, LeverMotion};
 use super::series::polar_rates;
 use crate::pin_vectors::quarter_turn;
 use crate::{Expression, Identity, Turn};
 
 /// What of the motion is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Compared {
+pub enum LeverQuantity {
     /// ψ̇.
     LeverSpeed,
     /// ψ̈.
@@ -36,7 +36,7 @@ pub enum Compared {
 /// The closed diagrams and the differentiated loop closure give one motion. Variables: p, x, ω, ω̇.
 pub struct DiagramAgainstSeries(
     /// What is compared.
-    pub Compared,
+    pub LeverQuantity,
 );
 
 impl Identity<4> for DiagramAgainstSeries {
@@ -44,17 +44,17 @@ impl Identity<4> for DiagramAgainstSeries {
         let drive = Drive { speed, acceleration };
         let (ground, crank) = placed(p, x);
         let rates = polar_rates(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
-        let Motion { velocities, accelerations, .. } =
-            Motion::at(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
+        let LeverMotion { velocities, accelerations, .. } =
+            LeverMotion::new(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
         let square = rates.position.dot(&rates.position);
         match self.0 {
-            Compared::LeverSpeed => velocities.follower_speed - rates.angular_velocity,
-            Compared::LeverAcceleration => accelerations.follower_acceleration - rates.angular_acceleration,
-            Compared::Sliding => velocities.sliding_velocity.dot(&rates.position) - rates.sliding * square,
-            Compared::SlidingAcceleration => {
+            LeverQuantity::LeverSpeed => velocities.follower_speed - rates.angular_velocity,
+            LeverQuantity::LeverAcceleration => accelerations.follower_acceleration - rates.angular_acceleration,
+            LeverQuantity::Sliding => velocities.sliding_velocity.dot(&rates.position) - rates.sliding * square,
+            LeverQuantity::SlidingAcceleration => {
                 accelerations.sliding_tangential.dot(&rates.position) - rates.sliding_rate * square
             }
-            Compared::Coriolis => {
+            LeverQuantity::Coriolis => {
                 let across = quarter_turn(&rates.position).x;
                 accelerations.coriolis.x - 2 * rates.angular_velocity * rates.sliding * across
             }

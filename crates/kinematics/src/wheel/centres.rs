@@ -3,7 +3,7 @@
 //! Nearer or farther, something takes the play up. Nearer, it is the slot's end at the pin, the locking arc at its disc, or
 //! a horn at the crescent; farther, a corner of the slot at the pin as it comes in.
 
-use super::clearance::{Assembly, Nearest};
+use super::clearance::{Assembly, ClosestApproach};
 use super::play::EntryContact;
 use super::sizes::Sizes;
 use crate::KinematicsError;
@@ -16,13 +16,13 @@ use crate::indexing::Indexing;
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
 /// let with_play = |play: f64| { // in mm
-///     let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+///     let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };
 ///     Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)
 /// };
 /// let (sizes, tight) = (with_play(0.2)?, with_play(0.0)?);
 /// let tolerance = sizes.centre_tolerance();
 /// assert!(tolerance.nearer > 0.0 && tolerance.nearer <= 0.1); // mm: no more than the gap at the locking disc
-/// assert!(sizes.clearance_at(sizes.centre_distance - tolerance.nearer)?.least().distance >= 0.0);
+/// assert!(sizes.clearance_at(sizes.centre_distance - tolerance.nearer)?.closest_approach().distance >= 0.0);
 /// assert_eq!(tight.centre_tolerance().farther, 0.0); // without play the axes must be exactly right
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
 /// ```
@@ -94,7 +94,7 @@ impl Sizes {
         for _ in 0..TURNS {
             let assembly = self.assembly_at(self.centre_distance + runs * error)?;
             let tolerance = assembly.tolerance;
-            match assembly.least_within(angles, 0.0) {
+            match assembly.closest_approach_within(angles, 0.0) {
                 Ok(nearest) if nearest.distance >= tolerance => return Ok(runs * error.abs()),
                 Ok(nearest) => {
                     let assembly = self.assembly_at(self.centre_distance + runs * error)?;
@@ -130,7 +130,7 @@ fn last(all: f64, holds: impl Fn(f64) -> bool) -> f64 {
 
 impl Assembly<'_> {
     /// The crank angle near that of a distance at which the same two parts are nearest, in radians.
-    fn nearest_angle(&self, from: Nearest) -> f64 {
+    fn nearest_angle(&self, from: ClosestApproach) -> f64 {
         let (mut angle, mut step) = (from.crank_angle, FIRST_STEP);
         let (first, end, is_at_rest) = self.phase(angle);
         let at = |angle: f64| self.distance_at(from.contact, angle, is_at_rest);

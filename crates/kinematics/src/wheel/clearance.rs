@@ -17,7 +17,7 @@
 //! far play lets it turn besides is another question ([`play`](super::play), [`dwell_play`](super::dwell_play)).
 
 use super::regions::{DiscRegion, WheelRegion};
-use super::search::{Least, Search, greatest_speed_ratio};
+use super::search::{Minimum, Search, greatest_speed_ratio};
 use super::sizes::Sizes;
 use crate::KinematicsError;
 use crate::indexing::Indexing;
@@ -29,7 +29,7 @@ type Point = Vector2<f64>;
 
 /// Which parts come near each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Contact {
+pub enum ContactPair {
     /// A pin and the slot that it is in.
     PinInSlot,
     /// A pin and the wheel, while the pin is in no slot.
@@ -42,7 +42,7 @@ pub enum Contact {
 
 /// A least distance, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest {
+pub struct ClosestApproach {
     /// The distance in millimetres. Below zero it is how deep the parts are in each other, by the deepest of their corners
     /// and of the points of arcs on lines of centres; where they overlap by more than a corner, they may be deeper still.
     pub distance: f64,
@@ -50,7 +50,7 @@ pub struct Nearest {
     /// for each pin.
     pub crank_angle: f64,
     /// Between which parts.
-    pub contact: Contact,
+    pub contact: ContactPair,
 }
 
 /// The least distances of driver and wheel over a whole turn of the driver.
@@ -58,38 +58,38 @@ pub struct Nearest {
 /// ```
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
-/// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+/// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
 /// let clearance = sizes.clearance();
 /// assert!((clearance.pin_in_slot.distance - 0.1).abs() < 1e-12); // mm: half of the play on either side
-/// assert!(clearance.least().distance > clearance.tolerance); // nothing touches anything over the whole turn
+/// assert!(clearance.closest_approach().distance > clearance.tolerance); // nothing touches anything over the whole turn
 /// let near = sizes.clearance_at(sizes.centre_distance - 10.0)?; // with the axes 10 mm too near
-/// assert!(near.least().distance < 0.0); // the parts would overlap
+/// assert!(near.closest_approach().distance < 0.0); // the parts would overlap
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
     /// Least distance of a pin from the slot that it is in.
-    pub pin_in_slot: Nearest,
+    pub pin_in_slot: ClosestApproach,
     /// Least distance of a pin in no slot from the wheel; none where every pin is always in a slot.
-    pub pin_outside: Option<Nearest>,
+    pub pin_outside: Option<ClosestApproach>,
     /// Least distance of the locking disc from the arc that it is in; none without a disc.
-    pub locking_disc: Option<Nearest>,
+    pub locking_disc: Option<ClosestApproach>,
     /// Least distance of the locking disc from the wheel during the engagement; none without a disc.
-    pub crescent: Option<Nearest>,
+    pub crescent: Option<ClosestApproach>,
     /// How much less, in millimetres, any of these distances may be somewhere than is said here.
     pub tolerance: f64,
 }
 
 impl Clearance {
     /// The least of all distances, and where it is.
-    pub fn least(&self) -> Nearest {
+    pub fn closest_approach(&self) -> ClosestApproach {
         let others = [self.pin_outside, self.locking_disc, self.crescent];
-        others.into_iter().flatten().fold(self.pin_in_slot, Nearest::or)
+        others.into_iter().flatten().fold(self.pin_in_slot, ClosestApproach::or)
     }
 }
 
-impl Nearest {
+impl ClosestApproach {
     /// The nearer of two, the first of equals.
     fn or(self, other: Self) -> Self {
         if other.distance < self.distance { other } else { self }
@@ -131,11 +131,15 @@ impl Sizes {
     ///
     /// The errors of [`clearance_at`](Self::clearance_at), and [`KinematicsError::TooManyAngles`] where the distances stay so
     /// nearly the same over the turn that even the widest tolerance needs more crank angles.
-    pub fn least_clearance_within(&self, centre_distance: f64, angles: u32) -> Result<(Nearest, f64), KinematicsError> {
+    pub fn least_clearance_within(
+        &self,
+        centre_distance: f64,
+        angles: u32,
+    ) -> Result<(ClosestApproach, f64), KinematicsError> {
         let wider = |times: f64| {
             let assembly = self.assembly_at(centre_distance)?;
             let tolerance = times * assembly.tolerance;
-            Ok((Assembly { tolerance, ..assembly }.least_within(angles, f64::INFINITY)?, tolerance))
+            Ok((Assembly { tolerance, ..assembly }.closest_approach_within(angles, f64::INFINITY)?, tolerance))
         };
         wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
     }
@@ -216,9 +220,9 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least of all distances from so many crank angles at most, where a distance of `enough` millimetres need not be known better.
-    pub fn least_within(self, angles: u32, enough: f64) -> Result<Nearest, KinematicsError> {
+    pub fn closest_approach_within(self, angles: u32, enough: f64) -> Result<ClosestApproach, KinematicsError> {
         let limited = Self { enough, angles: Cell::new(angles), ..self };
-        let found = limited.least();
+        let found = limited.closest_approach();
         if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
     }
 
@@ -233,7 +237,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least of all distances.
-    pub fn least(&self) -> Nearest {
+    pub fn closest_approach(&self) -> ClosestApproach {
         let known = self.locking_disc().map_or(self.pin_in_slot(), |disc| self.pin_in_slot().or(disc));
         let known = self.pins_outside(Some(known)).map_or(known, |pins| known.or(pins));
         self.disc.as_ref().map_or(known, |disc| known.or(self.crescent(disc, Some(known))))
@@ -248,35 +252,37 @@ impl<'a> Assembly<'a> {
     }
 
     /// The distance of these two parts at this crank angle in radians, in millimetres, as the search for the least one sees it.
-    pub fn distance_at(&self, contact: Contact, theta: f64, is_at_rest: bool) -> f64 {
+    pub fn distance_at(&self, contact: ContactPair, theta: f64, is_at_rest: bool) -> f64 {
         let pins = self.sizes.pin_directions().skip(1).chain(is_at_rest.then_some(0.0));
         match (contact, &self.disc) {
-            (Contact::PinInSlot, _) => self.pin_in_slot().distance,
-            (Contact::PinOutside, _) => {
+            (ContactPair::PinInSlot, _) => self.pin_in_slot().distance,
+            (ContactPair::PinOutside, _) => {
                 pins.map(|pin| self.pin_distance(pin, theta, is_at_rest, None)).fold(f64::INFINITY, f64::min)
             }
-            (Contact::LockingDisc, _) => self.locking_disc().map_or(f64::INFINITY, |disc| disc.distance),
-            (Contact::Crescent, disc) => disc.as_ref().map_or(f64::INFINITY, |disc| self.disc_distance(disc, theta)),
+            (ContactPair::LockingDisc, _) => self.locking_disc().map_or(f64::INFINITY, |disc| disc.distance),
+            (ContactPair::Crescent, disc) => {
+                disc.as_ref().map_or(f64::INFINITY, |disc| self.disc_distance(disc, theta))
+            }
         }
     }
 
     /// The pin is on the slot's middle line all the time and nearest to the slot's end on the line of centres.
-    fn pin_in_slot(&self) -> Nearest {
+    fn pin_in_slot(&self) -> ClosestApproach {
         let deepest = Point::new(self.distance - self.sizes.crank_radius, 0.0);
         let distance = self.wheel.distance(&deepest) - self.sizes.pin_radius();
-        Nearest { distance, crank_angle: 0.0, contact: Contact::PinInSlot }
+        ClosestApproach { distance, crank_angle: 0.0, contact: ContactPair::PinInSlot }
     }
 
-    fn locking_disc(&self) -> Option<Nearest> {
-        self.disc.as_ref().map(|disc| Nearest {
+    fn locking_disc(&self) -> Option<ClosestApproach> {
+        self.disc.as_ref().map(|disc| ClosestApproach {
             distance: self.wheel.distance(&self.driver_axis_at_rest()) - disc.radius,
             crank_angle: self.half_turn,
-            contact: Contact::LockingDisc,
+            contact: ContactPair::LockingDisc,
         })
     }
 
     /// The least distance of all pins while they are in no slot, or what is known to be less.
-    fn pins_outside(&self, known: Option<Nearest>) -> Option<Nearest> {
+    fn pins_outside(&self, known: Option<ClosestApproach>) -> Option<ClosestApproach> {
         let at_rest = self.half_turn > self.engaged * (1.0 + 1e-12);
         let end = self.engaged.min(self.half_turn);
         let resting = if at_rest { Some(self.pin_outside(0.0, end, self.half_turn, known)) } else { known };
@@ -311,15 +317,15 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least distance of a pin in no slot, so far ahead of the first, between two crank angles of the first.
-    fn pin_outside(&self, ahead: f64, from: f64, to: f64, known: Option<Nearest>) -> Nearest {
+    fn pin_outside(&self, ahead: f64, from: f64, to: f64, known: Option<ClosestApproach>) -> ClosestApproach {
         // An interval of the dwell begins as the pin leaves its slot: there the wheel has come to rest.
         let distance = |theta: f64| self.pin_distance(ahead, theta, from >= self.engaged, known);
         let speed = |from: f64, to: f64| self.sizes.crank_radius + self.speed_ratio(from, to) * self.wheel.rim;
-        self.search(Contact::PinOutside, from, to, known, distance, speed)
+        self.search(ContactPair::PinOutside, from, to, known, distance, speed)
     }
 
     /// The distance of a pin in no slot, or a lesser one where it is farther away than what is known.
-    fn pin_distance(&self, ahead: f64, theta: f64, is_at_rest: bool, known: Option<Nearest>) -> f64 {
+    fn pin_distance(&self, ahead: f64, theta: f64, is_at_rest: bool, known: Option<ClosestApproach>) -> f64 {
         let (a, rho) = (self.sizes.crank_radius, self.sizes.pin_radius());
         let (sin, cos) = libm::sincos(theta + ahead);
         let (x, y) = (self.distance - a * cos, a * sin);
@@ -332,10 +338,10 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least distance of the locking disc from the wheel during the engagement, or what is known to be less.
-    fn crescent(&self, disc: &DiscRegion, known: Option<Nearest>) -> Nearest {
+    fn crescent(&self, disc: &DiscRegion, known: Option<ClosestApproach>) -> ClosestApproach {
         let distance = |theta: f64| self.disc_distance(disc, theta);
         let speed = |from: f64, to: f64| disc.radius + self.speed_ratio(from, to) * self.wheel.rim;
-        self.search(Contact::Crescent, 0.0, self.engaged, known, distance, speed)
+        self.search(ContactPair::Crescent, 0.0, self.engaged, known, distance, speed)
     }
 
     /// The distance of the locking disc from the wheel at one crank angle.
@@ -391,16 +397,16 @@ impl<'a> Assembly<'a> {
     /// below the tolerance will do where `enough` is one, and any where no angles are left.
     fn search(
         &self,
-        contact: Contact,
+        contact: ContactPair,
         from: f64,
         to: f64,
-        known: Option<Nearest>,
+        known: Option<ClosestApproach>,
         distance: impl Fn(f64) -> f64,
         speed: impl Fn(f64, f64) -> f64,
-    ) -> Nearest {
+    ) -> ClosestApproach {
         let search = Search { tolerance: self.tolerance, enough: self.enough, places: &self.angles };
-        let known = known.map(|known| Least { value: known.distance, place: known.crank_angle });
-        let Least { value, place } = search.least(from, to, known, distance, speed);
-        Nearest { distance: value, crank_angle: place, contact }
+        let known = known.map(|known| Minimum { value: known.distance, place: known.crank_angle });
+        let Minimum { value, place } = search.minimize(from, to, known, distance, speed);
+        ClosestApproach { distance: value, crank_angle: place, contact }
     }
 }

@@ -4,28 +4,17 @@
 //! of the pin: there the disc lets the wheel go just as the pin takes it. One number is left free, where on the pin's
 //! line the arc has its centre, and it is found from the motion. Of all points of a horn the tip, where the rim meets
 //! the locking arc, comes nearest to a cut of this kind; the centre is as far out (the cut as shallow) as lets the tip
-//! pass at all crank angles with the gap that [`Crescent::of`] states. That nothing else of the wheel bites either is not
+//! pass at all crank angles with the gap that [`Crescent::shallowest`] states. That nothing else of the wheel bites either is not
 //! assumed: [`Sizes::clearance`] looks at the whole outlines over the whole turn.
 //!
 //! An arc of the wheel's radius about the wheel's axis in mid-index is not safe: it bites on both sides of mid-index.
 
 use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::SizesError;
-use super::sizes::{LockingDisc, Sizes};
+use super::sizes::{Crescent, LockingDisc, Sizes};
 use crate::KinematicsError;
 use crate::indexing::Indexing;
 use nalgebra::Vector2;
-
-/// An arc that is cut out of the locking disc; its centre lies on the line from the driver's axis through the pin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crescent {
-    /// Distance of its centre from the driver's axis, in millimetres.
-    pub centre: f64,
-    /// Its radius, in millimetres.
-    pub radius: f64,
-    /// Half the angle of its opening as seen from the driver's axis, in radians.
-    pub half_angle: f64,
-}
 
 /// Crank angles looked at before the search, and steps of the search, each of which leaves 0.618 of the interval. The
 /// place is then known to 10⁻⁴ of the engagement, and what depends on it to the square of that.
@@ -50,7 +39,7 @@ impl Crescent {
     /// # Errors
     ///
     /// [`SizesError::DoesNotFit`] if the cut would have to reach the driver's axis.
-    pub(super) fn of(sizes: &Sizes, disc: f64) -> Result<Self, SizesError> {
+    pub(super) fn shallowest(sizes: &Sizes, disc: f64) -> Result<Self, SizesError> {
         let swing = sizes.slot_gap() * sizes.tip_radius / sizes.deepest();
         let gap = sizes.play.locking / 2.0 + swing + LEFT_OPEN * sizes.centre_distance;
         let passing = Passing::new(sizes, disc, gap);

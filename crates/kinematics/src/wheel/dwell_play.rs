@@ -26,7 +26,7 @@ use crate::indexing::Indexing;
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
 /// let with_play = |play: f64| { // in mm
-///     let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+///     let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };
 ///     Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)
 /// };
 /// let loose = with_play(0.2)?.dwell_play().expect("one pin leaves a dwell");

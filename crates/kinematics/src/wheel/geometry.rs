@@ -1,6 +1,6 @@
 //! Sizes of a wheel and its driver, all from the number of stations.
 
-use super::accurate::{Constants, Double};
+use super::accurate::{Double, WheelConstants};
 use crate::KinematicsError;
 use crate::pin_slot::PinSlot;
 use std::ops::RangeInclusive;
@@ -29,7 +29,7 @@ pub const STATIONS: RangeInclusive<u32> = 3..=1000;
 pub struct Wheel {
     pub(super) stations: u32,
     pub(super) pins: u32,
-    pub(super) constants: Constants,
+    pub(super) constants: WheelConstants,
 }
 
 /// The two numbers determine all the rest.
@@ -75,12 +75,12 @@ impl Wheel {
         if !(1..=most).contains(&pins) {
             return Err(KinematicsError::Pins { asked: pins, most, stations });
         }
-        Ok(Self::of_fitting_counts(stations, pins))
+        Ok(Self::from_fitting_counts(stations, pins))
     }
 
     /// A wheel of numbers that are known to fit.
-    pub(crate) fn of_fitting_counts(stations: u32, pins: u32) -> Self {
-        Self { stations, pins, constants: Constants::new(stations) }
+    pub(crate) fn from_fitting_counts(stations: u32, pins: u32) -> Self {
+        Self { stations, pins, constants: WheelConstants::new(stations) }
     }
 
     /// Centre distance in crank radii, k = 1 / sin α: the slot is tangent to the pin's circle as the pin enters.

@@ -3,7 +3,7 @@
 use super::Wheel;
 use super::accurate::{Double, fraction_of_pi};
 use crate::error::size;
-use crate::indexing::{AccelerationPeak, Indexing, JerkPeak, Motion, Phase, PinInSlot, within_half_pitch};
+use crate::indexing::{AccelerationPeak, Indexing, JerkPeak, Phase, PinInSlot, WheelMotion, within_half_pitch};
 use crate::{KinematicsError, Turn, pin_slot};
 use std::f64::consts::PI;
 
@@ -46,7 +46,7 @@ impl Indexing for Wheel {
     /// # Errors
     ///
     /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
-    fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError> {
+    fn engaged(&self, crank: f64) -> Result<WheelMotion, KinematicsError> {
         self.engaged_at(Double::from(crank))
     }
 
@@ -152,9 +152,9 @@ impl Indexing for Wheel {
     /// use std::f64::consts::PI;
     ///
     /// let wheel = Wheel::new(4)?;
-    /// let middle = wheel.at(3, 0.0)?; // three turns of the driver: three stations
+    /// let middle = wheel.motion(3, 0.0)?; // three turns of the driver: three stations
     /// assert_eq!((middle.phase, middle.stations, middle.angle), (Phase::Advance, 3, 0.0));
-    /// let dwell = wheel.at(3, 2.0)?; // 2 rad later the wheel stands, half a station on
+    /// let dwell = wheel.motion(3, 2.0)?; // 2 rad later the wheel stands, half a station on
     /// assert_eq!((dwell.phase, dwell.stations, dwell.velocity), (Phase::Dwell, 3, 0.0));
     /// assert!((dwell.angle - PI / 4.0).abs() < 1e-15); // rad
     /// # Ok::<(), geneva_kinematics::KinematicsError>(())
@@ -163,7 +163,7 @@ impl Indexing for Wheel {
     /// # Errors
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
-    fn at(&self, turns: i64, crank: f64) -> Result<Motion, KinematicsError> {
+    fn motion(&self, turns: i64, crank: f64) -> Result<WheelMotion, KinematicsError> {
         if !(-PI..=PI).contains(&crank) {
             return Err(KinematicsError::Turn(crank));
         }
@@ -171,13 +171,13 @@ impl Indexing for Wheel {
         let pin = libm::round(crank / pitch);
         let advances = turns.saturating_mul(i64::from(self.pins())).saturating_add(pin as i64);
         let behind = fraction_of_pi(2 * libm::fabs(pin) as u32, self.pins());
-        let from_pin = Double::from(crank).minus(if pin < 0.0 { behind.negated() } else { behind });
+        let from_pin = Double::from(crank).minus(if pin < 0.0 { behind.negate() } else { behind });
         match self.engaged_at(from_pin) {
-            Ok(motion) => Ok(Motion { stations: advances, ..motion }),
+            Ok(motion) => Ok(WheelMotion { stations: advances, ..motion }),
             Err(_) => {
                 let angle = if from_pin.hi > 0.0 { self.half_pitch_angle() } else { -self.half_pitch_angle() };
                 let (velocity, acceleration, jerk) = (0.0, 0.0, 0.0);
-                Ok(Motion { phase: Phase::Dwell, stations: advances, angle, velocity, acceleration, jerk })
+                Ok(WheelMotion { phase: Phase::Dwell, stations: advances, angle, velocity, acceleration, jerk })
             }
         }
     }
@@ -210,15 +210,15 @@ impl Wheel {
     }
 
     /// The motion at a crank angle of twice the precision.
-    fn engaged_at(&self, crank: Double) -> Result<Motion, KinematicsError> {
+    fn engaged_at(&self, crank: Double) -> Result<WheelMotion, KinematicsError> {
         let most = self.engagement_half_angle();
         if !(-most..=most).contains(&crank.hi) {
             return Err(KinematicsError::OutsideEngagement { asked: crank.hi, most });
         }
         let before = crank.hi < 0.0;
-        let size = if before { crank.negated() } else { crank };
+        let size = if before { crank.negate() } else { crank };
         let (angle, acceleration, jerk) = self.constants.angle_acceleration_jerk(size);
-        Ok(Motion {
+        Ok(WheelMotion {
             phase: Phase::Advance,
             stations: 0,
             angle: if before { -angle } else { angle },

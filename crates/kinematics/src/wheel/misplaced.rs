@@ -6,32 +6,32 @@
 use super::{Wheel, acceleration_ratio, jerk_ratio};
 use crate::Turn;
 use crate::error::KinematicsError;
-use crate::indexing::{Indexing, Motion, Phase};
+use crate::indexing::{Indexing, Phase, WheelMotion};
 use crate::pin_slot::{pin_from_pivot, sliding_product, velocity_ratio};
 
 /// A wheel and its driver at a given distance of their axes.
 ///
 /// ```
-/// use geneva_kinematics::wheel::{Misplaced, Wheel};
+/// use geneva_kinematics::wheel::{MisplacedWheel, Wheel};
 ///
 /// let wheel = Wheel::new(6)?; // k = 2 and the rim at √3, in crank radii
 /// let error = 0.01; // the axes are 1 % too far apart
-/// let wrong = Misplaced::new(&wheel, error)?;
+/// let wrong = MisplacedWheel::new(&wheel, error)?;
 /// let k = 2.0 * (1.0 + error);
 /// // At the rim k cos θ − 1 = (k² − 4) / 2, over the square of the distance, 3.
 /// assert!((wrong.entry_velocity_ratio() - (k * k - 4.0) / 6.0).abs() < 1e-15);
-/// assert_eq!(Misplaced::new(&wheel, 0.0)?.entry_velocity_ratio(), 0.0); // no blow at the right distance
+/// assert_eq!(MisplacedWheel::new(&wheel, 0.0)?.entry_velocity_ratio(), 0.0); // no blow at the right distance
 /// # Ok::<(), geneva_kinematics::KinematicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Misplaced {
+pub struct MisplacedWheel {
     wheel: Wheel,
     error: f64,
     ratio: f64,
     half: f64,
 }
 
-impl Misplaced {
+impl MisplacedWheel {
     /// A wheel whose axes stand by this part of the right distance too far apart (above zero) or too near (below).
     ///
     /// # Errors
@@ -95,8 +95,8 @@ impl Misplaced {
     /// # Errors
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
-    pub fn at(&self, crank: f64) -> Result<Motion, KinematicsError> {
-        let right = self.wheel.at(0, crank)?;
+    pub fn motion(&self, crank: f64) -> Result<WheelMotion, KinematicsError> {
+        let right = self.wheel.motion(0, crank)?;
         if self.error == 0.0 {
             return Ok(right);
         }
@@ -104,11 +104,18 @@ impl Misplaced {
         let stations = right.stations;
         if crank.abs() > self.half {
             let angle = (self.index_angle() / 2.0).copysign(crank);
-            return Ok(Motion { phase: Phase::Dwell, stations, angle, velocity: 0.0, acceleration: 0.0, jerk: 0.0 });
+            return Ok(WheelMotion {
+                phase: Phase::Dwell,
+                stations,
+                angle,
+                velocity: 0.0,
+                acceleration: 0.0,
+                jerk: 0.0,
+            });
         }
         let turn = Turn::from_radians(crank);
         let pin = pin_from_pivot(&self.ratio, &turn);
-        Ok(Motion {
+        Ok(WheelMotion {
             phase: Phase::Advance,
             stations,
             angle: libm::atan2(pin.y, pin.x),
@@ -122,10 +129,10 @@ impl Misplaced {
     /// π radians: k sin θ / √(1 + k² − 2 k cos θ). Negative while the pin goes in; none between two pins.
     ///
     /// ```
-    /// use geneva_kinematics::wheel::{Misplaced, Wheel};
+    /// use geneva_kinematics::wheel::{MisplacedWheel, Wheel};
     ///
     /// // With six stations, k = 2. The pin goes in at 60° with its full speed, and at 30° with 1 / √(5 − 2 √3) of it.
-    /// let right = Misplaced::new(&Wheel::new(6)?, 0.0)?;
+    /// let right = MisplacedWheel::new(&Wheel::new(6)?, 0.0)?;
     /// let sliding = right.sliding_ratio(-30_f64.to_radians())?.ok_or("no pin")?;
     /// assert!((sliding + (5.0 - 2.0 * 3_f64.sqrt()).sqrt().recip()).abs() < 1e-15);
     /// assert_eq!(right.sliding_ratio(-70_f64.to_radians())?, None);
@@ -136,7 +143,7 @@ impl Misplaced {
     ///
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
     pub fn sliding_ratio(&self, crank: f64) -> Result<Option<f64>, KinematicsError> {
-        let is_engaged = self.at(crank)?.phase == Phase::Advance;
+        let is_engaged = self.motion(crank)?.phase == Phase::Advance;
         let turn = Turn::from_radians(self.past_nearest_pin(crank));
         let pin = pin_from_pivot(&self.ratio, &turn);
         Ok(is_engaged.then(|| sliding_product(&self.ratio, &turn) / libm::hypot(pin.x, pin.y)))

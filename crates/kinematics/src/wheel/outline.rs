@@ -19,7 +19,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 ///
 /// // Half of a circle of 5 mm, counter-clockwise from its right end.
 /// let arc = Edge::Arc { centre: Vector2::zeros(), radius: 5.0, start: 0.0, sweep: PI };
-/// assert!((arc.to() - Vector2::new(-5.0, 0.0)).norm() < 1e-14); // mm
+/// assert!((arc.end_point() - Vector2::new(-5.0, 0.0)).norm() < 1e-14); // mm
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edge {
@@ -45,7 +45,7 @@ pub enum Edge {
 
 impl Edge {
     /// Point at which the edge begins, in millimetres.
-    pub fn from(&self) -> Vector2<f64> {
+    pub fn start_point(&self) -> Vector2<f64> {
         match *self {
             Self::Line { from, .. } => from,
             Self::Arc { centre, radius, start, .. } => centre + Turn::from_radians(start).direction() * radius,
@@ -53,7 +53,7 @@ impl Edge {
     }
 
     /// Point at which the edge ends, in millimetres.
-    pub fn to(&self) -> Vector2<f64> {
+    pub fn end_point(&self) -> Vector2<f64> {
         match *self {
             Self::Line { to, .. } => to,
             Self::Arc { centre, radius, start, sweep } => {
@@ -63,7 +63,7 @@ impl Edge {
     }
 
     /// The edge turned about the origin by an angle in radians and then moved.
-    pub fn placed(&self, angle: f64, by: Vector2<f64>) -> Self {
+    pub fn transform(&self, angle: f64, by: Vector2<f64>) -> Self {
         let turn = Turn::from_radians(angle);
         let at = |p: Vector2<f64>| Vector2::new(turn.cos * p.x - turn.sin * p.y, turn.sin * p.x + turn.cos * p.y) + by;
         match *self {
@@ -79,7 +79,7 @@ impl Edge {
         match *self {
             Self::Line { from, to } => from.perp(&to),
             Self::Arc { centre, radius, sweep, .. } => {
-                centre.perp(&(self.to() - self.from())) + radius * radius * sweep
+                centre.perp(&(self.end_point() - self.start_point())) + radius * radius * sweep
             }
         }
     }
@@ -135,8 +135,8 @@ impl Loop {
     }
 
     /// The loop turned about the origin by an angle in radians and then moved, in millimetres.
-    pub fn placed(&self, angle: f64, by: Vector2<f64>) -> Self {
-        Self { edges: self.edges.iter().map(|edge| edge.placed(angle, by)).collect() }
+    pub fn transform(&self, angle: f64, by: Vector2<f64>) -> Self {
+        Self { edges: self.edges.iter().map(|edge| edge.transform(angle, by)).collect() }
     }
 
     /// The corners of a polygon that leaves the loop by this much at most, in millimetres.
@@ -150,7 +150,7 @@ impl Loop {
         let tolerance = size("chord tolerance in mm", tolerance)?;
         let mut corners = Vec::new();
         for edge in &self.edges {
-            corners.push(edge.from());
+            corners.push(edge.start_point());
             let Edge::Arc { centre, radius, start, sweep } = *edge else { continue };
             // A chord of the angle x leaves its arc by r (1 − cos(x/2)); never more than a quarter turn to a chord.
             let chord = 4.0 * libm::asin((tolerance / (2.0 * radius)).sqrt().min(0.38));
@@ -201,9 +201,9 @@ impl Face {
     }
 
     /// The face turned about the origin by an angle in radians and then moved, in millimetres.
-    pub fn placed(&self, angle: f64, by: Vector2<f64>) -> Self {
-        let holes = self.holes.iter().map(|hole| hole.placed(angle, by)).collect();
-        Self { outer: self.outer.placed(angle, by), holes }
+    pub fn transform(&self, angle: f64, by: Vector2<f64>) -> Self {
+        let holes = self.holes.iter().map(|hole| hole.transform(angle, by)).collect();
+        Self { outer: self.outer.transform(angle, by), holes }
     }
 
     /// Area of the face in square millimetres, exact but for rounding.
@@ -303,7 +303,7 @@ impl Sizes {
             round(2.0 * half_pitch - tip, tip - corner),
         ];
         let slots = (0..self.wheel.stations()).map(|k| 2.0 * half_pitch * f64::from(k));
-        Loop { edges: slots.flat_map(|slot| sector.map(|edge| edge.placed(slot, Vector2::zeros()))).collect() }
+        Loop { edges: slots.flat_map(|slot| sector.map(|edge| edge.transform(slot, Vector2::zeros()))).collect() }
     }
 
     fn disc_loop(&self) -> Option<Loop> {
@@ -322,6 +322,6 @@ impl Sizes {
             Edge::Arc { centre: Vector2::zeros(), radius: disc.radius, start: cut.half_angle, sweep: solid },
         ];
         let pins = self.pin_directions();
-        Some(Loop { edges: pins.flat_map(|pin| pitch.map(|edge| edge.placed(pin, Vector2::zeros()))).collect() })
+        Some(Loop { edges: pins.flat_map(|pin| pitch.map(|edge| edge.transform(pin, Vector2::zeros()))).collect() })
     }
 }

@@ -24,7 +24,7 @@ pub enum EntryContact {
 
 /// The first contact of a pin that comes to the wheel at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entry {
+pub struct PinEntry {
     /// Part of the wheel that the pin meets first.
     pub contact: EntryContact,
     /// Crank angle from the line of centres at which they meet, in radians.
@@ -65,7 +65,7 @@ impl Sizes {
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// let knock = sizes.knock().expect("the pin meets the wheel");
     /// let cosine: f64 = 1.0 - 0.1 / 50.0; // of the crank angle past entry at which the gap is closed
@@ -75,9 +75,9 @@ impl Sizes {
     /// ```
     pub fn knock(&self) -> Option<Knock> {
         let play = self.dwell_play()?;
-        let speed = |drift: f64| self.entry_of_drifted(drift).map(|entry| entry.closing_speed);
+        let speed = |drift: f64| self.drifted_entry(drift).map(|entry| entry.closing_speed);
         let on_wall =
-            |drift: f64| self.entry_of_drifted(drift).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
+            |drift: f64| self.drifted_entry(drift).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
         let centred = speed(0.0)?;
         let [low, _] = bisect_times(HALVINGS, [0.0, play.greatest], on_wall);
         let most = |from: f64, to: f64| {
@@ -97,7 +97,7 @@ impl Sizes {
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// // On the line of centres the pin is 100 mm − 50 mm from the wheel's axis.
     /// assert!((sizes.index_backlash(0.0)? - (0.1_f64 / 50.0).asin()).abs() < 1e-15); // rad
@@ -128,7 +128,7 @@ impl Sizes {
     /// use geneva_kinematics::indexing::Indexing;
     /// use geneva_kinematics::wheel::{Choices, EntryContact, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm, a gap of 0.1 mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// let entry = sizes.entry(0.0).expect("the pin comes to its slot");
     /// assert_eq!(entry.contact, EntryContact::DrivingWall);
@@ -136,7 +136,7 @@ impl Sizes {
     /// assert!((past_entry.cos() - (1.0 - 0.1 / 50.0)).abs() < 1e-12);
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
     /// ```
-    pub fn entry(&self, centre_error: f64) -> Option<Entry> {
+    pub fn entry(&self, centre_error: f64) -> Option<PinEntry> {
         self.first_contact(centre_error, 0.0)
     }
 
@@ -144,11 +144,11 @@ impl Sizes {
     /// (below zero). `None` if the pin meets nothing of it.
     ///
     /// In the slot's frame the driver's axis is then at c (cos(α − δ), sin(α − δ)), and the crank angle counts from δ less.
-    pub fn entry_of_drifted(&self, forwards: f64) -> Option<Entry> {
+    pub fn drifted_entry(&self, forwards: f64) -> Option<PinEntry> {
         self.first_contact(0.0, forwards)
     }
 
-    fn first_contact(&self, centre_error: f64, drift: f64) -> Option<Entry> {
+    fn first_contact(&self, centre_error: f64, drift: f64) -> Option<PinEntry> {
         let (a, rho, gap) = (self.crank_radius, self.pin_radius(), self.slot_gap());
         let (sin, cos) = libm::sincos(self.wheel.half_pitch_angle());
         let (drift_sin, drift_cos) = libm::sincos(drift);
@@ -200,7 +200,7 @@ impl Sizes {
         let velocity = Point::new(-libm::cos(tau), libm::sin(tau));
         let closing_speed = -velocity.dot(&normal);
         let touching = pin(tau) - normal * rho;
-        Some(Entry {
+        Some(PinEntry {
             contact,
             crank_angle: tau - drift - self.wheel.engagement_half_angle(),
             closing_speed,

@@ -20,14 +20,14 @@ pub(super) struct Search<'a> {
 
 /// A value, in the function's own unit, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Least {
+pub(super) struct Minimum {
     /// The value, in the function's own unit.
     pub value: f64,
     /// Its place, in the unit of places.
     pub place: f64,
 }
 
-impl Least {
+impl Minimum {
     /// The lesser of two, the first of equals.
     fn or(self, other: Self) -> Self {
         if other.value < self.value { other } else { self }
@@ -38,15 +38,15 @@ impl Search<'_> {
     /// The least value of a function between two places that changes no faster than `rate` says between two of them, or
     /// what is known to be less; a value below the tolerance will do where `enough` is one, and any where no places are
     /// left.
-    pub fn least(
+    pub fn minimize(
         &self,
         from: f64,
         to: f64,
-        known: Option<Least>,
+        known: Option<Minimum>,
         value: impl Fn(f64) -> f64,
         rate: impl Fn(f64, f64) -> f64,
-    ) -> Least {
-        let at = |place: f64| Least { value: value(place), place };
+    ) -> Minimum {
+        let at = |place: f64| Minimum { value: value(place), place };
         let mut least = known.map_or(at(from), |known| known.or(at(from))).or(at(to));
         let width = (to - from) / f64::from(INTERVALS);
         let first = |k: u32| (from + width * f64::from(k), from + width * f64::from(k + 1));

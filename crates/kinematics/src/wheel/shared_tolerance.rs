@@ -9,8 +9,7 @@
 //!
 //! Notation: `a` crank radius, `c` centre distance, α half the angle between slots, `g` the gap of slot or arc.
 
-use super::crescent::Crescent;
-use super::sizes::{LockingDisc, Sizes};
+use super::sizes::{Crescent, LockingDisc, Sizes};
 use crate::KinematicsError;
 use crate::indexing::Indexing;
 
@@ -20,7 +19,7 @@ use crate::indexing::Indexing;
 /// ```
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
-/// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+/// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
 /// let shared = sizes.shared_tolerance().expect("the play is large enough");
 /// // Where all sizes may be wrong at once, the axes may be less wrong than where they alone may be.
@@ -112,7 +111,7 @@ impl Sizes {
                 let wrong = self.with_errors(limit, sense);
                 let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return Ok(false) };
                 let tolerance = assembly.tolerance;
-                if assembly.least_within(angles, 0.0)?.distance < tolerance {
+                if assembly.closest_approach_within(angles, 0.0)?.distance < tolerance {
                     return Ok(false);
                 }
             }

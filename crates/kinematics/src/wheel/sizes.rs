@@ -1,4 +1,4 @@
-//! Sizes of the two parts in millimetres, from the numbers of stations and pins and one length.
+//! Sizes of the two parts in millimetres.
 //!
 //! Notation: `a` crank radius, `c` centre distance, `R` wheel radius to the pin's centre at entry, ρ the pin's radius,
 //! `h` half the width of a slot, `b` clearance at its bottom, α half the angle between slots.
@@ -6,10 +6,6 @@
 //! Every play is the difference of two widths or diameters, as in a table of fits; the gap on each side is half of it.
 
 use super::Wheel;
-use super::crescent::Crescent;
-use super::fit::Remedy::{LessDepth, LessPlay, ThinnerHorn, ThinnerPin};
-use super::fit::{ShaftOf, SizesError};
-use crate::error::length;
 use crate::indexing::Indexing;
 
 /// The length that is given; it turns a wheel's ratios into millimetres.
@@ -28,7 +24,7 @@ pub enum Scale {
 /// ```
 /// use geneva_kinematics::wheel::Play;
 ///
-/// let play = Play::of(0.2); // mm
+/// let play = Play::from_slot(0.2); // mm
 /// assert_eq!((play.slot, play.locking, play.bore), (0.2, 0.2, 0.05));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,16 +43,10 @@ pub struct Play {
 /// locking arc leave half of their own play for that, and the crescents of few stations a little less.
 const OF_BORES: f64 = 0.25;
 
-/// The least diameter of a driver's shaft that the program chooses, over the pin's diameter, dimensionless.
-const OF_DRIVER_SHAFT: f64 = 0.4;
-
-/// The clearance at a slot's bottom over the pin's diameter, dimensionless.
-const OF_BOTTOM: f64 = 0.05;
-
 impl Play {
     /// This play of slot and locking arc, in millimetres, and a quarter of it of the bores: a shaft that is loose in its
     /// bore brings the axes nearer.
-    pub fn of(play: f64) -> Self {
+    pub fn from_slot(play: f64) -> Self {
         Self { slot: play, locking: play, bore: OF_BORES * play }
     }
 }
@@ -68,7 +58,7 @@ pub struct Choices {
     /// for strength, the second for three and four stations, whose hub is small, the third for many, whose crescents
     /// come near the driver's axis.
     pub pin_diameter: Option<f64>,
-    /// The plays, in millimetres, zero or more. By default [`Play::of`] the least of a thousandth of the centre distance, a
+    /// The plays, in millimetres, zero or more. By default [`Play::from_slot`] the least of a thousandth of the centre distance, a
     /// twentieth of the pin's diameter and a tenth of c − R, the way from the driver's axis to the wheel.
     pub play: Option<Play>,
     /// How much deeper a slot is than the pin and its gap need, in millimetres, zero or more. By default a twentieth of the
@@ -83,6 +73,17 @@ pub struct Choices {
     /// so that the shaft must end in the plate, where that would be less than two fifths of the pin's diameter: beside a
     /// bore as wide as half the room, the disc would be thinner than a fifth of the pin.
     pub driver_shaft: Option<f64>,
+}
+
+/// An arc that is cut out of the locking disc; its centre lies on the line from the driver's axis through the pin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crescent {
+    /// Distance of its centre from the driver's axis, in millimetres.
+    pub centre: f64,
+    /// Its radius, in millimetres.
+    pub radius: f64,
+    /// Half the angle of its opening as seen from the driver's axis, in radians.
+    pub half_angle: f64,
 }
 
 /// The driver's locking disc.
@@ -100,7 +101,7 @@ pub struct LockingDisc {
 /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 ///
 /// // Six stations with the axes 100 mm apart, a pin of 10 mm and a play of 0.2 mm.
-/// let choices = Choices { pin_diameter: Some(10.0), play: Some(Play::of(0.2)), ..Choices::default() };
+/// let choices = Choices { pin_diameter: Some(10.0), play: Some(Play::from_slot(0.2)), ..Choices::default() };
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CentreDistance(100.0), &choices)?;
 /// assert!((sizes.crank_radius - 50.0).abs() < 1e-12); // mm: 100 sin 30°
 /// assert!((sizes.wheel_radius - 50.0 * 3_f64.sqrt()).abs() < 1e-12); // mm: 100 cos 30°
@@ -156,91 +157,10 @@ pub struct Sizes {
     pub driver_shaft: f64,
 }
 
-/// A dwell shorter than this part of a turn is none: it is rounding.
-const SHORTEST_DWELL: f64 = 1e-9;
+/// Diameter of a pin that nothing makes thinner, in crank radii.
+pub(super) const OF_CRANK_RADIUS: f64 = 0.3;
 
 impl Sizes {
-    /// The sizes of a wheel from one length and the designer's choices.
-    ///
-    /// ```
-    /// use geneva_kinematics::wheel::{Choices, Remedy, Scale, Sizes, SizesError, Wheel};
-    ///
-    /// let thick = Choices { pin_diameter: Some(60.0), ..Choices::default() }; // mm, on a crank of 50 mm
-    /// let refused = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &thick);
-    /// assert!(matches!(refused, Err(SizesError::DoesNotFit { remedies, .. }) if remedies.contains(&Remedy::ThinnerPin)));
-    /// # Ok::<(), SizesError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`SizesError::Kinematics`] for a length that is not positive and finite, [`SizesError::Play`] for a play or a
-    /// clearance that is negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way, and
-    /// [`SizesError::Shaft`] for a shaft that is too thick.
-    pub fn new(wheel: Wheel, scale: Scale, choices: &Choices) -> Result<Self, SizesError> {
-        let [a, c, wheel_radius] = lengths(&wheel, scale)?;
-        // a tan(α/2), without the difference of nearly equal lengths.
-        let from_axis = a * libm::tan(wheel.half_pitch_angle() / 2.0);
-        let pin_diameter = match choices.pin_diameter {
-            Some(asked) => length("pin diameter", asked)?,
-            None => default_pin(a, c, from_axis),
-        };
-        let play = match choices.play {
-            Some(play) => fitting_play(play)?,
-            None => Play::of((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
-        };
-        let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
-        let slot_width = pin_diameter + play.slot;
-        let bottom_clearance = match choices.bottom_clearance {
-            Some(asked) => zero_or_more("clearance at the slot's bottom", asked)?,
-            None => OF_BOTTOM * pin_diameter,
-        };
-        let (half, slot_end) = (slot_width / 2.0, c - a - bottom_clearance);
-        let sine = libm::sin(wheel.half_pitch_angle());
-        let web = 2.0 * slot_end * sine - slot_width;
-        let fits = |room: f64, what, remedies| {
-            if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, remedies }) }
-        };
-        fits(web, "the ends of two neighbouring slots run into each other", &[ThinnerPin, LessPlay, LessDepth])?;
-        let locking_arc_radius = a - half - horn_thickness;
-        let tip_radius = libm::hypot(wheel_radius, half);
-        fits(locking_arc_radius + tip_radius - c, "the locking arcs miss the wheel", &[ThinnerPin, ThinnerHorn])?;
-        let passing = c - a - pin_diameter / 2.0;
-        let plate_radius = a + pin_diameter / 2.0 + (pin_diameter / 2.0).min(passing / 2.0);
-        let mut sizes = Self {
-            wheel,
-            crank_radius: a,
-            centre_distance: c,
-            wheel_radius,
-            tip_radius,
-            pin_diameter,
-            play,
-            slot_width,
-            bottom_clearance,
-            slot_end,
-            slot_depth: wheel_radius - slot_end + half,
-            horn_thickness,
-            web,
-            locking_arc_radius,
-            locking_disc: None,
-            plate_radius,
-            wheel_shaft_limit: 2.0 * (slot_end - half).min(c - plate_radius) - play.bore,
-            driver_shaft_limit: 2.0 * (c - tip_radius) - play.bore,
-            wheel_shaft: 0.0,
-            driver_shaft: 0.0,
-        };
-        if wheel.dwell_fraction() > SHORTEST_DWELL {
-            let radius = fits(locking_arc_radius - play.locking / 2.0, "the play leaves no locking disc", &[LessPlay])?;
-            let crescent = Crescent::of(&sizes, radius)?;
-            let left = 2.0 * (crescent.centre - crescent.radius) - play.bore;
-            sizes.driver_shaft_limit = sizes.driver_shaft_limit.min(left);
-            sizes.locking_disc = Some(LockingDisc { radius, crescent });
-        }
-        sizes.wheel_shaft = shaft(ShaftOf::Wheel, choices.wheel_shaft, sizes.wheel_shaft_limit, 0.0)?;
-        sizes.driver_shaft =
-            shaft(ShaftOf::Driver, choices.driver_shaft, sizes.driver_shaft_limit, OF_DRIVER_SHAFT * pin_diameter)?;
-        Ok(sizes)
-    }
-
     /// Radius of a pin, in millimetres: half its diameter.
     pub fn pin_radius(&self) -> f64 {
         self.pin_diameter / 2.0
@@ -273,7 +193,7 @@ impl Sizes {
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.2)), ..Choices::default() }; // mm
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
     /// assert!(sizes.locking_gap().is_some_and(|gap| (gap - 0.1).abs() < 1e-12)); // half of the play, in mm
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
@@ -317,55 +237,5 @@ impl Sizes {
     /// Angle of the ends of a locking arc from the slot beside them, seen from the wheel's axis, in radians.
     pub(super) fn tip_angle(&self) -> f64 {
         self.wheel.half_pitch_angle() - self.locking_end_angle()
-    }
-}
-
-/// Crank radius, centre distance and wheel radius; the one that is given comes back as it is.
-fn lengths(wheel: &Wheel, scale: Scale) -> Result<[f64; 3], SizesError> {
-    let (c, r) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
-    let lengths = match scale {
-        Scale::CrankRadius(a) => {
-            let a = length("crank radius", a)?;
-            [a, a * c, a * r]
-        }
-        Scale::CentreDistance(distance) => {
-            let distance = length("centre distance", distance)?;
-            [distance / c, distance, distance / c * r]
-        }
-        Scale::WheelRadius(radius) => {
-            let radius = length("wheel radius", radius)?;
-            [radius / r, radius / r * c, radius]
-        }
-    };
-    for (name, of) in ["crank radius", "centre distance", "wheel radius"].into_iter().zip(lengths) {
-        length(name, of)?;
-    }
-    Ok(lengths)
-}
-
-/// Diameter of a pin that nothing makes thinner, in crank radii.
-const OF_CRANK_RADIUS: f64 = 0.3;
-
-fn default_pin(a: f64, c: f64, from_axis: f64) -> f64 {
-    (OF_CRANK_RADIUS * a).min((c - a) / 1.5).min(0.9 * (a * from_axis).sqrt())
-}
-
-fn fitting_play(play: Play) -> Result<Play, SizesError> {
-    for (name, asked) in [("slot play", play.slot), ("locking play", play.locking), ("bore play", play.bore)] {
-        zero_or_more(name, asked)?;
-    }
-    Ok(play)
-}
-
-fn zero_or_more(name: &'static str, asked: f64) -> Result<f64, SizesError> {
-    if asked >= 0.0 && asked.is_finite() { Ok(asked) } else { Err(SizesError::Play { name, asked }) }
-}
-
-/// The shaft that was asked for, or half of the greatest, or none if that is too thin to be of use.
-fn shaft(name: ShaftOf, asked: Option<f64>, most: f64, least: f64) -> Result<f64, SizesError> {
-    match asked {
-        None => Ok(Some(most / 2.0).filter(|half| *half > least).unwrap_or_default()),
-        Some(asked) if length("shaft's diameter", asked)? < most => Ok(asked),
-        Some(asked) => Err(SizesError::Shaft { name, asked, most }),
     }
 }

@@ -64,7 +64,7 @@ impl Sizes {
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Warning, Wheel};
     ///
-    /// let choices = Choices { play: Some(Play::of(0.0)), ..Choices::default() };
+    /// let choices = Choices { play: Some(Play::from_slot(0.0)), ..Choices::default() };
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?; // mm
     /// assert!(sizes.warnings().contains(&Warning::NoPlay));
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())

@@ -1,6 +1,6 @@
 //! Are there only three escapements, and do they have the sizes of wheels without dwell?
 
-use geneva_kinematics::escapement::{EscapementError, Mechanism, pins_needed, possible};
+use geneva_kinematics::escapement::{EscapementError, Mechanism, pins_needed, possible_pairs};
 use geneva_kinematics::indexing::{Indexing, Phase};
 use geneva_kinematics::{Turn, rational};
 use std::f64::consts::PI;
@@ -15,7 +15,7 @@ fn the_three_are_all_that_trying_finds() {
             }
         }
     }
-    assert_eq!(found, possible());
+    assert_eq!(found, possible_pairs());
     assert_eq!(found, Mechanism::ALL.map(|one| (one.slots(), one.pins())));
     assert!(Mechanism::ALL.iter().enumerate().all(|(index, one)| one.index() == index));
 }
@@ -24,7 +24,7 @@ fn the_three_are_all_that_trying_finds() {
 fn the_formula_is_whole_for_these_only_and_never_comes_down_to_two() {
     for slots in (3..=10_000).chain([1_000_000_007, u32::MAX]) {
         let pins = pins_needed(slots).unwrap();
-        let whole = possible().iter().any(|&(n, m)| n == slots && rational(m.into(), 1) == pins);
+        let whole = possible_pairs().iter().any(|&(n, m)| n == slots && rational(m.into(), 1) == pins);
         assert_eq!(pins.denominator().is_one(), whole, "{slots}");
         assert!(pins > rational(2, 1), "{slots}");
         assert_eq!(Mechanism::new(slots).is_ok(), whole, "{slots}");
@@ -70,7 +70,7 @@ fn the_follower_goes_on_at_its_mean_ratio_and_never_dwells() {
         for pin in 0..escapement.pins() / 2 {
             for step in 1..200 {
                 let crank = pitch * (f64::from(pin) + f64::from(step) / 200.0 - 0.5);
-                let motion = wheel.at(7, crank).unwrap();
+                let motion = wheel.motion(7, crank).unwrap();
                 assert_eq!(motion.phase, Phase::Advance);
                 assert!(motion.velocity > 0.0);
             }

@@ -1,7 +1,7 @@
 //! The wheel in 240-bit arithmetic, from its plain formulas, and how far an `f64` is from it.
 
 use dashu_float::{FBig, round::mode::HalfEven};
-use geneva_kinematics::indexing::{Indexing, Motion};
+use geneva_kinematics::indexing::{Indexing, WheelMotion};
 use geneva_kinematics::wheel::{self, Wheel};
 
 type Wide = FBig<HalfEven, 2>;
@@ -41,7 +41,7 @@ impl Oracle {
     }
 
     /// Errors of the motion at a crank angle, less so many parts of a whole turn in so many.
-    pub fn motion_errors(&self, motion: &Motion, crank: f64, (part, parts): (i32, u32)) -> [f64; 4] {
+    pub fn motion_errors(&self, motion: &WheelMotion, crank: f64, (part, parts): (i32, u32)) -> [f64; 4] {
         let turn = wide(2.0) * Wide::pi(BITS) * wide(f64::from(part)) / wide(f64::from(parts));
         let (sin, cos) = (wide(crank) - turn).sin_cos();
         let (one, k) = (wide(1.0), &self.ratio);

@@ -12,7 +12,7 @@ mod double;
 mod table;
 
 use double::Double;
-use table::{Node, series, sine_versine};
+use table::{TableNode, series, sine_versine};
 
 type Wide = FBig<HalfEven, 2>;
 
@@ -32,7 +32,7 @@ fn every_node_has_its_angle() {
     const TANGENTS_PER_ONE: f64 = 8192.0;
     let mut last = None;
     for k in 0..NODES {
-        let (node, _) = Node::nearest(Double::from(f64::from(k) / NODES_PER_RADIAN));
+        let (node, _) = TableNode::nearest(Double::from(f64::from(k) / NODES_PER_RADIAN));
         // Each angle has a node of its own.
         assert!(last.is_none_or(|last| node.angle.hi > last), "{k}");
         last = Some(node.angle.hi);

@@ -5,7 +5,7 @@
 
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
-    Choices, Crescent, Edge, Entry, EntryContact, Face, LockingDisc, Loop, Play, Scale, Sizes, Wheel,
+    Choices, Crescent, Edge, EntryContact, Face, LockingDisc, Loop, PinEntry, Play, Scale, Sizes, Wheel,
 };
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -29,7 +29,7 @@ pub(super) fn from_edge(edge: &Edge, p: &Point) -> f64 {
         Edge::Arc { centre, radius, start, sweep } => {
             let from = p - centre;
             let (begin, length) = if sweep < 0.0 { (start + sweep, -sweep) } else { (start, sweep) };
-            let ends = (p - edge.from()).norm().min((p - edge.to()).norm());
+            let ends = (p - edge.start_point()).norm().min((p - edge.end_point()).norm());
             if (from.y.atan2(from.x) - begin).rem_euclid(2.0 * PI) <= length {
                 ends.min((from.norm() - radius).abs())
             } else {
@@ -95,18 +95,18 @@ fn near_driver(wheel: &Loop, sizes: &Sizes) -> Loop {
     let axis = Point::new(sizes.centre_distance, 0.0);
     let near = |edge: &Edge| {
         let reach = sizes.crank_radius + sizes.pin_diameter;
-        [edge.from(), edge.to()].iter().any(|p| (p - axis).norm() < 1.5 * reach)
+        [edge.start_point(), edge.end_point()].iter().any(|p| (p - axis).norm() < 1.5 * reach)
     };
     Loop { edges: wheel.edges.iter().filter(|edge| near(edge)).copied().collect() }
 }
 
 pub(super) fn placed(sizes: &Sizes, theta: f64) -> (Loop, Option<Loop>, Vec<Loop>) {
     let outline = sizes.outline();
-    let motion = sizes.wheel.at(0, theta).unwrap();
+    let motion = sizes.wheel.motion(0, theta).unwrap();
     let phi = motion.angle + 2.0 * sizes.wheel.half_pitch_angle() * motion.stations as f64;
     let axis = Point::new(sizes.centre_distance, 0.0);
-    let on_driver = |part: &Loop| part.placed(PI - theta, axis);
-    let wheel = outline.wheel.outer.placed(phi, Point::zeros());
+    let on_driver = |part: &Loop| part.transform(PI - theta, axis);
+    let wheel = outline.wheel.outer.transform(phi, Point::zeros());
     (wheel, outline.disc.map(|disc| on_driver(&disc.outer)), outline.pins.iter().map(on_driver).collect())
 }
 
@@ -172,7 +172,7 @@ fn the_outlines_are_as_near_as_is_said() {
 
 /// The sizes with the crescent that is often drawn: of the wheel's radius, about the wheel's axis in mid-index.
 fn customary(stations: u32, pin: f64) -> Sizes {
-    let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(0.0)), ..Choices::default() };
+    let choices = Choices { pin_diameter: Some(pin), play: Some(Play::from_slot(0.0)), ..Choices::default() };
     with_customary_cut(sized(stations, 1, &choices))
 }
 
@@ -188,7 +188,7 @@ fn the_customary_crescent_bites_as_deep_as_a_tips_path_tells() {
     // Worked out elsewhere, from the path of points of the rim in the driver's plane: a pin of 8 mm, a horn as thick, no
     // play, and a rim that is cut at the pin's centre.
     for (stations, depth) in [(3, 0.2478), (6, 0.5259), (12, 1.1794)] {
-        let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::of(0.0)), ..Choices::default() };
+        let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::from_slot(0.0)), ..Choices::default() };
         let mut sizes = sized(stations, 1, &choices);
         sizes.tip_radius = sizes.wheel_radius;
         sizes.wheel_radius = (sizes.tip_radius * sizes.tip_radius - 16.0).sqrt();
@@ -214,9 +214,9 @@ fn the_customary_crescent_bites() {
             assert!(between(&wheel, &disc.unwrap()) > found.distance - 0.01);
         }
         // With the cut of ours the same parts without play touch and no more.
-        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(0.0)), ..Choices::default() };
+        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::from_slot(0.0)), ..Choices::default() };
         let ours = sized(stations, 1, &choices);
-        assert!(ours.clearance().least().distance.abs() < 1e-9, "{:?}", ours.clearance());
+        assert!(ours.clearance().closest_approach().distance.abs() < 1e-9, "{:?}", ours.clearance());
     }
 }
 
@@ -236,7 +236,7 @@ fn a_wrong_centre_distance_takes_the_play() {
             }
             let bottom = sizes.play.slot / 2.0 + error.min(0.0);
             approx::assert_relative_eq!(clearance.pin_in_slot.distance, bottom, epsilon = 1e-9);
-            assert_eq!(clearance.least().distance < 0.0, f64::abs(error) > gap, "{stations}: {clearance:?}");
+            assert_eq!(clearance.closest_approach().distance < 0.0, f64::abs(error) > gap, "{stations}: {clearance:?}");
         }
         assert!(sizes.clearance_at(sizes.crank_radius).is_err() && sizes.clearance_at(f64::NAN).is_err());
     }
@@ -250,7 +250,7 @@ fn the_wheel_turns_loosely_until_it_touches() {
         let touches = |theta: f64, by: f64| {
             let (wheel, _, pins) = placed(&sizes, theta);
             // What is turned into the other part is seen as soon as points of it are inside.
-            between(&wheel.placed(by, Point::zeros()), &pins[0])
+            between(&wheel.transform(by, Point::zeros()), &pins[0])
         };
         for share in [0.0, 0.5, 0.95] {
             let theta = share * sizes.wheel.engagement_half_angle();
@@ -269,7 +269,7 @@ pub(super) fn marched(sizes: &Sizes, error: f64) -> Option<(f64, f64)> {
 
 /// The first contact with a wheel that has turned forwards by an angle.
 pub(super) fn marched_to_drifted(sizes: &Sizes, error: f64, drift: f64) -> Option<(f64, f64)> {
-    let wheel = sizes.outline().wheel.outer.placed(drift - sizes.wheel.half_pitch_angle(), Point::zeros());
+    let wheel = sizes.outline().wheel.outer.transform(drift - sizes.wheel.half_pitch_angle(), Point::zeros());
     let axis = Point::new(sizes.centre_distance + error, 0.0);
     let wheel = near_driver(&wheel, sizes);
     let entry = sizes.wheel.engagement_half_angle();
@@ -302,7 +302,7 @@ fn the_pin_comes_in_where_its_path_meets_the_wheel() {
         // Just so near that the pin touches the other wall as it comes in; a little nearer it meets its corner.
         let other_wall = -(sizes.slot_gap() + 1e-6) / libm::sin(sizes.wheel.half_pitch_angle());
         for error in [-1.0, -0.2, other_wall, 0.0, 0.03, 0.2, 1.0] {
-            let Entry { contact, crank_angle, closing_speed, velocity_jump } = sizes.entry(error).unwrap();
+            let PinEntry { contact, crank_angle, closing_speed, velocity_jump } = sizes.entry(error).unwrap();
             let (theta, rate) = marched(&sizes, error).unwrap();
             println!("{stations} stations, {error} mm: {contact:?} {crank_angle} {closing_speed} {velocity_jump}");
             approx::assert_relative_eq!(crank_angle, theta, epsilon = 2e-5);
@@ -339,7 +339,7 @@ fn areas_are_those_of_fine_polygons() {
             let (area, moment) = of_polygon(face);
             approx::assert_relative_eq!(face.area(), area, max_relative = 1e-7);
             approx::assert_relative_eq!(face.second_moment(), moment, max_relative = 1e-7);
-            let moved = face.placed(0.7, Point::new(3.0, -5.0));
+            let moved = face.transform(0.7, Point::new(3.0, -5.0));
             approx::assert_relative_eq!(moved.area(), face.area(), max_relative = 1e-12);
             // Steiner's theorem, for faces whose centroid is on the axis by symmetry.
             if pins > 1 || stations > 17 {
@@ -351,7 +351,10 @@ fn areas_are_those_of_fine_polygons() {
             for of in face.loops() {
                 let next = of.edges.iter().cycle().skip(1);
                 for (edge, after) in of.edges.iter().zip(next) {
-                    assert!((edge.to() - after.from()).norm() < 1e-12 * 200.0, "{stations}: a gap after {edge:?}");
+                    assert!(
+                        (edge.end_point() - after.start_point()).norm() < 1e-12 * 200.0,
+                        "{stations}: a gap after {edge:?}"
+                    );
                 }
             }
         }

@@ -13,8 +13,8 @@ fn seen(sizes: &Sizes, error: f64) -> f64 {
     let end = sizes.wheel.engagement_half_angle();
     let instants = (0..=40).map(|step| end * f64::from(step) / 40.0);
     let apart = |theta: f64, phi: f64| {
-        let wheel = outline.wheel.outer.placed(phi, Point::zeros());
-        let on_driver = |of: &geneva_kinematics::wheel::Loop| of.placed(PI - theta, axis);
+        let wheel = outline.wheel.outer.transform(phi, Point::zeros());
+        let on_driver = |of: &geneva_kinematics::wheel::Loop| of.transform(PI - theta, axis);
         let pins = outline.pins.iter().map(|pin| between(&wheel, &on_driver(pin)));
         pins.chain(outline.disc.iter().map(|disc| between(&wheel, &on_driver(&disc.outer))))
             .fold(f64::INFINITY, f64::min)
@@ -54,7 +54,8 @@ fn no_smaller_error_fails_and_no_greater_one_runs() {
             for part in 1..=40 {
                 let share = 0.05 * f64::from(part);
                 let error = sign * share * limit;
-                let is_clear = sizes.clearance_at(sizes.centre_distance + error).unwrap().least().distance > 0.0;
+                let is_clear =
+                    sizes.clearance_at(sizes.centre_distance + error).unwrap().closest_approach().distance > 0.0;
                 let on_wall = sizes.entry(error).unwrap().contact == EntryContact::DrivingWall;
                 if (share - 1.0).abs() > 0.01 {
                     assert_eq!(is_clear && on_wall, share < 1.0, "{stations} {pins}: {error} mm, {tolerance:?}");
@@ -79,8 +80,9 @@ fn loose_bores_leave_something_of_it() {
 
 #[test]
 fn it_grows_with_the_play_and_is_nothing_without() {
-    let tolerance =
-        |play: f64| sized(6, 1, &Choices { play: Some(Play::of(play)), ..Choices::default() }).centre_tolerance();
+    let tolerance = |play: f64| {
+        sized(6, 1, &Choices { play: Some(Play::from_slot(play)), ..Choices::default() }).centre_tolerance()
+    };
     let [none, some, twice] = [0.0, 0.1, 0.2].map(tolerance);
     assert_eq!([none.nearer, none.farther], [0.0; 2]);
     approx::assert_relative_eq!(twice.nearer, 2.0 * some.nearer, max_relative = 0.02);
@@ -94,7 +96,7 @@ fn a_close_fit_of_a_large_wheel_is_decided_by_few_crank_angles() {
     // As many angles as the page that a reader moves has time for; 0.04 mm is the least play of H8/e8 for these pins.
     for stations in [3, 4, 6, 7, 8, 12, 24] {
         for (radius, play) in [(80.0, 0.04), (80.0, 0.06), (100.0, 0.15), (25.0, 0.02)] {
-            let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+            let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };
             let wheel = geneva_kinematics::wheel::Wheel::new(stations).unwrap();
             let sizes = Sizes::new(wheel, geneva_kinematics::wheel::Scale::CrankRadius(radius), &choices).unwrap();
             let found = sizes.centre_tolerance_within(12_000);

@@ -46,7 +46,7 @@ impl<'a> Parts<'a> {
     fn new(sizes: &'a Sizes) -> Option<Self> {
         let outline = sizes.outline();
         let near = |edge: &Edge| {
-            let middle = edge.from() + edge.to();
+            let middle = edge.start_point() + edge.end_point();
             middle.y.atan2(middle.x).abs() < 5.1 * sizes.wheel.half_pitch_angle()
         };
         let on_wheel = outline.wheel.outer.edges.into_iter().filter(near).collect();
@@ -96,11 +96,11 @@ impl<'a> Parts<'a> {
         };
         let to_wheel = |p: &Point| turned(axis + turned(*p, PI - theta), -phi);
         let to_driver = |p: &Point| turned(turned(*p, phi) - axis, theta - PI);
-        let ends = |edges: &[Edge]| edges.iter().map(Edge::from).collect::<Vec<_>>();
+        let ends = |edges: &[Edge]| edges.iter().map(Edge::start_point).collect::<Vec<_>>();
         let of_disc =
             ends(&self.on_disc).iter().map(|p| self.wheel_distance(&to_wheel(p))).fold(f64::INFINITY, f64::min);
         let mut on_wheel = ends(&self.on_wheel);
-        on_wheel.extend(self.on_wheel.iter().map(Edge::to));
+        on_wheel.extend(self.on_wheel.iter().map(Edge::end_point));
         for arc in &self.on_disc {
             let Edge::Arc { centre, .. } = arc else { continue };
             let centre = to_wheel(centre);
@@ -189,7 +189,7 @@ fn no_dip_is_narrow_enough_to_be_missed() {
     for k in 0..500 {
         let (place, depth) = (f64::from(k) * 0.002 + 0.000_3, 0.01);
         let distance = |theta: f64| 1.0 - (depth - speed * f64::abs(theta - place)).max(0.0);
-        let found = search.least(0.0, 1.0, None, distance, |_, _| speed);
+        let found = search.minimize(0.0, 1.0, None, distance, |_, _| speed);
         assert!(found.value <= 1.0 - depth + tolerance, "{place}: {found:?}");
     }
 }

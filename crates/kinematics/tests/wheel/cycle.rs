@@ -1,6 +1,6 @@
 //! Is the motion what the proven formulas give, and does the angle go on from turn to turn?
 
-use geneva_kinematics::indexing::{Indexing, Motion};
+use geneva_kinematics::indexing::{Indexing, WheelMotion};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::wheel::{Wheel, acceleration_ratio, jerk_ratio};
 use geneva_kinematics::{KinematicsError, Turn};
@@ -12,7 +12,7 @@ fn angles_outside_the_domain_are_refused() {
     for crank in [1.5, -1.5, f64::NAN, f64::INFINITY] {
         assert!(matches!(wheel.engaged(crank), Err(KinematicsError::OutsideEngagement { .. })), "{crank}");
     }
-    assert!(wheel.at(0, 3.2).is_err() && wheel.at(0, f64::NAN).is_err());
+    assert!(wheel.motion(0, 3.2).is_err() && wheel.motion(0, f64::NAN).is_err());
     assert!(wheel.engaged(wheel.engagement_half_angle()).is_ok());
 }
 
@@ -40,17 +40,17 @@ fn the_motion_is_what_the_proven_formulas_give() {
 fn the_angle_goes_on_without_a_gap_and_without_running_error() {
     for (stations, pins) in [(3, 1), (4, 1), (4, 4), (6, 3), (7, 2)] {
         let wheel = Wheel::with_pins(stations, pins).unwrap();
-        let whole = |m: Motion| m.stations as f64 * 2.0 * wheel.half_pitch_angle() + m.angle;
+        let whole = |m: WheelMotion| m.stations as f64 * 2.0 * wheel.half_pitch_angle() + m.angle;
         let mut last = f64::NEG_INFINITY;
         for turns in [0, 1] {
             for step in -500..500 {
-                let angle = whole(wheel.at(turns, PI * f64::from(step) / 500.0).unwrap());
+                let angle = whole(wheel.motion(turns, PI * f64::from(step) / 500.0).unwrap());
                 assert!(angle >= last - 1e-12, "{stations} stations, {pins} pins, step {step}: {angle} after {last}");
                 last = angle;
             }
         }
         let far = 1_000_000_007;
-        let (near, away) = (wheel.at(0, 0.1).unwrap(), wheel.at(far, 0.1).unwrap());
+        let (near, away) = (wheel.motion(0, 0.1).unwrap(), wheel.motion(far, 0.1).unwrap());
         assert_eq!(away.stations - near.stations, far * i64::from(pins));
         assert_eq!(away.angle, near.angle);
     }

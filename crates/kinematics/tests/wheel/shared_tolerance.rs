@@ -36,7 +36,7 @@ fn clear(sizes: &Sizes, part: f64) -> f64 {
     for error in centre_errors(sizes, part) {
         for sense in [-1.0, 1.0] {
             let all = wrong(sizes, part, sense).clearance_at(sizes.centre_distance + error).expect("possible");
-            least = least.min(all.least().distance - all.tolerance);
+            least = least.min(all.closest_approach().distance - all.tolerance);
         }
     }
     least
@@ -63,7 +63,7 @@ fn comes_in(sizes: &Sizes, part: f64) -> bool {
 fn nothing_touches_with_all_errors_at_their_limits_together() {
     for stations in [3, 4, 5, 6, 7, 8, 10, 12, 16, 24] {
         for (radius, play) in [(25.0, None), (80.0, None), (80.0, Some(0.08)), (10.0, Some(0.04))] {
-            let choices = Choices { play: play.map(Play::of), ..Choices::default() };
+            let choices = Choices { play: play.map(Play::from_slot), ..Choices::default() };
             let sizes = Sizes::new(Wheel::new(stations).unwrap(), Scale::CrankRadius(radius), &choices).unwrap();
             let limit = sizes.shared_tolerance().unwrap();
             assert!(clear(&sizes, 1.0) > 0.0, "{stations}, {radius} mm, {play:?}: {} {limit:?}", clear(&sizes, 1.0));
@@ -86,7 +86,7 @@ fn with_half_as_much_again_or_a_third_of_the_gap_for_each_something_touches() {
         thirds.locking_arc_radius -= gap / 3.0;
         thirds.locking_disc = Some(LockingDisc { radius: disc.radius + gap / 3.0, ..disc });
         let at = sizes.centre_distance - gap / 3.0 - sizes.play.bore;
-        assert!(thirds.clearance_at(at).unwrap().least().distance < 0.0, "{stations}");
+        assert!(thirds.clearance_at(at).unwrap().closest_approach().distance < 0.0, "{stations}");
     }
 }
 

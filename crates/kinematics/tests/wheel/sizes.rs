@@ -16,7 +16,7 @@ fn every_wheel_has_sizes_that_run_clear() {
                 let sizes = Sizes::new(wheel, Scale::CrankRadius(a), &Choices::default()).unwrap();
                 let clearance = sizes.clearance();
                 let gap = sizes.play.slot / 2.0;
-                let least = clearance.least().distance;
+                let least = clearance.closest_approach().distance;
                 assert!((least / gap - 1.0).abs() < 1e-6, "{stations} stations, {pins} pins: {clearance:?}");
             }
         }
@@ -32,7 +32,7 @@ fn thin_and_fat_pins_run_clear_or_are_refused() {
             for horn in [0.3, 1.0, 2.0] {
                 for play in [0.0, 0.02, 0.2] {
                     let pin = 0.05 * f64::from(tenth) * a;
-                    let play = Play::of(play * pin);
+                    let play = Play::from_slot(play * pin);
                     let choices = Choices {
                         pin_diameter: Some(pin),
                         play: Some(play),
@@ -42,7 +42,7 @@ fn thin_and_fat_pins_run_clear_or_are_refused() {
                     match sized(stations, &choices) {
                         Ok(sizes) => {
                             let clearance = sizes.clearance();
-                            let (least, gap) = (clearance.least().distance, play.slot / 2.0);
+                            let (least, gap) = (clearance.closest_approach().distance, play.slot / 2.0);
                             let said =
                                 format!("{stations} stations, pin {tenth}, horn {horn}, {play:?}: {clearance:?}");
                             if play.slot < 0.1 * pin {
@@ -89,7 +89,8 @@ fn each_length_gives_the_same_wheel() {
 #[test]
 fn six_stations_have_the_sizes_of_a_right_triangle() {
     let sizes =
-        sized(6, &Choices { play: Some(Play::of(0.0)), bottom_clearance: Some(0.0), ..Choices::default() }).unwrap();
+        sized(6, &Choices { play: Some(Play::from_slot(0.0)), bottom_clearance: Some(0.0), ..Choices::default() })
+            .unwrap();
     approx::assert_relative_eq!(sizes.crank_radius, 50.0, max_relative = 1e-14);
     approx::assert_relative_eq!(sizes.wheel_radius, 7500.0_f64.sqrt(), max_relative = 1e-14);
     assert_eq!(sizes.pin_diameter, 0.3 * sizes.crank_radius);
@@ -116,7 +117,7 @@ fn what_does_not_fit_is_said() {
     let message = sized(6, &Choices { bottom_clearance: Some(40.0), ..Choices::default() }).unwrap_err().to_string();
     assert!(message.contains("slots run into each other") && message.contains("shallower slots"), "{message}");
     for play in [-0.1, f64::INFINITY, f64::NAN] {
-        let choices = Choices { play: Some(Play { locking: play, ..Play::of(0.1) }), ..Choices::default() };
+        let choices = Choices { play: Some(Play { locking: play, ..Play::from_slot(0.1) }), ..Choices::default() };
         let message = sized(6, &choices).unwrap_err().to_string();
         assert!(message.starts_with("locking play"), "{message}");
     }

@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 /// The greatest distance of a part of the driver from the wheel that any angle of the wheel near its right one leaves.
 fn room(sizes: &Sizes, part: &Loop, theta: f64, axis: f64, middle: f64) -> f64 {
     let wheel = sizes.outline().wheel.outer;
-    let part = part.placed(PI - theta, Point::new(axis, 0.0));
-    let at = |by: f64| between(&wheel.placed(middle + by, Point::zeros()), &part);
+    let part = part.transform(PI - theta, Point::new(axis, 0.0));
+    let at = |by: f64| between(&wheel.transform(middle + by, Point::zeros()), &part);
     (-4..=4).map(|step| at(4e-4 * f64::from(step))).fold(f64::NEG_INFINITY, f64::max)
 }
 
@@ -49,7 +49,7 @@ fn a_longer_crank_sticks_at_entry_or_on_the_bottom() {
         let (outline, c) = (sizes.outline(), Point::new(sizes.centre_distance, 0.0));
         let (half, entry) = (sizes.wheel.half_pitch_angle(), sizes.wheel.engagement_half_angle());
         let room = |part: &Loop, theta: f64, by: f64| {
-            between(&outline.wheel.outer.placed(by - half, Point::zeros()), &part.placed(PI - theta, c))
+            between(&outline.wheel.outer.transform(by - half, Point::zeros()), &part.transform(PI - theta, c))
         };
         // As far back as the disc lets the wheel turn.
         let disc = outline.disc.as_ref().unwrap();
@@ -79,8 +79,8 @@ fn a_slot_may_be_off_by_the_play_of_the_dwell_and_of_its_mouth() {
         let (outline, c) = (sizes.outline(), sizes.centre_distance);
         let (half, entry) = (sizes.wheel.half_pitch_angle(), sizes.wheel.engagement_half_angle());
         let is_free = |part: &Loop, by: f64| {
-            let wheel = outline.wheel.outer.placed(by - half, Point::zeros());
-            between(&wheel, &part.placed(PI + entry, Point::new(c, 0.0))) > 0.0
+            let wheel = outline.wheel.outer.transform(by - half, Point::zeros());
+            between(&wheel, &part.transform(PI + entry, Point::new(c, 0.0))) > 0.0
         };
         // As the pin enters: how far back the disc alone lets the wheel turn, and how far the slot may be beside the pin.
         let last = |part: &Loop, side: f64| {

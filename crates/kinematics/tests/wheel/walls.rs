@@ -8,7 +8,7 @@ use geneva_kinematics::wheel::{Choices, Edge, Face, Play, Sizes, Warning};
 
 /// Two edges that have an end in common, or are one.
 fn meet(one: &Edge, other: &Edge) -> bool {
-    let ends = |edge: &Edge| [edge.from(), edge.to()];
+    let ends = |edge: &Edge| [edge.start_point(), edge.end_point()];
     ends(one).iter().any(|a| ends(other).iter().any(|b| (a - b).norm() < 1e-9))
 }
 
@@ -44,7 +44,7 @@ fn seen(sizes: &Sizes) -> [Option<f64>; 3] {
 }
 
 fn pin(diameter: f64) -> Choices {
-    Choices { pin_diameter: Some(diameter), play: Some(Play::of(0.06)), ..Choices::default() }
+    Choices { pin_diameter: Some(diameter), play: Some(Play::from_slot(0.06)), ..Choices::default() }
 }
 
 #[test]

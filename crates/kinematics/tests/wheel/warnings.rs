@@ -12,8 +12,11 @@ fn the_programs_own_sizes_need_no_warning_and_dangerous_ones_get_theirs() {
     for stations in (3..=60).chain([100, 300, 1000]) {
         assert_eq!(warnings(stations, &Choices::default()), [], "{stations}");
     }
-    let with =
-        |pin: f64, play: f64| Choices { pin_diameter: Some(pin), play: Some(Play::of(play)), ..Choices::default() };
+    let with = |pin: f64, play: f64| Choices {
+        pin_diameter: Some(pin),
+        play: Some(Play::from_slot(play)),
+        ..Choices::default()
+    };
     assert_eq!(warnings(6, &with(7.5, 0.0)), [Warning::NoPlay]);
     for (stations, pin, play) in [(6, 1.0, 0.2), (8, 1.0, 0.2), (12, 1.0, 0.2), (4, 1.0, 0.4), (6, 0.5, 0.1)] {
         let found = warnings(stations, &with(pin, play));
@@ -32,11 +35,11 @@ fn each_warning_begins_at_its_threshold() {
     let horn = |thickness| warnings(6, &Choices { horn_thickness: Some(thickness), ..Choices::default() });
     assert_eq!(horn(1.499), [Warning::ThinWall { wall: "the horn", thickness: 1.499 }]);
     assert_eq!(horn(1.501), []);
-    let play = |play| warnings(6, &Choices { play: Some(Play::of(play)), ..Choices::default() });
+    let play = |play| warnings(6, &Choices { play: Some(Play::from_slot(play)), ..Choices::default() });
     assert_eq!((play(0.0), play(1e-6)), (vec![Warning::NoPlay], vec![]));
     // For a pin of 7.5 mm, the loosest H8/e8 has 25 + 22 + 22 micrometres.
     let sizes = |play| {
-        let choices = Choices { play: Some(Play::of(play)), ..Choices::default() };
+        let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };
         Sizes::new(Wheel::new(6).unwrap(), Scale::CrankRadius(25.0), &choices).unwrap()
     };
     assert_eq!(sizes(0.068_999).looser_than_fit(), None);

@@ -1,6 +1,6 @@
 //! Flat code: a list of instructions over a list of registers, run from the first to the last.
 
-use super::trouble::eight_digits;
+use super::digits::eight_digits;
 
 /// What an instruction does. A truth is 1, its opposite 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -160,7 +160,7 @@ fn slope(last: f64, [a, b]: [f64; 2], [old_a, old_b]: [f64; 2]) -> f64 {
 
 impl Instruction {
     /// The registers that decide the value: of a switch, only those of the branch that is taken.
-    pub(super) fn used(&self, registers: &[f64]) -> Vec<u32> {
+    pub(super) fn operands_in_use(&self, registers: &[f64]) -> Vec<u32> {
         let [a, b, c, d] = self.from;
         let value = registers[a as usize];
         match self.operation {

@@ -1,6 +1,6 @@
 //! The cards that are no statements, and the names that mean something to the program: one table.
 
-use super::function::Evidence;
+use super::function::WordEvidence;
 
 /// A control card, or a name with a meaning of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,14 +12,14 @@ pub struct Card {
     /// What it does.
     pub meaning: &'static str,
     /// Where it is known from.
-    pub evidence: Evidence,
+    pub evidence: WordEvidence,
 }
 
-const fn card(name: &'static str, arguments: &'static str, evidence: Evidence, meaning: &'static str) -> Card {
+const fn card(name: &'static str, arguments: &'static str, evidence: WordEvidence, meaning: &'static str) -> Card {
     Card { name, arguments, meaning, evidence }
 }
 
-use Evidence::{Assumed, Both, Encyclopedia, Thesis};
+use WordEvidence::{Assumed, Both, Encyclopedia, Thesis};
 
 /// All control cards, and the names that are known without a card.
 pub static CARDS: [Card; 17] = [
@@ -85,7 +85,7 @@ pub(super) const GIVEN: [&str; 3] = ["T", "TRUE", "FALSE"];
 pub(super) const STEPS: [&str; 3] = ["DT", "DTMIN", "DTMAX"];
 
 /// What a reserved name is, if it is one.
-pub(super) fn reserved(name: &str) -> Option<&'static str> {
+pub(super) fn reserved_meaning(name: &str) -> Option<&'static str> {
     if name == "T" {
         Some("time")
     } else if GIVEN.contains(&name) {

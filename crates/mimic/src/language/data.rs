@@ -1,8 +1,7 @@
 //! Data cards: the numbers of the constants and parameters.
 
-use super::card::Word;
-use super::deck::{Deck, Group};
-use super::fault::{Fault, Faults, Problem};
+use super::diagnostic::{Diagnostic, Diagnostics, Problem};
+use super::tree::{DataCard, DataFile, Deck, NameCard, Word};
 use core::ops::Range;
 
 /// Most runs of one deck.
@@ -12,14 +11,6 @@ const MOST_SETS: usize = 100_000;
 pub(super) const MOST_NUMBERS: usize = 500_000;
 /// Most numbers of a data card that are read: more than the names of any CON or PAR card.
 const MOST_ON_A_CARD: usize = super::card::LONGEST;
-
-/// The numbers of one data card, with their columns.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct DataCard {
-    card: usize,
-    /// Each number, or what is wrong where one should be.
-    numbers: Vec<(Result<f64, &'static str>, Range<usize>)>,
-}
 
 /// What is wrong where no number is.
 const NO_NUMBER: &str = "not a number; write it as 2., .05 or 5.E-6, with blanks or commas between numbers";
@@ -80,13 +71,6 @@ impl DataCard {
     }
 }
 
-/// A text with data cards, by itself.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct DataFile {
-    name: String,
-    text: String,
-}
-
 /// The numbers of one run, each under its name: those of the CON cards, then those of the PAR cards.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DataSet(pub Vec<(String, f64)>);
@@ -109,9 +93,9 @@ impl Deck {
     /// # Errors
     ///
     /// A number that is none, too few or too many of them.
-    pub fn data_sets(&self) -> Result<Vec<DataSet>, Faults> {
+    pub fn data_sets(&self) -> Result<Vec<DataSet>, Diagnostics> {
         let (constants, parameters): (Vec<_>, Vec<_>) = self.groups.iter().partition(|group| !group.each_run);
-        let mut reader = Reader { deck: self, next: 0 };
+        let mut reader = DataReader { deck: self, next: 0 };
         if self.data.iter().map(DataCard::weight).sum::<usize>() > MOST_NUMBERS {
             let words =
                 format!("the data have more than {MOST_NUMBERS} numbers up to here, the most that is read; split them");
@@ -152,14 +136,14 @@ impl Deck {
 }
 
 /// Data cards as they are read, one behind another.
-struct Reader<'a> {
+struct DataReader<'a> {
     deck: &'a Deck,
     next: usize,
 }
 
-impl Reader<'_> {
+impl DataReader<'_> {
     /// The numbers of some groups of names.
-    fn read(&mut self, groups: &[&Group]) -> Result<Vec<(String, f64)>, Faults> {
+    fn read(&mut self, groups: &[&NameCard]) -> Result<Vec<(String, f64)>, Diagnostics> {
         let mut found = Vec::new();
         for group in groups {
             let mut names = group.names.iter();
@@ -173,10 +157,10 @@ impl Reader<'_> {
     /// The numbers of the next card, each for the next name.
     fn card(
         &mut self,
-        group: &Group,
+        group: &NameCard,
         names: &mut core::slice::Iter<'_, Word>,
         found: &mut Vec<(String, f64)>,
-    ) -> Result<(), Faults> {
+    ) -> Result<(), Diagnostics> {
         let Some(card) = self.deck.data.get(self.next) else {
             let name = names.as_slice().first().map_or("", |word| word.name.as_str());
             let count = match group.names.len() {
@@ -188,7 +172,7 @@ impl Reader<'_> {
                     let words = format!(
                         "no number is left for {name}: the card has {count}, and as many numbers must follow END"
                     );
-                    Faults(vec![self.deck.fault(group.card, 0..1, Problem::Data(words))])
+                    Diagnostics(vec![self.deck.fault(group.card, 0..1, Problem::Data(words))])
                 }
                 Some(file) => {
                     let words = format!(
@@ -222,18 +206,18 @@ impl Reader<'_> {
     }
 
     /// A fault on the data card of this number.
-    fn refuse(&self, number: usize, columns: Range<usize>, words: String) -> Faults {
+    fn refuse(&self, number: usize, columns: Range<usize>, words: String) -> Diagnostics {
         self.fault(self.deck.data.get(number).map_or(0, |card| card.card), columns, words)
     }
 
     /// A fault on a line of the data.
-    fn fault(&self, card: usize, columns: Range<usize>, words: String) -> Faults {
+    fn fault(&self, card: usize, columns: Range<usize>, words: String) -> Diagnostics {
         let problem = Problem::Data(words);
-        Faults(vec![match &self.deck.data_file {
+        Diagnostics(vec![match &self.deck.data_file {
             None => self.deck.fault(card, columns, problem),
             Some(file) => {
                 let text = card.checked_sub(1).and_then(|at| file.text.lines().nth(at)).unwrap_or_default().to_owned();
-                Fault { file: Some(file.name.clone()), card, columns, text, problem }
+                Diagnostic { file: Some(file.name.clone()), card, columns, text, problem }
             }
         }])
     }

@@ -1,76 +1,10 @@
-//! A deck: statements, parameters, the end of the run, and what is printed and plotted.
+//! What can be asked of a deck, and changed in it, between reading and compiling.
 
-use super::card::Word;
 use super::control::STEPS;
-use super::data::{DataCard, DataFile};
-use super::expression::{Expression, Node};
-use super::fault::{Fault, Problem};
-use super::sorting::Sorted;
+use super::diagnostic::{Diagnostic, Problem};
+use super::sorting::SortedStatement;
+use super::tree::{CardExpression, Deck, ExpressionNode, Statement, Word};
 use core::ops::Range;
-
-/// A statement: a result and its expression, perhaps under a control variable.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Statement {
-    pub(super) card: usize,
-    pub(super) control: Option<Word>,
-    pub(super) result: Word,
-    pub(super) expression: Expression,
-}
-
-/// The names of one CON or PAR card.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Group {
-    pub(super) card: usize,
-    /// Whether they are read for each run.
-    pub(super) each_run: bool,
-    pub(super) names: Vec<Word>,
-}
-
-/// A card with expressions.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Listed {
-    pub(super) card: usize,
-    pub(super) expressions: Vec<Expression>,
-}
-
-/// A PLO card, and the SCA and ZER cards behind it.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct PlotCards {
-    pub(super) card: usize,
-    pub(super) names: Vec<Word>,
-    pub(super) scale: Option<Listed>,
-    pub(super) zero: Option<Listed>,
-}
-
-/// Plot of one run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Plot {
-    /// What is plotted against what: X, then the others.
-    pub names: Vec<String>,
-    /// Of each, the change from line to line or from column to column, in its own unit; none to choose it.
-    pub scale: Option<Vec<f64>>,
-    /// Of each, the value on the first line or in the first column, in its own unit; none to choose it.
-    pub zero: Option<Vec<f64>>,
-}
-
-/// A deck as it was read: every card is understood by itself, and nothing is known yet of how they fit together.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Deck {
-    pub(super) cards: Vec<String>,
-    pub(super) statements: Vec<Statement>,
-    pub(super) groups: Vec<Group>,
-    pub(super) finishes: Vec<Listed>,
-    pub(super) headings: Vec<Vec<String>>,
-    pub(super) outputs: Vec<Vec<Word>>,
-    pub(super) output_cards: Vec<usize>,
-    pub(super) plots: Vec<PlotCards>,
-    pub(super) data: Vec<DataCard>,
-    /// Where the data are from, if they do not stand behind the deck.
-    pub(super) data_file: Option<DataFile>,
-    pub(super) notes: Vec<String>,
-    /// The note of a comment that could define C.
-    pub(super) hidden_c: Option<String>,
-}
 
 impl Deck {
     /// Notes on a deck without mistakes: comments that could be statements.
@@ -90,10 +24,10 @@ impl Deck {
     }
 
     /// The expression of a statement as its card has it; the number alone if it has been [`set`](Self::set).
-    pub fn expression_of(&self, sorted: &Sorted) -> String {
+    pub fn expression_of(&self, sorted: &SortedStatement) -> String {
         let own = self.statements.get(sorted.statement);
         let Some(own) = own.filter(|of| of.result.name == sorted.result) else { return String::new() };
-        if let [(Node::Number(number), _)] = own.expression.nodes[..] {
+        if let [(ExpressionNode::Number(number), _)] = own.expression.nodes[..] {
             return number.to_string();
         }
         let text = own.card.checked_sub(1).and_then(|at| self.cards.get(at)).map_or("", String::as_str);
@@ -114,7 +48,7 @@ impl Deck {
         if statement.control.is_some() {
             return false;
         }
-        statement.expression = Expression::number(value, statement.expression.columns());
+        statement.expression = CardExpression::number(value, statement.expression.columns());
         true
     }
 
@@ -123,16 +57,16 @@ impl Deck {
         let free = STEPS.contains(&name) && !self.statements.iter().any(|statement| statement.result.name == name);
         if free {
             let result = Word { name: name.to_owned(), at: 0..0 };
-            let expression = Expression::number(value, 0..0);
+            let expression = CardExpression::number(value, 0..0);
             self.statements.push(Statement { card: 0, control: None, result, expression });
         }
         free
     }
 
     /// A fault at some columns of a card.
-    pub(super) fn fault(&self, card: usize, columns: Range<usize>, problem: Problem) -> Fault {
+    pub(super) fn fault(&self, card: usize, columns: Range<usize>, problem: Problem) -> Diagnostic {
         let text = card.checked_sub(1).and_then(|at| self.cards.get(at)).cloned().unwrap_or_default();
-        Fault { file: None, card, columns, text, problem }
+        Diagnostic { file: None, card, columns, text, problem }
     }
 }
 

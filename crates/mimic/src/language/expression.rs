@@ -6,87 +6,29 @@
 
 use super::code::Operation;
 use super::control::WORDS;
-use super::fault::Problem;
+use super::diagnostic::Problem;
 use super::function::{FUNCTIONS, function_named};
-use super::token::{Placed, Token};
+use super::token::{CardToken, PlacedToken};
+use super::tree::{CardExpression, ExpressionNode};
 use core::ops::Range;
 
 /// How deep parentheses may stand in one another.
 const DEEPEST: usize = 64;
 
-/// A part of an expression; numbers of nodes are those of earlier ones.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Node {
-    /// A number.
-    Number(f64),
-    /// A name.
-    Name(String),
-    /// The opposite of a node.
-    Negative(usize),
-    /// Two nodes and what is done with them.
-    Binary(Operation, [usize; 2]),
-    /// A function, by its place in the table, and its arguments.
-    Call(usize, Vec<usize>),
-}
-
-impl Node {
-    /// The nodes that it needs.
-    pub(super) fn parts(&self) -> &[usize] {
-        match self {
-            Self::Number(_) | Self::Name(_) => &[],
-            Self::Negative(part) => core::slice::from_ref(part),
-            Self::Binary(_, parts) => parts,
-            Self::Call(_, arguments) => arguments,
-        }
-    }
-}
-
-/// An expression: the last node is the whole. It is never empty.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Expression {
-    pub(super) nodes: Vec<(Node, Range<usize>)>,
-}
-
-impl Expression {
-    /// A number that stands alone.
-    pub(super) fn number(value: f64, at: Range<usize>) -> Self {
-        Self { nodes: vec![(Node::Number(value), at)] }
-    }
-
-    /// The node of the whole.
-    pub(super) fn root(&self) -> usize {
-        self.nodes.len() - 1
-    }
-
-    /// The columns from its first sign to its last.
-    pub(super) fn columns(&self) -> Range<usize> {
-        let start = self.nodes.iter().map(|(_, at)| at.start).min().unwrap_or(0);
-        start..self.nodes.iter().map(|(_, at)| at.end).max().unwrap_or(0)
-    }
-
-    /// The function that the whole is, if it is one.
-    pub(super) fn whole_call(&self) -> Option<(usize, &[usize])> {
-        match self.nodes.last() {
-            Some((Node::Call(function, arguments), _)) => Some((*function, arguments)),
-            _ => None,
-        }
-    }
-}
-
 /// What is wrong, and where.
 pub(super) type Problems = Vec<(Range<usize>, Problem)>;
 
 /// Reads an expression that takes all these tokens; `end` is the column behind the last one.
-pub(super) fn expression(tokens: &[Placed], end: usize) -> Result<Expression, Problems> {
+pub(super) fn expression(tokens: &[PlacedToken], end: usize) -> Result<CardExpression, Problems> {
     let mut parser = Parser::new(tokens, end);
     let found = parser.sum();
-    let rest = parser.peek().map(|placed| (placed.at.clone(), expected("an arithmetic sign or the end", Some(placed))));
+    let rest = parser.peek().map(|placed| (placed.at.clone(), mismatch("an arithmetic sign or the end", Some(placed))));
     parser.result(found.and_then(|_| rest.map_or(Ok(()), Err)))
 }
 
 /// Reads expressions with commas between them, behind an opening parenthesis and up to the closing one, which is the
 /// last token.
-pub(super) fn list(tokens: &[Placed], end: usize) -> Result<Vec<Expression>, Problems> {
+pub(super) fn list(tokens: &[PlacedToken], end: usize) -> Result<Vec<CardExpression>, Problems> {
     let (mut found, mut problems, mut at) = (Vec::new(), Vec::new(), 0);
     loop {
         let mut parser = Parser::new(&tokens[at..], end);
@@ -105,13 +47,13 @@ pub(super) fn list(tokens: &[Placed], end: usize) -> Result<Vec<Expression>, Pro
             Some(sign) if sign.is(',') => {}
             Some(sign) if sign.is(')') => {
                 if let Some(more) = tokens.get(at) {
-                    problems.push((more.at.clone(), expected("the end of the card", Some(more))));
+                    problems.push((more.at.clone(), mismatch("the end of the card", Some(more))));
                 }
                 break;
             }
             other => {
                 let columns = other.as_ref().map_or(end..end + 1, |placed| placed.at.clone());
-                problems.push((columns, expected("a comma or a closing parenthesis", other.as_ref())));
+                problems.push((columns, mismatch("a comma or a closing parenthesis", other.as_ref())));
                 break;
             }
         }
@@ -120,45 +62,45 @@ pub(super) fn list(tokens: &[Placed], end: usize) -> Result<Vec<Expression>, Pro
 }
 
 /// What was due, and what stands there instead.
-pub(super) fn expected(expected: &'static str, found: Option<&Placed>) -> Problem {
-    Problem::Expected { expected, found: found.map_or_else(|| "nothing".to_owned(), Placed::words) }
+pub(super) fn mismatch(expected: &'static str, found: Option<&PlacedToken>) -> Problem {
+    Problem::Expected { expected, found: found.map_or_else(|| "nothing".to_owned(), PlacedToken::words) }
 }
 
 struct Parser<'a> {
-    tokens: &'a [Placed],
+    tokens: &'a [PlacedToken],
     at: usize,
     end: usize,
     depth: usize,
-    nodes: Vec<(Node, Range<usize>)>,
+    nodes: Vec<(ExpressionNode, Range<usize>)>,
     problems: Problems,
 }
 
 type Read<T> = Result<T, (Range<usize>, Problem)>;
 
 impl<'a> Parser<'a> {
-    fn new(tokens: &'a [Placed], end: usize) -> Self {
+    fn new(tokens: &'a [PlacedToken], end: usize) -> Self {
         Self { tokens, at: 0, end, depth: 0, nodes: Vec::new(), problems: Vec::new() }
     }
 
-    fn result(mut self, read: Read<()>) -> Result<Expression, Problems> {
+    fn result(mut self, read: Read<()>) -> Result<CardExpression, Problems> {
         if let Err(problem) = read {
             self.problems.push(problem);
         }
-        if self.problems.is_empty() { Ok(Expression { nodes: self.nodes }) } else { Err(self.problems) }
+        if self.problems.is_empty() { Ok(CardExpression { nodes: self.nodes }) } else { Err(self.problems) }
     }
 
-    fn peek(&self) -> Option<&'a Placed> {
+    fn peek(&self) -> Option<&'a PlacedToken> {
         self.tokens.get(self.at)
     }
 
     /// The next token if it is one of these signs, which is then passed.
-    fn pass(&mut self, signs: &[char]) -> Option<&'a Placed> {
+    fn pass(&mut self, signs: &[char]) -> Option<&'a PlacedToken> {
         let next = self.peek().filter(|next| next.is_one_of(signs))?;
         self.at += 1;
         Some(next)
     }
 
-    fn add(&mut self, node: Node, at: Range<usize>) -> usize {
+    fn add(&mut self, node: ExpressionNode, at: Range<usize>) -> usize {
         self.nodes.push((node, at));
         self.nodes.len() - 1
     }
@@ -173,18 +115,18 @@ impl<'a> Parser<'a> {
         if let Some(sign) = sign.filter(|sign| sign.is('-')) {
             let at = sign.at.start..self.nodes[left].1.end;
             // A number with its sign is a number.
-            left = if let Node::Number(number) = self.nodes[left].0 {
-                self.nodes[left] = (Node::Number(-number), at);
+            left = if let ExpressionNode::Number(number) = self.nodes[left].0 {
+                self.nodes[left] = (ExpressionNode::Number(-number), at);
                 left
             } else {
-                self.add(Node::Negative(left), at)
+                self.add(ExpressionNode::Negative(left), at)
             };
         }
         while let Some(sign) = self.pass(&['+', '-']) {
             let right = self.product()?;
             let operation = if sign.is('+') { Operation::Add } else { Operation::Subtract };
             let at = self.span(left, right);
-            left = self.add(Node::Binary(operation, [left, right]), at);
+            left = self.add(ExpressionNode::Binary(operation, [left, right]), at);
         }
         Ok(left)
     }
@@ -195,7 +137,7 @@ impl<'a> Parser<'a> {
             let right = self.power()?;
             let operation = if sign.is('*') { Operation::Multiply } else { Operation::Divide };
             let at = self.span(left, right);
-            left = self.add(Node::Binary(operation, [left, right]), at);
+            left = self.add(ExpressionNode::Binary(operation, [left, right]), at);
         }
         Ok(left)
     }
@@ -209,36 +151,36 @@ impl<'a> Parser<'a> {
         let mut right = parts.pop().unwrap_or_default();
         while let Some(left) = parts.pop() {
             let at = self.nodes[left].1.start..self.nodes[right].1.end;
-            right = self.add(Node::Binary(Operation::Power, [left, right]), at);
+            right = self.add(ExpressionNode::Binary(Operation::Power, [left, right]), at);
         }
         Ok(right)
     }
 
     fn atom(&mut self) -> Read<usize> {
         let Some(placed) = self.peek() else {
-            return Err((self.end..self.end + 1, expected("a name, a number or a parenthesis", None)));
+            return Err((self.end..self.end + 1, mismatch("a name, a number or a parenthesis", None)));
         };
         let at = placed.at.clone();
         if placed.is_one_of(&['+', '-']) {
             return Err((at, Problem::TwoSigns));
         }
         let node = match &placed.token {
-            Token::Number(number) => Node::Number(*number),
-            Token::Name(name) => {
+            CardToken::Number(number) => ExpressionNode::Number(*number),
+            CardToken::Name(name) => {
                 self.at += 1;
                 return match self.pass(&['(']) {
                     Some(_) => self.call(name, at),
-                    None => Ok(self.add(Node::Name(name.clone()), at)),
+                    None => Ok(self.add(ExpressionNode::Name(name.clone()), at)),
                 };
             }
-            Token::Sign('(') => {
+            CardToken::Sign('(') => {
                 self.at += 1;
                 self.deeper(&at)?;
                 let inside = self.sum()?;
                 self.close()?;
                 return Ok(inside);
             }
-            Token::Sign(_) => return Err((at, expected("a name, a number or a parenthesis", Some(placed)))),
+            CardToken::Sign(_) => return Err((at, mismatch("a name, a number or a parenthesis", Some(placed)))),
         };
         self.at += 1;
         Ok(self.add(node, at))
@@ -252,7 +194,7 @@ impl<'a> Parser<'a> {
     fn close(&mut self) -> Read<usize> {
         let Some(sign) = self.pass(&[')']) else {
             let at = self.peek().map_or(self.end..self.end + 1, |placed| placed.at.clone());
-            return Err((at, expected("a closing parenthesis", self.peek())));
+            return Err((at, mismatch("a closing parenthesis", self.peek())));
         };
         self.depth = self.depth.saturating_sub(1);
         Ok(sign.at.end)
@@ -272,21 +214,21 @@ impl<'a> Parser<'a> {
         let Some(function) = function_named(name) else {
             if WORDS.contains(&name) {
                 self.problems.push((at, Problem::CardInExpression(name.to_owned())));
-                return Ok(self.add(Node::Number(1.0), whole));
+                return Ok(self.add(ExpressionNode::Number(1.0), whole));
             }
             let known = FUNCTIONS.iter().map(|function| function.name);
-            let nearest = super::fault::nearest_to(name, known);
+            let nearest = super::diagnostic::nearest_to(name, known);
             self.problems.push((at, Problem::UnknownFunction { name: name.to_owned(), nearest }));
-            return Ok(self.add(Node::Number(1.0), whole));
+            return Ok(self.add(ExpressionNode::Number(1.0), whole));
         };
         let known = &FUNCTIONS[function];
         let given = arguments.len();
         if !(known.least..=known.most).contains(&given) {
             let given = format!("{given} argument{}", if given == 1 { "" } else { "s" });
-            let problem = Problem::Arguments { name: name.to_owned(), given, allowed: known.allowed() };
+            let problem = Problem::Arguments { name: name.to_owned(), given, allowed: known.arity() };
             self.problems.push((whole, problem));
-            return Ok(self.add(Node::Number(1.0), at));
+            return Ok(self.add(ExpressionNode::Number(1.0), at));
         }
-        Ok(self.add(Node::Call(function, arguments), whole))
+        Ok(self.add(ExpressionNode::Call(function, arguments), whole))
     }
 }

@@ -4,7 +4,7 @@ use super::code::Operation;
 
 /// Evidence for a word of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Evidence {
+pub enum WordEvidence {
     /// The thesis uses it, and its text or its results show what it does: Work::Meyer1973, Appendix B.
     Thesis,
     /// The predators and prey of the encyclopedia use it: <https://en.wikipedia.org/wiki/MIMIC>.
@@ -15,7 +15,7 @@ pub enum Evidence {
     Assumed,
 }
 
-impl Evidence {
+impl WordEvidence {
     /// The evidence in words.
     pub fn words(self) -> &'static str {
         match self {
@@ -29,7 +29,7 @@ impl Evidence {
 
 /// What a function is to the compiler.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum FunctionKind {
     /// One instruction with its arguments.
     Plain(Operation),
     /// One instruction for each argument after the first.
@@ -50,7 +50,7 @@ pub(super) enum Kind {
     Implicit,
 }
 
-impl Kind {
+impl FunctionKind {
     /// Whether the value at an instant does not need the arguments of that instant.
     pub(super) fn is_memory(self) -> bool {
         matches!(self, Self::Integral | Self::Limited | Self::Lag | Self::Delay)
@@ -59,7 +59,7 @@ impl Kind {
 
 /// What the arguments of a function are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Takes {
+pub(super) enum Signature {
     /// Numbers, and so is the value.
     Numbers,
     /// Truths, and so is the value.
@@ -72,7 +72,7 @@ pub(super) enum Takes {
 
 /// A function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Function {
+pub struct BuiltinFunction {
     /// Its name.
     pub name: &'static str,
     /// Its arguments, as they are called in [`meaning`](Self::meaning).
@@ -80,16 +80,16 @@ pub struct Function {
     /// What it gives.
     pub meaning: &'static str,
     /// Where it is known from.
-    pub evidence: Evidence,
+    pub evidence: WordEvidence,
     pub(super) least: usize,
     pub(super) most: usize,
-    pub(super) takes: Takes,
-    pub(super) kind: Kind,
+    pub(super) takes: Signature,
+    pub(super) kind: FunctionKind,
 }
 
-impl Function {
+impl BuiltinFunction {
     /// How many arguments it takes, in words.
-    pub(super) fn allowed(&self) -> String {
+    pub(super) fn arity(&self) -> String {
         let plural = if self.most == 1 { "" } else { "s" };
         let count = match (self.least, self.most) {
             (least, usize::MAX) => format!("{least} or more"),
@@ -106,19 +106,19 @@ const ANY: usize = usize::MAX;
 const fn function(
     (name, arguments): (&'static str, &'static str),
     (least, most): (usize, usize),
-    (takes, kind): (Takes, Kind),
-    evidence: Evidence,
+    (takes, kind): (Signature, FunctionKind),
+    evidence: WordEvidence,
     meaning: &'static str,
-) -> Function {
-    Function { name, arguments, meaning, evidence, least, most, takes, kind }
+) -> BuiltinFunction {
+    BuiltinFunction { name, arguments, meaning, evidence, least, most, takes, kind }
 }
 
-use Evidence::{Assumed, Both, Thesis};
-use Kind::{Delay, Folded, Implicit, Integral, Lag, Limited, Plain, Sample, Slope};
-use Takes::{NumberThenAlike, Numbers, TruthThenAlike, Truths};
+use FunctionKind::{Delay, Folded, Implicit, Integral, Lag, Limited, Plain, Sample, Slope};
+use Signature::{NumberThenAlike, Numbers, TruthThenAlike, Truths};
+use WordEvidence::{Assumed, Both, Thesis};
 
 /// All functions.
-pub static FUNCTIONS: [Function; 26] = [
+pub static FUNCTIONS: [BuiltinFunction; 26] = [
     function(
         ("INT", "A, B"),
         (2, 2),

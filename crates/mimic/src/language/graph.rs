@@ -1,12 +1,10 @@
 //! What needs what: names, definitions, loops, and what is known before the run.
 
 use super::control::{GIVEN, STEPS};
-use super::deck::{Deck, Statement};
-use super::expression::{Expression, Node};
-use super::fault::MOST_FAULTS;
-use super::fault::{Fault, MOST_TOLD, Problem, but_near, nearest_to};
-use super::function::{FUNCTIONS, Kind};
+use super::diagnostic::{Diagnostic, MOST_FAULTS, MOST_TOLD, Problem, but_near, nearest_to};
+use super::function::{FUNCTIONS, FunctionKind};
 use super::sorting::{circle, components};
+use super::tree::{CardExpression, Deck, ExpressionCard, ExpressionNode, Statement};
 use super::types::Type;
 use std::collections::{HashMap, HashSet};
 
@@ -25,18 +23,21 @@ pub(super) enum Region {
 }
 
 /// Where the arguments of a node belong.
-fn region_of_part(node: &Node, at: usize, argument: usize, own: Region) -> Region {
-    let Node::Call(function, _) = node else { return own };
+fn region_of_part(node: &ExpressionNode, at: usize, argument: usize, own: Region) -> Region {
+    let ExpressionNode::Call(function, _) = node else { return own };
     match (FUNCTIONS[*function].kind, argument) {
-        (Kind::Integral, 1) | (Kind::Limited, 1) | (Kind::Lag, 2) | (Kind::Slope, 2) => Region::Start(at),
-        (Kind::Delay, 1 | 2) | (Kind::Sample, 1) => Region::Start(at),
-        (Kind::Integral | Kind::Limited | Kind::Lag | Kind::Delay, _) => Region::Feed,
+        (FunctionKind::Integral, 1)
+        | (FunctionKind::Limited, 1)
+        | (FunctionKind::Lag, 2)
+        | (FunctionKind::Slope, 2) => Region::Start(at),
+        (FunctionKind::Delay, 1 | 2) | (FunctionKind::Sample, 1) => Region::Start(at),
+        (FunctionKind::Integral | FunctionKind::Limited | FunctionKind::Lag | FunctionKind::Delay, _) => Region::Feed,
         _ => own,
     }
 }
 
 /// The region of each node.
-pub(super) fn regions(expression: &Expression) -> Vec<Region> {
+pub(super) fn regions(expression: &CardExpression) -> Vec<Region> {
     let mut found = vec![Region::Now; expression.nodes.len()];
     for (at, (node, _)) in expression.nodes.iter().enumerate().rev() {
         for (argument, part) in node.parts().iter().enumerate() {
@@ -51,7 +52,7 @@ pub(super) fn regions(expression: &Expression) -> Vec<Region> {
 pub(super) struct Block {
     pub(super) statement: usize,
     pub(super) node: usize,
-    pub(super) kind: Kind,
+    pub(super) kind: FunctionKind,
 }
 
 /// The deck as a graph.
@@ -75,7 +76,7 @@ pub(super) struct Graph<'a> {
     pub(super) starting: Vec<Vec<usize>>,
     pub(super) is_constant: Vec<bool>,
     pub(super) types: HashMap<&'a str, Type>,
-    pub(super) faults: Vec<Fault>,
+    pub(super) faults: Vec<Diagnostic>,
 }
 
 impl<'a> Graph<'a> {
@@ -85,9 +86,9 @@ impl<'a> Graph<'a> {
         for (statement, of) in deck.statements.iter().enumerate() {
             let first = blocks.len();
             for (node, (part, _)) in of.expression.nodes.iter().enumerate() {
-                let Node::Call(function, _) = part else { continue };
+                let ExpressionNode::Call(function, _) = part else { continue };
                 let kind = FUNCTIONS[*function].kind;
-                if kind.is_memory() || matches!(kind, Kind::Sample | Kind::Slope) {
+                if kind.is_memory() || matches!(kind, FunctionKind::Sample | FunctionKind::Slope) {
                     blocks.push(Block { statement, node, kind });
                 }
             }
@@ -169,9 +170,9 @@ impl<'a> Graph<'a> {
             }
         };
         let in_expression =
-            |card: usize, expression: &Expression, check: &mut dyn FnMut(usize, &str, &core::ops::Range<usize>)| {
+            |card: usize, expression: &CardExpression, check: &mut dyn FnMut(usize, &str, &core::ops::Range<usize>)| {
                 for (node, columns) in &expression.nodes {
-                    if let Node::Name(name) = node {
+                    if let ExpressionNode::Name(name) = node {
                         check(card, name, columns);
                     }
                 }
@@ -188,7 +189,7 @@ impl<'a> Graph<'a> {
         for plot in &self.deck.plots {
             plot.names.iter().for_each(|word| check(plot.card, &word.name, &word.at));
         }
-        for listed in self.listed() {
+        for listed in self.expression_cards() {
             listed.expressions.iter().for_each(|expression| in_expression(listed.card, expression, &mut check));
         }
         unknown.sort_by_key(|(card, _, columns)| (*card, columns.start));
@@ -220,7 +221,7 @@ impl<'a> Graph<'a> {
     }
 
     /// All cards with expressions that are no statements.
-    pub(super) fn listed(&self) -> impl Iterator<Item = &'a super::deck::Listed> + use<'a> {
+    pub(super) fn expression_cards(&self) -> impl Iterator<Item = &'a ExpressionCard> + use<'a> {
         let plots = self.deck.plots.iter().flat_map(|plot| plot.scale.iter().chain(&plot.zero));
         self.deck.finishes.iter().chain(plots)
     }
@@ -235,13 +236,13 @@ impl<'a> Graph<'a> {
         let regions = &self.regions[statement];
         let named = nodes.iter().zip(regions).filter(|(_, region)| wanted(**region));
         named
-            .filter_map(|((node, _), _)| if let Node::Name(name) = node { Some(name.as_str()) } else { None })
+            .filter_map(|((node, _), _)| if let ExpressionNode::Name(name) = node { Some(name.as_str()) } else { None })
             .collect()
     }
 
     fn is_implicit(&self, statement: usize) -> bool {
         let whole = self.deck.statements[statement].expression.whole_call();
-        whole.is_some_and(|(function, _)| FUNCTIONS[function].kind == Kind::Implicit)
+        whole.is_some_and(|(function, _)| FUNCTIONS[function].kind == FunctionKind::Implicit)
     }
 
     /// Whether the result is what its expression is at any instant: it stands under no control variable, or is the only
@@ -249,7 +250,7 @@ impl<'a> Graph<'a> {
     pub(super) fn is_at_hand(&self, statement: usize) -> bool {
         let Statement { control, result, expression, .. } = &self.deck.statements[statement];
         let kind = expression.whole_call().map(|(function, _)| FUNCTIONS[function].kind);
-        let is_integral = matches!(kind, Some(Kind::Integral | Kind::Limited | Kind::Lag));
+        let is_integral = matches!(kind, Some(FunctionKind::Integral | FunctionKind::Limited | FunctionKind::Lag));
         control.is_none() || is_integral && self.definitions_of(&result.name).len() == 1
     }
 
@@ -311,8 +312,8 @@ impl<'a> Graph<'a> {
         let Statement { card, expression, control, .. } = &self.deck.statements[implicit];
         let guess = expression.whole_call().and_then(|(_, arguments)| arguments.first().copied()).unwrap_or(0);
         let begins_free = match &expression.nodes[guess].0 {
-            Node::Number(_) => true,
-            Node::Name(name) => !self.definitions_of(name).iter().any(|of| group.contains(of)),
+            ExpressionNode::Number(_) => true,
+            ExpressionNode::Name(name) => !self.definitions_of(name).iter().any(|of| group.contains(of)),
             _ => false,
         };
         if !begins_free || control.is_some() {

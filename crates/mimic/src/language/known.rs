@@ -2,10 +2,10 @@
 //! nothing needs.
 
 use super::control::STEPS;
-use super::expression::Node;
-use super::fault::Problem;
-use super::function::{FUNCTIONS, Kind};
+use super::diagnostic::Problem;
+use super::function::{FUNCTIONS, FunctionKind};
 use super::graph::{Graph, Region};
+use super::tree::ExpressionNode;
 use super::types::{Type, types};
 
 impl Graph<'_> {
@@ -42,10 +42,14 @@ impl Graph<'_> {
                 ));
             }
         }
-        for block in self.blocks.iter().filter(|block| matches!(block.kind, Kind::Delay | Kind::Sample)) {
+        for block in self.blocks.iter().filter(|block| matches!(block.kind, FunctionKind::Delay | FunctionKind::Sample))
+        {
             let statement = &self.deck.statements[block.statement];
-            let what =
-                if block.kind == Kind::Delay { "the delay of a TDL" } else { "the time between samples of a ZOH" };
+            let what = if block.kind == FunctionKind::Delay {
+                "the delay of a TDL"
+            } else {
+                "the time between samples of a ZOH"
+            };
             found.push((
                 statement.card,
                 statement.expression.nodes[block.node].1.clone(),
@@ -71,7 +75,7 @@ impl Graph<'_> {
         for listed in self.deck.plots.iter().flat_map(|plot| plot.scale.iter().chain(&plot.zero)) {
             for expression in &listed.expressions {
                 let names = expression.nodes.iter().filter_map(|(node, columns)| match node {
-                    Node::Name(name) => Some((name, columns)),
+                    ExpressionNode::Name(name) => Some((name, columns)),
                     _ => None,
                 });
                 for (name, columns) in names.filter(|(name, _)| !self.is_known_before(name)) {
@@ -116,14 +120,14 @@ impl Graph<'_> {
                 }
             }
             for (at, (node, columns)) in statement.expression.nodes.iter().enumerate() {
-                let Node::Call(function, _) = node else { continue };
-                if FUNCTIONS[*function].kind == Kind::Implicit && at != statement.expression.root() {
+                let ExpressionNode::Call(function, _) = node else { continue };
+                if FUNCTIONS[*function].kind == FunctionKind::Implicit && at != statement.expression.root() {
                     let problem = Problem::Misplaced("IMP must be alone in its expression; give its value a name");
                     told.push((statement.card, columns.clone(), problem));
                 }
             }
         }
-        for listed in self.listed() {
+        for listed in self.expression_cards() {
             for expression in &listed.expressions {
                 let (found, problems) = types(expression, |name| self.types.get(name).copied());
                 told.extend(problems.into_iter().map(|(columns, problem)| (listed.card, columns, problem)));
@@ -131,9 +135,9 @@ impl Graph<'_> {
                     told.push((listed.card, expression.columns(), problem));
                 }
                 for (node, columns) in &expression.nodes {
-                    let Node::Call(function, _) = node else { continue };
+                    let ExpressionNode::Call(function, _) = node else { continue };
                     let kind = FUNCTIONS[*function].kind;
-                    if !matches!(kind, Kind::Plain(_) | Kind::Folded(_)) {
+                    if !matches!(kind, FunctionKind::Plain(_) | FunctionKind::Folded(_)) {
                         let problem =
                             Problem::Misplaced("a function with a memory needs a card of its own; give it a name");
                         told.push((listed.card, columns.clone(), problem));
@@ -149,9 +153,9 @@ impl Graph<'_> {
         let mut live = vec![false; self.deck.statements.len()];
         let words = self.deck.outputs.iter().flatten().chain(self.deck.plots.iter().flat_map(|plot| &plot.names));
         let mut names: Vec<&str> = words.map(|word| word.name.as_str()).chain(STEPS).collect();
-        for listed in self.listed() {
+        for listed in self.expression_cards() {
             names.extend(listed.expressions.iter().flat_map(|of| &of.nodes).filter_map(|(node, _)| match node {
-                Node::Name(name) => Some(name.as_str()),
+                ExpressionNode::Name(name) => Some(name.as_str()),
                 _ => None,
             }));
         }

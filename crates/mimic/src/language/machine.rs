@@ -1,11 +1,11 @@
 //! A program as the integrator sees it: its derivatives, what it remembers of kept points, and what stopped it.
 
 use super::code::execute;
-use super::origin::Origin;
-use super::program::{Memory, More, Program, State, TIME};
-use super::trouble::{Trouble, eight_digits};
+use super::digits::eight_digits;
+use super::program::{Memory, Program, State, StateRule, TIME};
+use super::trouble::{FaultOrigin, Trouble};
 use crate::step::Attempt;
-use crate::{Cause, DelayError, DelayLine, Parameters, System};
+use crate::{Cause, DelayError, DelayLine, SolverParameters, System};
 use core::cell::Cell;
 use nalgebra::SVector;
 
@@ -13,7 +13,7 @@ use nalgebra::SVector;
 const KEPT: usize = 1 << 20;
 
 /// A delay line, how far apart its entries are at least, and when the last was made.
-pub(super) struct Line {
+pub(super) struct RecordedDelay {
     pub(super) line: DelayLine<KEPT>,
     pub(super) apart: f64,
     pub(super) last: f64,
@@ -23,7 +23,7 @@ pub(super) struct Line {
 pub(super) struct Machine<'a> {
     pub(super) program: &'a Program,
     pub(super) registers: Vec<f64>,
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<RecordedDelay>,
     /// Most entries that all lines may have memory for.
     pub(super) room: usize,
     /// What the held registers had at the last point that was kept.
@@ -182,10 +182,10 @@ impl State {
         }
         let (feed, own) = (of(self.feed), of(self.register));
         match self.more {
-            More::Nothing => feed,
-            More::TimeConstant(constant) => (feed - own) / of(constant),
-            More::Limits([low, high]) if (own <= of(low) && feed < 0.0) || (own >= of(high) && feed > 0.0) => 0.0,
-            More::Limits(_) => feed,
+            StateRule::Nothing => feed,
+            StateRule::TimeConstant(constant) => (feed - own) / of(constant),
+            StateRule::Limits([low, high]) if (own <= of(low) && feed < 0.0) || (own >= of(high) && feed > 0.0) => 0.0,
+            StateRule::Limits(_) => feed,
         }
     }
 }
@@ -238,7 +238,7 @@ impl Machine<'_> {
         time: f64,
         state: &SVector<f64, D>,
         cause: Cause<Stop>,
-        parameters: &Parameters,
+        parameters: &SolverParameters,
     ) -> Trouble {
         let program = self.program;
         match cause {
@@ -274,13 +274,13 @@ impl Machine<'_> {
         time: f64,
         state: &SVector<f64, D>,
         steps: u64,
-        parameters: &Parameters,
-    ) -> Origin {
+        parameters: &SolverParameters,
+    ) -> FaultOrigin {
         let program = self.program;
         let longest = parameters.largest_step;
         if longest < parameters.print_interval && 2.0 * time > longest * steps as f64 {
             let reason = format!("most are as long as DTMAX, {}, allows", eight_digits(longest));
-            return Origin { card: 0, text: String::new(), reason };
+            return FaultOrigin { card: 0, text: String::new(), reason };
         }
         // To locate a change takes less than a hundred steps.
         let memory = self.changed.filter(|_| self.changes >= steps / 100).and_then(|at| program.memories.get(at));
@@ -294,7 +294,7 @@ impl Machine<'_> {
                 })
             }
         };
-        Origin { card, text: program.card_text(card), reason }
+        FaultOrigin { card, text: program.card_text(card), reason }
     }
 
     /// The integral with the largest error in a step.
@@ -303,7 +303,7 @@ impl Machine<'_> {
         time: f64,
         state: &SVector<f64, D>,
         step: f64,
-        parameters: &Parameters,
+        parameters: &SolverParameters,
     ) -> usize {
         let first = self.derivative(time, state).unwrap_or_else(|_| SVector::zeros());
         let attempt = Attempt::new(|time, state| self.derivative(time, state), time, time + step, state, &first);
@@ -318,7 +318,7 @@ impl Machine<'_> {
         state: &SVector<f64, D>,
         step: f64,
         excess: f64,
-        parameters: &Parameters,
+        parameters: &SolverParameters,
     ) -> Trouble {
         let worst = self.worst(time, state, step, parameters);
         let (card, name) = self.program.states.get(worst).map_or((0, String::new()), |of| (of.card, of.name.clone()));
@@ -330,7 +330,11 @@ impl Machine<'_> {
         let program = self.program;
         let Some((odd_time, state)) = self.odd.take() else {
             let reason = "an integral has grown without bound".to_owned();
-            return Trouble::NonFinite { time, origin: Origin { card: 0, text: String::new(), reason }, forced: 0 };
+            return Trouble::NonFinite {
+                time,
+                origin: FaultOrigin { card: 0, text: String::new(), reason },
+                forced: 0,
+            };
         };
         let registers = &mut self.registers;
         registers[TIME as usize] = odd_time;
@@ -343,15 +347,15 @@ impl Machine<'_> {
         execute(&program.each.instructions, registers);
         let odd = program.states.iter().find(|of| !of.rate(registers).is_finite());
         let register = odd.map_or(TIME, |of| match of.more {
-            More::TimeConstant(constant) if registers[of.feed as usize].is_finite() => constant,
+            StateRule::TimeConstant(constant) if registers[of.feed as usize].is_finite() => constant,
             _ => of.feed,
         });
         let origin = match odd {
-            Some(of) if registers[register as usize].is_finite() => Origin {
+            Some(of) if registers[register as usize].is_finite() => FaultOrigin {
                 card: of.card,
                 text: program.card_text(of.card),
                 reason: match of.more {
-                    More::TimeConstant(_) => format!("{} has a time constant of zero", of.name),
+                    StateRule::TimeConstant(_) => format!("{} has a time constant of zero", of.name),
                     _ => format!("the rate of {} is not a number", of.name),
                 },
             },

@@ -4,10 +4,10 @@
 //! Work::Meyer1973, Appendix B, and from one other deck, the predators and prey of an encyclopedia
 //! (<https://en.wikipedia.org/wiki/MIMIC>). Whatever goes beyond these two is assumed: the tables
 //! [`FUNCTIONS`] and [`CARDS`] say of each word where it comes from, and what is open in the running of a deck is a
-//! field of [`Choices`].
+//! field of [`RunOptions`].
 //!
 //! ```
-//! use geneva_mimic::language::{Choices, Deck, Layout, Program};
+//! use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions};
 //!
 //! let deck = Deck::read(
 //!     "* a spring and a damper
@@ -21,10 +21,10 @@
 //!      END
 //!      .5 4.
 //!      0. 4.",
-//!     Layout::Free,
+//!     CardLayout::Free,
 //! )?;
 //! let program = Program::new(&deck)?;
-//! let runs = program.runs(&deck.data_sets()?, &Choices::default())?;
+//! let runs = program.runs(&deck.data_sets()?, &RunOptions::default())?;
 //! assert_eq!(runs[1].columns, ["T", "X"]);
 //! let last = &runs[1].rows[4];
 //! assert!((last[1] - libm::cos(2.0 * last[0])).abs() < 1e-5);
@@ -32,9 +32,9 @@
 //! ```
 //!
 //! From deck to run, a file for each step: `card` parts the text into cards and these into fields, `token` and
-//! `expression` read what stands in them, `deck` puts it together, `graph`, `known` and `sorting` find the order and
-//! what is known before, `types` tells numbers from truths, `compile` makes a `program` of flat `code`, `run` and `machine`
-//! integrate it, and `printout` is what the line printer wrote.
+//! `expression` read what stands in them, `reading` puts it together as a `tree`, `graph`, `known` and `sorting` find the
+//! order and what is known before, `types` tells numbers from truths, `compile` makes a `program` of flat `code`, `run` and
+//! `machine` integrate it, and `printout` is what the line printer wrote.
 
 mod card;
 mod code;
@@ -42,8 +42,9 @@ mod compile;
 mod control;
 mod data;
 mod deck;
+mod diagnostic;
+mod digits;
 mod expression;
-mod fault;
 mod function;
 mod graph;
 mod known;
@@ -55,21 +56,22 @@ mod reading;
 mod run;
 mod sorting;
 mod token;
+mod tree;
 mod trouble;
 mod types;
 
-pub use card::Layout;
+pub use card::CardLayout;
 pub use control::{CARDS, Card};
 pub use data::DataSet;
-pub use deck::{Deck, Plot, listing_in};
-pub use fault::{Fault, Faults, Problem, nearest_to};
-pub use function::{Evidence, FUNCTIONS, Function};
-pub use origin::Origin;
+pub use deck::listing_in;
+pub use diagnostic::{Diagnostic, Diagnostics, Problem, nearest_to};
+pub use function::{BuiltinFunction, FUNCTIONS, WordEvidence};
 pub use printout::{line_plot, print_out};
 pub use program::Program;
-pub use run::{Choices, RememberedPoints, Run, Runs};
-pub use sorting::{Sorted, When};
-pub use trouble::{RunError, Trouble};
+pub use run::{DeckRun, DeckRuns, Plot, RememberedPoints, RunOptions};
+pub use sorting::{Schedule, SortedStatement};
+pub use tree::Deck;
+pub use trouble::{FaultOrigin, RunError, Trouble};
 
 /// The decks of this project, each under its name.
 pub const DECKS: [(&str, &str); 9] = [
@@ -87,10 +89,10 @@ pub const DECKS: [(&str, &str); 9] = [
 /// The text of a deck of this project.
 ///
 /// ```
-/// use geneva_mimic::language::{Deck, Layout, deck_named};
+/// use geneva_mimic::language::{CardLayout, Deck, deck_named};
 ///
 /// let text = deck_named("decay").expect("a deck of this project");
-/// assert!(Deck::read(text, Layout::Free).is_ok());
+/// assert!(Deck::read(text, CardLayout::Free).is_ok());
 /// assert_eq!(deck_named("growth"), None);
 /// ```
 pub fn deck_named(name: &str) -> Option<&'static str> {

@@ -1,29 +1,9 @@
 //! Where a number that is none came from: backwards from where it was seen.
 
 use super::code::Operation;
+use super::digits::eight_digits;
 use super::program::{Code, Program, TIME};
-use super::trouble::eight_digits;
-use core::fmt;
-
-/// The instruction that made it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Origin {
-    /// Its card, counted from 1; 0 if it came with the data.
-    pub card: usize,
-    /// The text of the card.
-    pub text: String,
-    /// What happened.
-    pub reason: String,
-}
-
-impl fmt::Display for Origin {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.card == 0 {
-            return write!(f, "{}", self.reason);
-        }
-        write!(f, "card {} ({}): {}", self.card, self.text, self.reason)
-    }
-}
+use super::trouble::FaultOrigin;
 
 impl Program {
     /// The text of a card.
@@ -33,7 +13,7 @@ impl Program {
     }
 
     /// Where what stands in a register came from, which is no number.
-    pub(super) fn origin(&self, registers: &[f64], register: u32) -> Origin {
+    pub(super) fn origin(&self, registers: &[f64], register: u32) -> FaultOrigin {
         let codes = [&self.each, &self.initial];
         let executed = codes.map(|code| executed(code, registers));
         let mut register = register;
@@ -45,26 +25,26 @@ impl Program {
             });
             let Some((which, at)) = place else { break };
             let instruction = &codes[which].instructions[at];
-            let used = instruction.used(registers);
+            let used = instruction.operands_in_use(registers);
             let next = used.into_iter().find(|of| !registers[*of as usize].is_finite() && *of != register);
             limit = limit.saturating_sub(1);
             // Behind the start an integral has its value from its rate: what it began with is not to blame.
             let grown = next.filter(|_| registers[TIME as usize] > 0.0);
             if let Some(state) = self.states.iter().find(|state| Some(state.register) == grown) {
                 let reason = format!("{} has grown without bound", state.name);
-                return Origin { card: state.card, text: self.card_text(state.card), reason };
+                return FaultOrigin { card: state.card, text: self.card_text(state.card), reason };
             }
             match next.filter(|_| limit > 0) {
                 Some(next) => register = next,
                 None => {
                     let card = codes[which].cards[at] as usize;
-                    return Origin { card, text: self.card_text(card), reason: instruction.reason(registers) };
+                    return FaultOrigin { card, text: self.card_text(card), reason: instruction.reason(registers) };
                 }
             }
         }
         let value = registers[register as usize];
         let name = self.names.iter().find(|(_, of)| *of == register).map_or("a value", |(name, _)| name.as_str());
-        Origin { card: 0, text: String::new(), reason: format!("{name} is {}", eight_digits(value)) }
+        FaultOrigin { card: 0, text: String::new(), reason: format!("{name} is {}", eight_digits(value)) }
     }
 }
 

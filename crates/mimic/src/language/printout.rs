@@ -1,7 +1,6 @@
 //! What the line printer wrote: tables and plots in characters.
 
-use super::deck::Plot;
-use super::run::Run;
+use super::run::{DeckRun, Plot};
 use core::fmt::Write;
 
 /// Characters of a column of numbers, unless its heading is longer.
@@ -24,15 +23,15 @@ fn number(value: f64) -> String {
 /// The print-out of a run: parameters, a table for each OUT card, and the plots.
 ///
 /// ```
-/// use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
+/// use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named, print_out};
 ///
-/// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), Layout::Free)?;
-/// let runs = Program::new(&deck)?.runs(&deck.data_sets()?, &Choices::default())?;
+/// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), CardLayout::Free)?;
+/// let runs = Program::new(&deck)?.runs(&deck.data_sets()?, &RunOptions::default())?;
 /// let page = print_out(&runs[0], "DECAY");
 /// assert!(page.starts_with("DECAY\n") && page.contains(&runs[0].columns[0]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn print_out(run: &Run, title: &str) -> String {
+pub fn print_out(run: &DeckRun, title: &str) -> String {
     let mut page = String::new();
     let _ = writeln!(page, "{title}");
     for (name, value) in &run.parameters {

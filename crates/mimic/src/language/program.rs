@@ -1,11 +1,7 @@
 //! A program: flat code, and what stands in which register.
 
 use super::code::Instruction;
-use super::compile::compiled;
-use super::deck::Deck;
-use super::fault::Faults;
-use super::graph::Graph;
-use super::sorting::Sorted;
+use super::sorting::SortedStatement;
 
 /// Registers with a fixed place: time, the two truths and the steps.
 pub(super) const TIME: u32 = 0;
@@ -44,13 +40,13 @@ pub(super) struct State {
     /// What is integrated; for a lag, what is followed.
     pub(super) feed: u32,
     /// Of a lag, its time constant; of a limited integral, its limits.
-    pub(super) more: More,
+    pub(super) more: StateRule,
     pub(super) control: Option<u32>,
 }
 
 /// What an integral has beside its integrand.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum More {
+pub(super) enum StateRule {
     Nothing,
     TimeConstant(u32),
     Limits([u32; 2]),
@@ -78,7 +74,7 @@ pub(super) struct Sample {
 
 /// A difference quotient: the two values now, and the two at the point before.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Slope {
+pub(super) struct DifferenceQuotient {
     pub(super) now: [u32; 2],
     pub(super) before: [u32; 2],
 }
@@ -118,13 +114,13 @@ pub(super) struct PlotCode {
 /// A deck that is sorted and compiled: it runs as often as there are data.
 ///
 /// ```
-/// use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
+/// use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named};
 ///
 /// // Something decays from 1000 with a half-life of 2, printed every half unit of time.
-/// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), Layout::Free)?;
+/// let deck = Deck::read(deck_named("decay").expect("a deck of this project"), CardLayout::Free)?;
 /// let program = Program::new(&deck)?;
 /// assert_eq!((program.parameters(), program.columns().len()), (vec!["START", "HALF"], 3));
-/// let runs = program.runs(&deck.data_sets()?, &Choices::default())?;
+/// let runs = program.runs(&deck.data_sets()?, &RunOptions::default())?;
 /// assert!((runs[0].rows[4][1] - 500.0).abs() < 0.01); // what is left at the time 2
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -142,7 +138,7 @@ pub struct Program {
     pub(super) states: Vec<State>,
     pub(super) delays: Vec<Delay>,
     pub(super) samples: Vec<Sample>,
-    pub(super) slopes: Vec<Slope>,
+    pub(super) slopes: Vec<DifferenceQuotient>,
     /// Registers that keep their value while no statement sets them.
     pub(super) held: Vec<u32>,
     pub(super) memories: Vec<Memory>,
@@ -152,14 +148,14 @@ pub struct Program {
     pub(super) headings: Vec<Vec<String>>,
     pub(super) outputs: Vec<Vec<(String, u32)>>,
     pub(super) plots: Vec<PlotCode>,
-    pub(super) sorted: Vec<Sorted>,
+    pub(super) sorted: Vec<SortedStatement>,
 }
 
 impl Program {
     /// The registers that decide what counts, and when a run ends: control variables, limits, both sides of FIN.
     pub(super) fn deciding(&self) -> impl Iterator<Item = u32> {
         let limits = self.states.iter().filter_map(|state| match state.more {
-            More::Limits(limits) => Some(limits),
+            StateRule::Limits(limits) => Some(limits),
             _ => None,
         });
         let controls = self.memories.iter().flat_map(|memory| memory.controls.iter().copied());
@@ -167,19 +163,8 @@ impl Program {
         controls.chain(self.states.iter().filter_map(|state| state.control)).chain(limits.flatten()).chain(ends)
     }
 
-    /// Sorts and compiles a deck.
-    ///
-    /// # Errors
-    ///
-    /// All that does not fit together: names that no card defines, definitions that clash, loops, truths for numbers.
-    pub fn new(deck: &Deck) -> Result<Self, Faults> {
-        let mut graph = Graph::new(deck);
-        Faults::among(core::mem::take(&mut graph.faults))?;
-        Ok(compiled(&graph))
-    }
-
     /// The statements in the order in which they are computed.
-    pub fn sorted(&self) -> &[Sorted] {
+    pub fn execution_order(&self) -> &[SortedStatement] {
         &self.sorted
     }
 

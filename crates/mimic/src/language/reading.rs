@@ -1,13 +1,14 @@
 //! How cards are read into a deck.
 
-use super::card::{Fields, LONGEST, Layout, Word, fields, is_comment};
-use super::control::reserved;
-use super::data::DataCard;
-use super::deck::{Deck, Group, Listed, PlotCards, Statement};
-use super::expression::{Expression, Node, Problems, expected, expression, list};
-use super::fault::{Fault, Faults, MOST_FAULTS, Problem};
+use super::card::{CardLayout, Fields, LONGEST, fields, is_comment};
+use super::control::reserved_meaning;
+use super::diagnostic::{Diagnostic, Diagnostics, MOST_FAULTS, Problem};
+use super::expression::{Problems, expression, list, mismatch};
 use super::graph::Graph;
-use super::token::Placed;
+use super::token::PlacedToken;
+use super::tree::{
+    CardExpression, DataCard, Deck, ExpressionCard, ExpressionNode, NameCard, PlotCards, Statement, Word,
+};
 use std::collections::HashSet;
 
 /// Most lines of a deck up to its END, and most names, numbers and signs on them.
@@ -24,8 +25,8 @@ impl Deck {
     /// All that is wrong with its cards, each looked at by itself; then also names that no card defines, and names that
     /// are defined twice. Whatever else is wrong with cards that fit together badly, [`Program::new`](super::Program::new)
     /// tells.
-    pub fn read(text: &str, layout: Layout) -> Result<Self, Faults> {
-        let mut reading = Reading {
+    pub fn read(text: &str, layout: CardLayout) -> Result<Self, Diagnostics> {
+        let mut reading = DeckReader {
             deck: Self::empty(text),
             faults: Vec::new(),
             lost: HashSet::new(),
@@ -47,7 +48,7 @@ impl Deck {
             };
             if let Some(problem) = too_large {
                 let fault = reading.deck.fault(number, 0..1, problem);
-                return Err(Faults(reading.faults.into_iter().chain([fault]).collect()));
+                return Err(Diagnostics(reading.faults.into_iter().chain([fault]).collect()));
             }
             if is_comment(&card, layout) {
                 reading.note_a_hidden_statement(number, &card, layout);
@@ -60,7 +61,7 @@ impl Deck {
         if !reading.faults.is_empty() {
             reading.add_what_else_is_wrong();
         }
-        Faults::among(reading.faults)?;
+        Diagnostics::check(reading.faults)?;
         Ok(reading.deck)
     }
 
@@ -96,9 +97,9 @@ fn words_on(card: &[char]) -> usize {
 }
 
 /// A deck while it is read.
-struct Reading {
+struct DeckReader {
     deck: Deck,
-    faults: Vec<Fault>,
+    faults: Vec<Diagnostic>,
     /// Whether there is a FIN card, and an OUT or PLO card, be it one that cannot be read.
     has_end_card: bool,
     has_print_card: bool,
@@ -109,7 +110,7 @@ struct Reading {
     has_lost_output: bool,
 }
 
-impl Reading {
+impl DeckReader {
     fn all(&mut self, card: usize, problems: Problems) {
         let room = MOST_FAULTS.saturating_sub(self.faults.len());
         for (columns, problem) in problems.into_iter().take(room) {
@@ -119,18 +120,18 @@ impl Reading {
     }
 
     /// Reads a card; whether it was END.
-    fn card(&mut self, number: usize, card: &[char], layout: Layout) -> bool {
+    fn card(&mut self, number: usize, card: &[char], layout: CardLayout) -> bool {
         match fields(card, layout) {
             Err(problems) => {
                 let (tokens, _) = super::token::tokens(card, 0..card.len().min(LONGEST));
-                let first = tokens.first().and_then(Placed::name).unwrap_or("");
+                let first = tokens.first().and_then(PlacedToken::name).unwrap_or("");
                 self.seen(first);
                 self.has_lost_output |= first == "OUT";
-                self.lost.extend(tokens.iter().filter_map(Placed::name).map(str::to_owned));
+                self.lost.extend(tokens.iter().filter_map(PlacedToken::name).map(str::to_owned));
                 self.all(number, problems);
             }
             Ok(Fields::Statement { control, result, expression: tokens }) => {
-                if let Some(what) = reserved(&result.name) {
+                if let Some(what) = reserved_meaning(&result.name) {
                     let problem = Problem::Reserved { name: result.name.clone(), what };
                     self.all(number, vec![(result.at.clone(), problem)]);
                 }
@@ -140,7 +141,7 @@ impl Reading {
                     }
                     Err(problems) => {
                         // The name is defined all the same: those who use it are not to blame.
-                        let expression = Expression::number(1.0, 0..0);
+                        let expression = CardExpression::number(1.0, 0..0);
                         self.deck.statements.push(Statement { card: number, control, result, expression });
                         for (_, problem) in &problems {
                             if let Problem::CardInExpression(word) = problem {
@@ -161,19 +162,19 @@ impl Reading {
         self.has_print_card |= word == "OUT" || word == "PLO";
     }
 
-    fn control(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char]) -> bool {
+    fn control(&mut self, card: usize, word: &Word, rest: &[PlacedToken], text: &[char]) -> bool {
         self.seen(&word.name);
         match word.name.as_str() {
             "END" => return true,
             "CON" | "PAR" => {
                 if let Some(names) = self.names(card, word, rest, text, 1) {
                     for name in &names {
-                        if let Some(what) = reserved(&name.name) {
+                        if let Some(what) = reserved_meaning(&name.name) {
                             let problem = Problem::Reserved { name: name.name.clone(), what };
                             self.all(card, vec![(name.at.clone(), problem)]);
                         }
                     }
-                    self.deck.groups.push(Group { card, each_run: word.name == "PAR", names });
+                    self.deck.groups.push(NameCard { card, each_run: word.name == "PAR", names });
                 }
             }
             "OUT" => match self.names(card, word, rest, text, 1) {
@@ -198,18 +199,25 @@ impl Reading {
     }
 
     /// The names between parentheses.
-    fn names(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char], least: usize) -> Option<Vec<Word>> {
+    fn names(
+        &mut self,
+        card: usize,
+        word: &Word,
+        rest: &[PlacedToken],
+        text: &[char],
+        least: usize,
+    ) -> Option<Vec<Word>> {
         let read = list(rest, text.len());
         let expressions = read
             .map_err(|problems| {
-                self.lost.extend(rest.iter().filter_map(Placed::name).map(str::to_owned));
+                self.lost.extend(rest.iter().filter_map(PlacedToken::name).map(str::to_owned));
                 self.all(card, problems);
             })
             .ok()?;
         let mut names = Vec::new();
         for expression in &expressions {
             match &expression.nodes[..] {
-                [(Node::Name(name), at)] => names.push(Word { name: name.clone(), at: at.clone() }),
+                [(ExpressionNode::Name(name), at)] => names.push(Word { name: name.clone(), at: at.clone() }),
                 _ => {
                     let found = "an expression".to_owned();
                     let problem = Problem::Expected { expected: "a name", found };
@@ -242,15 +250,15 @@ impl Reading {
             }
             None => {
                 let end = word.at.end + text.chars().count();
-                self.all(card, vec![(end..end + 1, expected("a closing parenthesis", None))]);
+                self.all(card, vec![(end..end + 1, mismatch("a closing parenthesis", None))]);
             }
         }
     }
 
     /// FIN, SCA and ZER.
-    fn listed(&mut self, card: usize, word: &Word, expressions: Vec<Expression>) {
+    fn listed(&mut self, card: usize, word: &Word, expressions: Vec<CardExpression>) {
         let given = expressions.len();
-        let listed = Listed { card, expressions };
+        let listed = ExpressionCard { card, expressions };
         if word.name == "FIN" {
             if given != 2 {
                 return self.count(
@@ -279,20 +287,20 @@ impl Reading {
     }
 
     /// A comment that reads as a statement is told: a C in column 1 may be meant for a name.
-    fn note_a_hidden_statement(&mut self, number: usize, card: &[char], layout: Layout) {
+    fn note_a_hidden_statement(&mut self, number: usize, card: &[char], layout: CardLayout) {
         if !matches!(card.first(), Some('C' | 'c')) {
             return;
         }
         let hidden = match layout {
-            Layout::Free => {
+            CardLayout::Free => {
                 let (tokens, problems) = super::token::tokens(card, 1..card.len());
                 let tokens = &tokens[usize::from(tokens.first().is_some_and(|first| first.is('=')))..];
                 let is_expression = problems.is_empty() && !tokens.is_empty() && expression(tokens, card.len()).is_ok();
                 is_expression.then(|| "to define C".to_owned())
             }
             // A C with blanks behind it is a card that was taken out.
-            Layout::Columns if card.get(1).is_none_or(|next| next.is_whitespace()) => None,
-            Layout::Columns => match fields(card, layout) {
+            CardLayout::Columns if card.get(1).is_none_or(|next| next.is_whitespace()) => None,
+            CardLayout::Columns => match fields(card, layout) {
                 Ok(Fields::Control { word, .. }) => Some(format!("a {} card", word.name)),
                 Ok(Fields::Statement { control: Some(control), expression: tokens, .. }) => {
                     expression(&tokens, card.len()).is_ok().then(|| format!("to count under {}", control.name))
@@ -304,7 +312,7 @@ impl Reading {
             let note = format!(
                 "card {number} is a comment, because it has a C in column 1; if it is {meant}, begin it in column 2"
             );
-            if layout == Layout::Free {
+            if layout == CardLayout::Free {
                 self.deck.hidden_c.get_or_insert_with(|| note.clone());
             }
             self.deck.notes.push(note);
@@ -314,7 +322,7 @@ impl Reading {
     /// Faults that are no consequence of those that were found: so that all can be mended at once.
     fn add_what_else_is_wrong(&mut self) {
         let graph = Graph::new(&self.deck);
-        let is_another = |fault: &Fault| match &fault.problem {
+        let is_another = |fault: &Diagnostic| match &fault.problem {
             Problem::UnknownName { name, .. } => !self.lost.contains(name),
             Problem::DefinedTwice { .. } => true,
             _ => false,
@@ -327,7 +335,7 @@ impl Reading {
         let (has_end_card, has_print_card) = (self.has_end_card, self.has_print_card);
         let mut missing = |card, why| {
             let problem = Problem::Missing { card, why };
-            self.faults.push(Fault { file: None, card: 0, columns: 0..0, text: String::new(), problem });
+            self.faults.push(Diagnostic { file: None, card: 0, columns: 0..0, text: String::new(), problem });
         };
         if !ended {
             missing("END", "put one after the last card, and data cards after it");

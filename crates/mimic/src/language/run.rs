@@ -2,11 +2,11 @@
 
 use super::code::execute;
 use super::data::DataSet;
-use super::deck::Plot;
-use super::machine::{Line, Machine, Stop};
+use super::digits::eight_digits;
+use super::machine::{Machine, RecordedDelay, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
-use super::trouble::{RunError, Trouble, eight_digits};
-use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, Work};
+use super::trouble::{RunError, Trouble};
+use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, SolverParameters, SolverStats};
 use core::cell::Cell;
 use nalgebra::SVector;
 
@@ -38,13 +38,13 @@ pub enum RememberedPoints {
 
 /// Choices that the two decks and their texts leave open.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choices {
+pub struct RunOptions {
     /// Parameters of the integrator. Its print interval is DT where no DT card is; its run length and its least, greatest and
     /// first step are not used, because FIN, DTMIN and DTMAX give them.
     ///
-    /// Default: that of [`Parameters`], but a step that cannot be made smaller is kept, and counted: a deck may have
+    /// Default: that of [`SolverParameters`], but a step that cannot be made smaller is kept, and counted: a deck may have
     /// switches, and to pass one within the tolerance may take a step shorter than any.
-    pub integrator: Parameters,
+    pub integrator: SolverParameters,
     /// How a delay reads between the values that it keeps. Default: linearly.
     pub interpolation: Interpolation,
     /// How a delay reads behind its latest value, where a step is longer than the delay. Default: it holds the latest.
@@ -57,11 +57,11 @@ pub struct Choices {
     pub at_once: usize,
 }
 
-impl Default for Choices {
+impl Default for RunOptions {
     fn default() -> Self {
-        let at_smallest_step = crate::AtSmallestStep::Continue;
+        let at_smallest_step = crate::MinStepPolicy::Continue;
         Self {
-            integrator: Parameters { at_smallest_step, ..Parameters::new(0.1, 0.1) },
+            integrator: SolverParameters { at_smallest_step, ..SolverParameters::new(0.1, 0.1) },
             interpolation: Interpolation::Linear,
             extrapolation: Extrapolation::Hold,
             remembered: RememberedPoints::All,
@@ -70,9 +70,20 @@ impl Default for Choices {
     }
 }
 
+/// Plot of one run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// What is plotted against what: X, then the others.
+    pub names: Vec<String>,
+    /// Of each, the change from line to line or from column to column, in its own unit; none to choose it.
+    pub scale: Option<Vec<f64>>,
+    /// Of each, the value on the first line or in the first column, in its own unit; none to choose it.
+    pub zero: Option<Vec<f64>>,
+}
+
 /// Printed result of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct DeckRun {
     /// The names of CON and PAR with their numbers, each in its own unit.
     pub parameters: Vec<(String, f64)>,
     /// The words of each HDR card.
@@ -86,27 +97,27 @@ pub struct Run {
     /// The plots, and the values of their names at each printed point, each in its own unit.
     pub plots: Vec<(Plot, Vec<Vec<f64>>)>,
     /// Steps and evaluations.
-    pub work: Work,
+    pub work: SolverStats,
     /// Kept steps that were longer than the delay of a TDL: it then gave its latest value, less long ago than it says.
     pub longer_than_delay: u64,
 }
 
 /// The runs of a deck one after another, and what they come to together.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Runs {
-    runs: Vec<Run>,
+pub struct DeckRuns {
+    runs: Vec<DeckRun>,
     numbers: u64,
     work: u64,
 }
 
-impl Runs {
+impl DeckRuns {
     /// Adds the next run of a program, whether it was made or not.
     ///
     /// # Errors
     ///
     /// Its [`Trouble`], or [`Trouble::TooMuch`] if with it all runs print more numbers or take more steps than can be;
     /// with its number, counted from 1. A single run has its own bounds.
-    pub fn add(&mut self, program: &Program, run: Result<Run, Trouble>) -> Result<(), RunError> {
+    pub fn add(&mut self, program: &Program, run: Result<DeckRun, Trouble>) -> Result<(), RunError> {
         let number = self.runs.len() + 1;
         let refused = |trouble| RunError { number, trouble };
         let run = run.map_err(refused)?;
@@ -130,7 +141,7 @@ impl Runs {
     }
 
     /// All runs that were added.
-    pub fn into_inner(self) -> Vec<Run> {
+    pub fn into_inner(self) -> Vec<DeckRun> {
         self.runs
     }
 }
@@ -141,8 +152,8 @@ impl Program {
     /// # Errors
     ///
     /// The first [`Trouble`], with the number of its set.
-    pub fn runs(&self, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
-        let mut runs = Runs::default();
+    pub fn runs(&self, sets: &[DataSet], choices: &RunOptions) -> Result<Vec<DeckRun>, RunError> {
+        let mut runs = DeckRuns::default();
         for set in sets {
             runs.add(self, self.run(set, choices))?;
         }
@@ -171,7 +182,7 @@ impl Program {
     /// # Errors
     ///
     /// [`Trouble`] for numbers that are missing or out of their range, and for whatever stops the run.
-    pub fn run(&self, set: &DataSet, choices: &Choices) -> Result<Run, Trouble> {
+    pub fn run(&self, set: &DataSet, choices: &RunOptions) -> Result<DeckRun, Trouble> {
         if self.delays.len() > MOST_DELAYS {
             return Err(Trouble::TooMany { what: "delays", asked: self.delays.len(), most: MOST_DELAYS });
         }
@@ -185,8 +196,8 @@ impl Program {
         }
     }
 
-    fn run_in<const D: usize>(&self, set: &DataSet, choices: &Choices) -> Result<Run, Trouble> {
-        let mut registers = self.begun(set, choices)?;
+    fn run_in<const D: usize>(&self, set: &DataSet, choices: &RunOptions) -> Result<DeckRun, Trouble> {
+        let mut registers = self.initial_registers(set, choices)?;
         let (parameters, has_end) = self.integrator(&registers, choices)?;
         let watched: Vec<u32> = self
             .outputs
@@ -230,10 +241,10 @@ impl Program {
             last_time = point.time;
         });
         let work = match outcome {
-            Ok(_) if has_end => Ok(outcome.map_or(Work::default(), |outcome| outcome.work)),
+            Ok(_) if has_end => Ok(outcome.map_or(SolverStats::default(), |outcome| outcome.work)),
             Ok(outcome) => Err(Trouble::TooManyRows { time: outcome.last.time, rows: outcome.last.index }),
             Err(IntegrationError::Parameter(error)) => Err(Trouble::Integrator(error)),
-            Err(IntegrationError::Stopped(stopped)) => match stopped.cause {
+            Err(IntegrationError::EarlyStop(stopped)) => match stopped.cause {
                 Cause::System(Stop::Finished) => {
                     // The end is printed, though it is no multiple of DT.
                     if rows.is_empty() || latest_time.get() > last_time {
@@ -243,15 +254,15 @@ impl Program {
                 }
                 cause => {
                     let trouble = machine.trouble(stopped.time, &stopped.state, cause, &parameters);
-                    Err(trouble.after_forced_steps(stopped.work.forced))
+                    Err(trouble.with_forced_steps(stopped.work.forced))
                 }
             },
         }?;
-        Ok(Run { longer_than_delay: machine.longer_than_delay, ..self.result(rows, &machine.registers, work) })
+        Ok(DeckRun { longer_than_delay: machine.longer_than_delay, ..self.result(rows, &machine.registers, work) })
     }
 
     /// The registers at the beginning of a run: data, what is known before, and what the integrals begin with.
-    fn begun(&self, set: &DataSet, choices: &Choices) -> Result<Vec<f64>, Trouble> {
+    fn initial_registers(&self, set: &DataSet, choices: &RunOptions) -> Result<Vec<f64>, Trouble> {
         let mut registers = self.registers.clone();
         for (name, register) in &self.parameters {
             let value = set.0.iter().rev().find(|(of, _)| of == name).map(|(_, value)| *value);
@@ -279,7 +290,7 @@ impl Program {
     }
 
     /// How the integrator is to go, and whether the end of the run is known before it.
-    fn integrator(&self, registers: &[f64], choices: &Choices) -> Result<(Parameters, bool), Trouble> {
+    fn integrator(&self, registers: &[f64], choices: &RunOptions) -> Result<(SolverParameters, bool), Trouble> {
         let [interval, smallest, largest] = self.steps.map(|(register, _)| registers[register as usize]);
         let refused = |name, value, allowed| Err(Trouble::Step { name, value, allowed });
         for (name, value) in [("DT", interval), ("DTMIN", smallest), ("DTMAX", largest)] {
@@ -324,13 +335,13 @@ impl Program {
                 "to the end at T = {} there would be more than {most_steps} steps, which is the most{}; give a \
                  longer {name} or an earlier FIN",
                 eight_digits(end),
-                self.what_steps_have(choices)
+                self.load_of_a_step(choices)
             );
             return refused(name, longest, allowed);
         }
         // A run whose end is not known before goes on until a value stops it, or rows without end do.
         let run_length = end.unwrap_or(interval * (most_steps as f64).min(self.most_rows(choices.at_once)));
-        let parameters = Parameters {
+        let parameters = SolverParameters {
             most_steps,
             print_interval: interval,
             run_length,
@@ -343,14 +354,18 @@ impl Program {
     }
 
     /// Why a run has fewer steps than any may have, in words; empty if it has as many.
-    fn what_steps_have(&self, choices: &Choices) -> String {
+    fn load_of_a_step(&self, choices: &RunOptions) -> String {
         if MOST_WORK / self.parts_of_a_step() >= choices.integrator.most_steps {
             return String::new();
         }
-        format!(" with {} and {}", counted(self.states.len(), "integral"), counted(self.delays.len(), "TDL"))
+        format!(
+            " with {} and {}",
+            count_with_noun(self.states.len(), "integral"),
+            count_with_noun(self.delays.len(), "TDL")
+        )
     }
 
-    fn lines(&self, registers: &[f64], choices: &Choices) -> Result<Vec<Line>, Trouble> {
+    fn lines(&self, registers: &[f64], choices: &RunOptions) -> Result<Vec<RecordedDelay>, Trouble> {
         let line = |delay: &Delay| {
             let length = registers[delay.delay as usize];
             let line = DelayLine::new(length, 0.0, choices.interpolation, choices.extrapolation);
@@ -361,12 +376,12 @@ impl Program {
                 RememberedPoints::AsAsked if points >= 1.0 => length / points,
                 _ => 0.0,
             };
-            Ok(Line { line, apart, last: f64::NEG_INFINITY })
+            Ok(RecordedDelay { line, apart, last: f64::NEG_INFINITY })
         };
         self.delays.iter().map(line).collect()
     }
 
-    fn result(&self, rows: Vec<Vec<f64>>, registers: &[f64], work: Work) -> Run {
+    fn result(&self, rows: Vec<Vec<f64>>, registers: &[f64], work: SolverStats) -> DeckRun {
         let columns = self.columns();
         let mut from = columns.len();
         let plots = self.plots.iter().map(|plot| {
@@ -376,7 +391,7 @@ impl Program {
         });
         let plots = plots.collect();
         let parameters = self.parameters.iter().map(|(name, register)| (name.clone(), registers[*register as usize]));
-        Run {
+        DeckRun {
             parameters: parameters.collect(),
             headings: self.headings.clone(),
             widths: self.outputs.iter().map(Vec::len).collect(),
@@ -396,7 +411,7 @@ impl Program {
 }
 
 /// "1 integral", "2 integrals".
-fn counted(number: usize, thing: &str) -> String {
+fn count_with_noun(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 || thing == "TDL" { "" } else { "s" })
 }
 

@@ -75,7 +75,7 @@ pub(super) fn circle(group: &[usize], needs: &[Vec<usize>]) -> Vec<usize> {
 
 /// One statement in the sorted program.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sorted {
+pub struct SortedStatement {
     /// Its card, counted from 1.
     pub card: usize,
     /// Its place among the statements of the deck.
@@ -85,14 +85,14 @@ pub struct Sorted {
     /// The control variable that it stands under.
     pub control: Option<String>,
     /// When it is computed.
-    pub when: When,
+    pub when: Schedule,
     /// Whether nothing that is printed, plotted or integrated, nor the end of the run, depends on it.
     pub is_dead: bool,
 }
 
 /// When a statement is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum When {
+pub enum Schedule {
     /// Once in a run: all that it needs is known before.
     Once,
     /// At every evaluation of the derivatives.

@@ -1,11 +1,11 @@
 //! What stands on a card: names, numbers and signs, each with its columns.
 
-use super::fault::{Problem, is_unprintable};
+use super::diagnostic::{Problem, is_unprintable};
 use core::ops::Range;
 
 /// A name, a number or a sign.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Token {
+pub(super) enum CardToken {
     /// A name, in capitals.
     Name(String),
     /// A number.
@@ -16,20 +16,20 @@ pub(super) enum Token {
 
 /// A token and its columns, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Placed {
-    pub(super) token: Token,
+pub(super) struct PlacedToken {
+    pub(super) token: CardToken,
     pub(super) at: Range<usize>,
 }
 
-impl Placed {
+impl PlacedToken {
     /// Its name, if it is one.
     pub(super) fn name(&self) -> Option<&str> {
-        if let Token::Name(name) = &self.token { Some(name) } else { None }
+        if let CardToken::Name(name) = &self.token { Some(name) } else { None }
     }
 
     /// Whether it is this sign.
     pub(super) fn is(&self, sign: char) -> bool {
-        self.token == Token::Sign(sign)
+        self.token == CardToken::Sign(sign)
     }
 
     /// Whether it is one of these signs.
@@ -40,16 +40,16 @@ impl Placed {
     /// As it is told in messages.
     pub(super) fn words(&self) -> String {
         match &self.token {
-            Token::Name(name) => format!("the name {name}"),
-            Token::Number(number) => format!("the number {number}"),
-            Token::Sign('^') => "**".to_owned(),
-            Token::Sign(sign) => sign.to_string(),
+            CardToken::Name(name) => format!("the name {name}"),
+            CardToken::Number(number) => format!("the number {number}"),
+            CardToken::Sign('^') => "**".to_owned(),
+            CardToken::Sign(sign) => sign.to_string(),
         }
     }
 }
 
 /// The tokens of some columns of a card, and what cannot be read of them.
-pub(super) fn tokens(card: &[char], columns: Range<usize>) -> (Vec<Placed>, Vec<(Range<usize>, Problem)>) {
+pub(super) fn tokens(card: &[char], columns: Range<usize>) -> (Vec<PlacedToken>, Vec<(Range<usize>, Problem)>) {
     let (mut found, mut problems) = (Vec::new(), Vec::new());
     let mut at = columns.start;
     let end = columns.end.min(card.len());
@@ -66,25 +66,25 @@ pub(super) fn tokens(card: &[char], columns: Range<usize>) -> (Vec<Placed>, Vec<
             let is_name =
                 !text.contains('.') && text.chars().any(|sign| sign.is_ascii_alphabetic()) && !is_exponent(&text);
             if is_name {
-                Token::Name(text)
+                CardToken::Name(text)
             } else if let Some(number) = text.parse().ok().filter(|number: &f64| number.is_finite()) {
-                Token::Number(number)
+                CardToken::Number(number)
             } else {
                 problems.push((start..at, Problem::Number(text)));
-                Token::Number(1.0)
+                CardToken::Number(1.0)
             }
         } else if sign == '*' && card.get(start + 1) == Some(&'*') && start + 1 < end {
             at = start + 2;
-            Token::Sign('^')
+            CardToken::Sign('^')
         } else {
             at = start + 1;
             if !"+-*/(),=".contains(sign) {
                 problems.push((start..at, Problem::Sign(sign)));
                 continue;
             }
-            Token::Sign(sign)
+            CardToken::Sign(sign)
         };
-        found.push(Placed { token, at: start..at });
+        found.push(PlacedToken { token, at: start..at });
     }
     (found, problems)
 }

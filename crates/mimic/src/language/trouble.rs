@@ -1,8 +1,29 @@
 //! What can stop a run, in words: the card and the time.
 
-use super::origin::Origin;
+use super::digits::eight_digits;
 use crate::DelayError;
+use core::fmt;
 use thiserror::Error;
+
+/// Where a number that is none came from: the instruction that made it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FaultOrigin {
+    /// Its card, counted from 1; 0 if it came with the data.
+    pub card: usize,
+    /// The text of the card.
+    pub text: String,
+    /// What happened.
+    pub reason: String,
+}
+
+impl fmt::Display for FaultOrigin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.card == 0 {
+            return write!(f, "{}", self.reason);
+        }
+        write!(f, "card {} ({}): {}", self.card, self.text, self.reason)
+    }
+}
 
 /// Why a run was not begun, or not ended.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -57,7 +78,7 @@ pub enum Trouble {
         /// When, in the unit of T.
         time: f64,
         /// Where it came from.
-        origin: Origin,
+        origin: FaultOrigin,
         /// Steps before it that were as short as DTMIN allows and missed the tolerance.
         forced: u64,
     },
@@ -94,7 +115,7 @@ pub enum Trouble {
         /// The bound.
         steps: u64,
         /// What makes the steps short.
-        origin: Origin,
+        origin: FaultOrigin,
     },
     /// The limit of printed rows is reached.
     #[error(
@@ -182,7 +203,7 @@ pub enum Trouble {
 
 impl Trouble {
     /// Adds the number of steps before it that missed the tolerance.
-    pub(super) fn after_forced_steps(self, steps: u64) -> Self {
+    pub(super) fn with_forced_steps(self, steps: u64) -> Self {
         match self {
             Self::NonFinite { time, origin, .. } => Self::NonFinite { time, origin, forced: steps },
             other => other,
@@ -190,15 +211,8 @@ impl Trouble {
     }
 }
 
-/// A number in a message: eight significant digits, and a power of ten rather than a row of zeros.
-pub(super) fn eight_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.7e}").parse().unwrap_or(value);
-    let text = format!("{rounded:?}");
-    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
-}
-
 /// What to do about a value that is no number, where its origin does not say.
-fn way_out(time: f64, origin: &Origin) -> &'static str {
+fn way_out(time: f64, origin: &FaultOrigin) -> &'static str {
     match time {
         _ if origin.reason.contains("; ") => "",
         0.0 => "; give other numbers on the cards or as data",

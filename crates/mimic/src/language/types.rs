@@ -1,8 +1,8 @@
 //! Numbers and truths: which of the two a name is, and whether it is used as that.
 
-use super::expression::{Expression, Node};
-use super::fault::Problem;
-use super::function::{FUNCTIONS, Takes};
+use super::diagnostic::Problem;
+use super::function::{FUNCTIONS, Signature};
+use super::tree::{CardExpression, ExpressionNode};
 use core::ops::Range;
 
 /// What a value is.
@@ -32,7 +32,7 @@ impl Type {
 /// The type of each node, and what does not fit. A name whose type is not known yet is taken for a number: it is one
 /// that an INT or a TDL of a later card gives.
 pub(super) fn types(
-    expression: &Expression,
+    expression: &CardExpression,
     of_name: impl Fn(&str) -> Option<Type>,
 ) -> (Type, Vec<(Range<usize>, Problem)>) {
     let mut problems = Vec::new();
@@ -44,30 +44,30 @@ pub(super) fn types(
             }
         };
         let kind = match node {
-            Node::Number(_) => Type::Number,
-            Node::Name(name) => of_name(name).unwrap_or(Type::Number),
-            Node::Negative(part) => {
+            ExpressionNode::Number(_) => Type::Number,
+            ExpressionNode::Name(name) => of_name(name).unwrap_or(Type::Number),
+            ExpressionNode::Negative(part) => {
                 check(*part, Type::Number, &|| "what a sign stands before".to_owned());
                 Type::Number
             }
-            Node::Binary(_, parts) => {
+            ExpressionNode::Binary(_, parts) => {
                 for part in parts {
                     check(*part, Type::Number, &|| "what is computed with".to_owned());
                 }
                 Type::Number
             }
-            Node::Call(function, arguments) => {
+            ExpressionNode::Call(function, arguments) => {
                 let function = &FUNCTIONS[*function];
                 let first_own = match function.takes {
-                    Takes::Numbers => Type::Number,
-                    Takes::Truths => Type::Truth,
-                    Takes::NumberThenAlike | Takes::TruthThenAlike => found[arguments[1]],
+                    Signature::Numbers => Type::Number,
+                    Signature::Truths => Type::Truth,
+                    Signature::NumberThenAlike | Signature::TruthThenAlike => found[arguments[1]],
                 };
                 let letters = ["A", "B", "C", "D"];
                 for (at, argument) in arguments.iter().enumerate() {
                     let wanted = match (function.takes, at) {
-                        (Takes::NumberThenAlike, 0) => Type::Number,
-                        (Takes::TruthThenAlike, 0) => Type::Truth,
+                        (Signature::NumberThenAlike, 0) => Type::Number,
+                        (Signature::TruthThenAlike, 0) => Type::Truth,
                         _ => first_own,
                     };
                     let letter = letters.get(at).copied().unwrap_or("every argument");

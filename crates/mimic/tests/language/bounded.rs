@@ -3,8 +3,8 @@
 //! `GENEVA_FUZZ` says how many random decks are tried, and `GENEVA_FUZZ_SEED` which.
 
 use fastrand::Rng;
-use geneva_mimic::Parameters;
-use geneva_mimic::language::{Choices, DECKS, DataSet, Deck, FUNCTIONS, Layout, Program, print_out};
+use geneva_mimic::SolverParameters;
+use geneva_mimic::language::{CardLayout, DECKS, DataSet, Deck, FUNCTIONS, Program, RunOptions, print_out};
 
 /// One of several words.
 fn pick<'a>(dice: &mut Rng, all: &[&'a str]) -> &'a str {
@@ -39,16 +39,16 @@ fn assert_is_plain(told: &str) {
 }
 
 /// A run that cannot take long.
-fn short() -> Choices {
-    let usual = Choices::default();
-    Choices { integrator: Parameters { most_steps: 2000, ..usual.integrator }, ..usual }
+fn short() -> RunOptions {
+    let usual = RunOptions::default();
+    RunOptions { integrator: SolverParameters { most_steps: 2000, ..usual.integrator }, ..usual }
 }
 
 /// Reads, compiles and runs a text in both layouts; how far it came.
 fn go(text: &str) -> usize {
     let mut far = 0;
     let _tried = Tried(text);
-    for layout in [Layout::Columns, Layout::Free, Layout::of(text)] {
+    for layout in [CardLayout::Columns, CardLayout::Free, CardLayout::detect(text)] {
         let deck = match Deck::read(text, layout) {
             Ok(deck) => deck,
             Err(faults) => {
@@ -204,7 +204,7 @@ fn long_and_deep_texts_end() {
 #[test]
 fn texts_that_would_fill_the_memory_are_refused() {
     let sets = |text: &str| {
-        let deck = Deck::read(text, Layout::Free).unwrap_or_else(|faults| panic!("{faults}"));
+        let deck = Deck::read(text, CardLayout::Free).unwrap_or_else(|faults| panic!("{faults}"));
         deck.data_sets().expect_err("too much").to_string()
     };
     let names = |from: usize| (from..from + 200).map(|number| format!("A{number}")).collect::<Vec<_>>().join(",");
@@ -221,13 +221,14 @@ fn texts_that_would_fill_the_memory_are_refused() {
         "{repeated}"
     );
     // Lines, and faults.
-    let lines = Deck::read(&" A 1.\n".repeat(300_000), Layout::Free).expect_err("too many");
+    let lines = Deck::read(&" A 1.\n".repeat(300_000), CardLayout::Free).expect_err("too many");
     assert!(lines.to_string().ends_with("    ^") && lines.to_string().contains("at most 110000 lines"), "{lines}");
     let words =
-        Deck::read(&format!(" A 1.{}\n", "+1.*T".repeat(100)).repeat(3000), Layout::Free).expect_err("too many");
+        Deck::read(&format!(" A 1.{}\n", "+1.*T".repeat(100)).repeat(3000), CardLayout::Free).expect_err("too many");
     assert!(words.to_string().contains("more than 910000 names, numbers and signs"), "{words}");
-    let unknown = Deck::read(&format!(" OUT({})\n", ["B"; 400].join(",")).repeat(500), Layout::Free).expect_err("no B");
+    let unknown =
+        Deck::read(&format!(" OUT({})\n", ["B"; 400].join(",")).repeat(500), CardLayout::Free).expect_err("no B");
     assert!(unknown.0.len() < 60_000, "{}", unknown.0.len());
-    let faults = Deck::read(&format!(" {}\n", "$".repeat(900)).repeat(1000), Layout::Free).expect_err("too many");
+    let faults = Deck::read(&format!(" {}\n", "$".repeat(900)).repeat(1000), CardLayout::Free).expect_err("too many");
     assert!((50_000..51_000).contains(&faults.0.len()), "{}", faults.0.len());
 }

@@ -1,7 +1,7 @@
 //! Fields, comments, numbers and data: how a text becomes a deck.
 
 use super::{deck, last, runs, told};
-use geneva_mimic::language::{Deck, Layout, Program, listing_in};
+use geneva_mimic::language::{CardLayout, Deck, Program, listing_in};
 
 #[test]
 fn a_card_means_the_same_in_columns_and_without() {
@@ -19,7 +19,7 @@ fn a_card_means_the_same_in_columns_and_without() {
  7.
 <EOF>
 ";
-    assert_eq!(Layout::of(in_columns), Layout::Columns);
+    assert_eq!(CardLayout::detect(in_columns), CardLayout::Columns);
     let free: String = in_columns
         .lines()
         .map(|line| {
@@ -27,9 +27,9 @@ fn a_card_means_the_same_in_columns_and_without() {
             format!("{}{}\n", if comment { "" } else { " " }, line.split_whitespace().collect::<Vec<_>>().join(" "))
         })
         .collect();
-    assert_eq!(Layout::of(&free), Layout::Free);
+    assert_eq!(CardLayout::detect(&free), CardLayout::Free);
     let run = |text: &str| {
-        let deck = Deck::read(text, Layout::of(text)).unwrap_or_else(|faults| panic!("{faults}"));
+        let deck = Deck::read(text, CardLayout::detect(text)).unwrap_or_else(|faults| panic!("{faults}"));
         let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{faults}"));
         let program = Program::new(&deck).unwrap_or_else(|faults| panic!("{faults}"));
         program.run(&sets[0], &Default::default()).unwrap_or_else(|trouble| panic!("{trouble}"))
@@ -42,11 +42,11 @@ fn a_card_means_the_same_in_columns_and_without() {
 fn what_crosses_a_column_is_told() {
     let crossing =
         "         RESULT12345 = 2.\n                  OUT(T)\n                  FIN(T,1.)\n                  END\n";
-    assert_eq!(Layout::of(crossing), Layout::Free);
-    let faults = Deck::read(crossing, Layout::Columns).expect_err("it crosses").to_string();
+    assert_eq!(CardLayout::detect(crossing), CardLayout::Free);
+    let faults = Deck::read(crossing, CardLayout::Columns).expect_err("it crosses").to_string();
     assert!(faults.contains("in a deck with columns"), "{faults}");
     let early = "  X = 2.\n                  OUT(X)\n                  FIN(T,1.)\n                  END\n";
-    let faults = Deck::read(early, Layout::Columns).expect_err("no result").to_string();
+    let faults = Deck::read(early, CardLayout::Columns).expect_err("no result").to_string();
     assert!(faults.contains("expected"), "{faults}");
 }
 

@@ -1,7 +1,7 @@
 //! What single instructions do: switches, limits, truths, and values that are not numbers.
 
 use super::{last, program};
-use geneva_mimic::language::{Choices, DataSet, FUNCTIONS};
+use geneva_mimic::language::{DataSet, FUNCTIONS, RunOptions};
 
 /// A deck that prints one expression.
 fn printing(expression: &str) -> String {
@@ -17,7 +17,7 @@ fn value(expression: &str) -> f64 {
 /// What a run says that does not print an expression.
 #[track_caller]
 fn refused(expression: &str) -> String {
-    let run = program(&printing(expression)).run(&DataSet::default(), &Choices::default());
+    let run = program(&printing(expression)).run(&DataSet::default(), &RunOptions::default());
     run.expect_err(expression).to_string()
 }
 

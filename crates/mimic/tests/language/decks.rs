@@ -1,30 +1,30 @@
 //! Compares the decks of this project with the same equations in Rust, to the last bit, and with other integrators.
 
 use super::own;
-use geneva_mimic::language::{Choices, DECKS, Deck, Layout, Program, Run};
-use geneva_mimic::{AtSmallestStep, Extrapolation, Interpolation, Parameters, System, integrate};
+use geneva_mimic::language::{CardLayout, DECKS, Deck, DeckRun, Program, RunOptions};
+use geneva_mimic::{Extrapolation, Interpolation, MinStepPolicy, SolverParameters, System, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dopri5, System as OtherSystem};
 
 /// The integrator as the language uses it.
-fn like(print_interval: f64, run_length: f64) -> Parameters {
-    Parameters { at_smallest_step: AtSmallestStep::Continue, ..Parameters::new(print_interval, run_length) }
+fn like(print_interval: f64, run_length: f64) -> SolverParameters {
+    SolverParameters { at_smallest_step: MinStepPolicy::Continue, ..SolverParameters::new(print_interval, run_length) }
 }
 
 #[track_caller]
-fn run(name: &str, numbers: &[f64]) -> Run {
+fn run(name: &str, numbers: &[f64]) -> DeckRun {
     let (program, set) = own(name, numbers);
-    program.run(&set, &Choices::default()).unwrap_or_else(|trouble| panic!("{trouble}"))
+    program.run(&set, &RunOptions::default()).unwrap_or_else(|trouble| panic!("{trouble}"))
 }
 
 /// That printed columns are those of a native run, to the last bit.
 #[track_caller]
 fn same<const D: usize, S: System<D>>(
-    printed: &Run,
+    printed: &DeckRun,
     mut system: S,
     start: SVector<f64, D>,
-    parameters: &Parameters,
+    parameters: &SolverParameters,
     columns: impl Fn(&SVector<f64, D>) -> Vec<f64>,
 ) {
     let mut rows = Vec::new();
@@ -108,7 +108,7 @@ impl<F: Fn(f64, &Vector2<f64>) -> Vector2<f64>> OtherSystem<f64, Vector2<f64>> f
 /// That the last printed row agrees with a Dormand-Prince method at a sharper tolerance.
 #[track_caller]
 fn agrees(
-    printed: &Run,
+    printed: &DeckRun,
     start: Vector2<f64>,
     end: f64,
     rate: impl Fn(f64, &Vector2<f64>) -> Vector2<f64>,
@@ -163,7 +163,7 @@ fn the_delayed_oscillator_is_that_of_rust_and_its_swing_grows_as_it_must() {
         let printed = run("delayed", &[late]);
         let line = geneva_mimic::DelayLine::new(late, 0.0, Interpolation::Linear, Extrapolation::Hold);
         let system = Delayed { line: line.expect("a line") };
-        let parameters = Parameters { largest_step: 0.01, initial_step: 0.01, ..like(0.1, 20.0) };
+        let parameters = SolverParameters { largest_step: 0.01, initial_step: 0.01, ..like(0.1, 20.0) };
         same(&printed, system, Vector2::new(0.0, 1.0), &parameters, |state| vec![state[1], state[0]]);
         // s² = −e^(−s late) by Newton's steps from i: the real part is the growth.
         let [mut re, mut im] = [0.0_f64, 1.0_f64];
@@ -200,14 +200,14 @@ fn a_switch_that_bounces_holds_the_room_where_it_switches() {
 #[test]
 fn every_deck_runs_with_the_data_behind_it_and_keeps_to_its_columns() {
     for (name, text) in DECKS {
-        assert_eq!(Layout::of(text), Layout::Columns, "{name}");
+        assert_eq!(CardLayout::detect(text), CardLayout::Columns, "{name}");
         assert!(text.lines().all(|line| line.len() <= 80), "{name}: a card has eighty columns");
-        for layout in [Layout::Columns, Layout::Free] {
+        for layout in [CardLayout::Columns, CardLayout::Free] {
             let deck = Deck::read(text, layout).unwrap_or_else(|faults| panic!("{name}: {faults}"));
             assert!(deck.notes().is_empty(), "{name}: {:?}", deck.notes());
             let program = Program::new(&deck).unwrap_or_else(|faults| panic!("{name}: {faults}"));
             let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{name}: {faults}"));
-            let runs = program.runs(&sets, &Choices::default()).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let runs = program.runs(&sets, &RunOptions::default()).unwrap_or_else(|error| panic!("{name}: {error}"));
             assert!(runs.iter().all(|run| run.rows.len() > 20 && run.work.forced == 0), "{name}");
         }
     }

@@ -3,7 +3,7 @@
 use super::native::{Escapement, parameters};
 use super::own;
 use geneva_mimic::integrate;
-use geneva_mimic::language::Choices;
+use geneva_mimic::language::RunOptions;
 use nalgebra::Vector2;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -14,7 +14,7 @@ fn the_deck_is_its_formulas_to_the_last_bit() {
         for mu in [0.0, 0.3] {
             let data = [slots, start, mu, 0.125, 6e-5, 2e-5];
             let (program, set) = own("escapement", &data);
-            let printed = program.run(&set, &Choices::default()).unwrap_or_else(|trouble| panic!("{trouble}"));
+            let printed = program.run(&set, &RunOptions::default()).unwrap_or_else(|trouble| panic!("{trouble}"));
             let kept: Rc<Cell<[f64; 2]>> = Rc::default();
             let mut system = Escapement::new(data, Rc::clone(&kept));
             let mut rows = Vec::new();

@@ -1,7 +1,7 @@
 //! Everything that is wrong with a deck is reported at once: the card, the column, what is allowed, the nearest known name.
 
 use super::{deck, told as faults_of};
-use geneva_mimic::language::{Deck, Layout, Problem, Program};
+use geneva_mimic::language::{CardLayout, Deck, Problem, Program};
 
 /// A deck around some cards.
 fn around(cards: &str) -> String {
@@ -114,7 +114,7 @@ fn two_definitions_need_two_control_variables() {
 
 #[test]
 fn a_deck_without_an_end_is_told_what_is_missing() {
-    let missing = |text: &str| match Deck::read(text, Layout::Free) {
+    let missing = |text: &str| match Deck::read(text, CardLayout::Free) {
         Ok(_) => Vec::new(),
         Err(faults) => faults
             .0
@@ -139,14 +139,14 @@ fn a_comment_that_could_be_a_card_of_a_deck_in_columns_is_noted() {
         (format!("{:18}\n", "CON(A)"), "if it is a CON card"),
     ] {
         let text = format!("{comment}{}{rest}", card("", "HOT", "2."));
-        let deck = Deck::read(&text, Layout::Columns).unwrap_or_else(|faults| panic!("{faults}"));
+        let deck = Deck::read(&text, CardLayout::Columns).unwrap_or_else(|faults| panic!("{faults}"));
         assert!(deck.notes()[0].contains(words), "{:?}", deck.notes());
     }
     // Words, and cards that were taken out, are none.
     for comment in ["COLD AND WARM ROOMS\n".to_owned(), card("C", "HOT", "1.")] {
         let text = format!("{comment}{}{rest}", card("", "HOT", "2."));
-        assert_eq!(Layout::of(&text.to_lowercase()), Layout::Columns);
-        let deck = Deck::read(&text, Layout::Columns).unwrap_or_else(|faults| panic!("{faults}"));
+        assert_eq!(CardLayout::detect(&text.to_lowercase()), CardLayout::Columns);
+        let deck = Deck::read(&text, CardLayout::Columns).unwrap_or_else(|faults| panic!("{faults}"));
         assert!(deck.notes().is_empty(), "{:?}", deck.notes());
     }
 }
@@ -196,7 +196,7 @@ fn very_many_faults_are_found_quickly_and_told_in_few_words() {
         (cards(&|at| format!(" A{at} 1.$\n")), many),
         (cards(&|at| format!(" A{at} A{}\n", (at + 1) % many)), 1),
     ] {
-        let told = match Deck::read(&text, Layout::Free).and_then(|deck| Program::new(&deck)) {
+        let told = match Deck::read(&text, CardLayout::Free).and_then(|deck| Program::new(&deck)) {
             Ok(_) => panic!("nothing is wrong"),
             Err(faults) => faults,
         };
@@ -233,5 +233,5 @@ fn signs_that_a_terminal_obeys_are_refused_on_every_card() {
         assert!(data.is_err_and(|faults| !faults.to_string().contains(sign)) || sign.is_whitespace(), "{sign:?}");
     }
     // Other letters are words of a heading, and a page break of a longer text is a blank.
-    assert!(Deck::read(" HDR(Zeit °)\n OUT(T)\n\u{c} FIN(T,1.)\n END\n", Layout::Free).is_ok());
+    assert!(Deck::read(" HDR(Zeit °)\n OUT(T)\n\u{c} FIN(T,1.)\n END\n", CardLayout::Free).is_ok());
 }

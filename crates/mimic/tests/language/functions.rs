@@ -1,7 +1,7 @@
 //! Each function, tested by what its line in the table says.
 
 use super::{last, runs};
-use geneva_mimic::language::{CARDS, Choices, DataSet, FUNCTIONS};
+use geneva_mimic::language::{CARDS, DataSet, FUNCTIONS, RunOptions};
 
 /// The value of an expression without a memory.
 #[track_caller]
@@ -157,7 +157,7 @@ fn an_implicit_value_is_the_one_that_its_loop_gives_back() {
     let found = super::last(" X IMP(1.,COS(X+.7))\n OUT(X)\n FIN(T,.1)\n END\n")[0];
     assert!((found - libm::cos(found + 0.7)).abs() <= 1e-12, "{found}");
     let program = super::program(" X IMP(0.,1.-X)\n OUT(X)\n FIN(T,.1)\n END\n");
-    let told = program.run(&DataSet::default(), &Choices::default()).expect_err("no value").to_string();
+    let told = program.run(&DataSet::default(), &RunOptions::default()).expect_err("no value").to_string();
     let words = "after 1000 repetitions it gives back 0, and what goes in and what comes back must agree to 1e-12";
     assert!(told.contains(words) && told.contains("begin nearer"), "{told}");
     let told = super::told(" X IMP(X,COS(X))\n OUT(X)\n FIN(T,.1)\n END\n");

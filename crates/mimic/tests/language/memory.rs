@@ -1,17 +1,17 @@
 //! Results that keep their value while none of their control variables is true: latches, and switches with a gap.
 
 use super::{own, program, runs};
-use geneva_mimic::language::{Choices, DataSet, Program, Run};
-use geneva_mimic::{Kept, Parameters};
+use geneva_mimic::language::{DataSet, DeckRun, Program, RunOptions};
+use geneva_mimic::{SolverParameters, StepSolution};
 
 /// A run with each kept value and some tolerances.
-fn in_all_ways(program: &Program, set: &DataSet, mut check: impl FnMut(&Run, f64)) {
-    let usual = Choices::default();
-    for kept in [Kept::FullStep, Kept::TwoHalfSteps, Kept::Extrapolated] {
+fn in_all_ways(program: &Program, set: &DataSet, mut check: impl FnMut(&DeckRun, f64)) {
+    let usual = RunOptions::default();
+    for kept in [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated] {
         for relative_tolerance in [1e-4, 5e-6, 1e-8, 1e-11] {
-            let integrator = Parameters { kept, relative_tolerance, ..usual.integrator };
+            let integrator = SolverParameters { kept, relative_tolerance, ..usual.integrator };
             let run = program
-                .run(set, &Choices { integrator, ..usual })
+                .run(set, &RunOptions { integrator, ..usual })
                 .unwrap_or_else(|trouble| panic!("{kept:?} {relative_tolerance} {trouble}"));
             assert!(run.work.forced == 0 && run.work.accepted + run.work.rejected < 200_000, "{:?}", run.work);
             check(&run, relative_tolerance.max(1e-8));
@@ -100,10 +100,10 @@ fn of_two_cards_that_count_the_last_in_the_sorted_order_does() {
 
 #[test]
 fn a_gap_too_narrow_to_stay_in_ends_with_the_card_and_the_time() {
-    let usual = Choices::default();
+    let usual = RunOptions::default();
     let choices = |relative_tolerance: f64| {
-        let integrator = Parameters { most_steps: 20_000, relative_tolerance, ..usual.integrator };
-        Choices { integrator, ..usual }
+        let integrator = SolverParameters { most_steps: 20_000, relative_tolerance, ..usual.integrator };
+        RunOptions { integrator, ..usual }
     };
     let (program, set) = own("thermostat", &[20.0, 20.000_1, 4.0]);
     let told = program.run(&set, &choices(1e-8)).expect_err("it switches all the time").to_string();

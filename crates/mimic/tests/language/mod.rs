@@ -14,12 +14,12 @@ mod sorting;
 mod steps;
 mod tokens;
 
-use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, Run, deck_named};
+use geneva_mimic::language::{CardLayout, DataSet, Deck, DeckRun, Program, RunOptions, deck_named};
 
 /// The deck in a text without columns.
 #[track_caller]
 fn deck(text: &str) -> Deck {
-    Deck::read(text, Layout::Free).unwrap_or_else(|faults| panic!("{faults}"))
+    Deck::read(text, CardLayout::Free).unwrap_or_else(|faults| panic!("{faults}"))
 }
 
 #[track_caller]
@@ -29,11 +29,11 @@ fn program(text: &str) -> Program {
 
 /// The runs that a text asks for.
 #[track_caller]
-fn runs(text: &str) -> Vec<Run> {
+fn runs(text: &str) -> Vec<DeckRun> {
     let deck = deck(text);
     let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{faults}"));
     let program = Program::new(&deck).unwrap_or_else(|faults| panic!("{faults}"));
-    program.runs(&sets, &Choices::default()).unwrap_or_else(|error| panic!("{error}"))
+    program.runs(&sets, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The columns after T at the end of a run.
@@ -46,7 +46,7 @@ fn last(text: &str) -> Vec<f64> {
 #[track_caller]
 fn own(name: &str, numbers: &[f64]) -> (Program, DataSet) {
     let text = deck_named(name).expect("a deck");
-    let deck = Deck::read(text, Layout::of(text)).unwrap_or_else(|faults| panic!("{faults}"));
+    let deck = Deck::read(text, CardLayout::detect(text)).unwrap_or_else(|faults| panic!("{faults}"));
     let names = deck.parameters();
     assert_eq!(names.len(), numbers.len(), "{names:?}");
     let set = names.iter().map(|name| (*name).to_owned()).zip(numbers.iter().copied()).collect();
@@ -56,7 +56,7 @@ fn own(name: &str, numbers: &[f64]) -> (Program, DataSet) {
 /// What is wrong with a text, all of it.
 #[track_caller]
 fn told(text: &str) -> String {
-    match Deck::read(text, Layout::of(text)).and_then(|deck| Program::new(&deck)) {
+    match Deck::read(text, CardLayout::detect(text)).and_then(|deck| Program::new(&deck)) {
         Ok(_) => panic!("nothing is wrong with\n{text}"),
         Err(faults) => faults.to_string(),
     }

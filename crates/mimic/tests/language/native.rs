@@ -1,6 +1,6 @@
 //! The escapement's deck written in Rust: what the compiler of decks is measured against.
 
-use geneva_mimic::{AtSmallestStep, DelayError, DelayLine, Extrapolation, Interpolation, Parameters, System};
+use geneva_mimic::{DelayError, DelayLine, Extrapolation, Interpolation, MinStepPolicy, SolverParameters, System};
 use nalgebra::Vector2;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -59,6 +59,6 @@ impl Escapement {
 const INTERVAL: f64 = 5e-4;
 
 /// The integrator as the deck uses it.
-pub fn parameters() -> Parameters {
-    Parameters { at_smallest_step: AtSmallestStep::Continue, ..Parameters::new(INTERVAL, 0.2) }
+pub fn parameters() -> SolverParameters {
+    SolverParameters { at_smallest_step: MinStepPolicy::Continue, ..SolverParameters::new(INTERVAL, 0.2) }
 }

@@ -1,15 +1,17 @@
 //! Running: when a run ends, what is printed, how steps are set, and what stops it.
 
 use super::{deck, own, program, runs};
-use geneva_mimic::language::{Choices, DataSet, Plot, Program, RememberedPoints, Run, Trouble, line_plot, print_out};
-use geneva_mimic::{AtSmallestStep, Kept, Parameters};
+use geneva_mimic::language::{
+    DataSet, DeckRun, Plot, Program, RememberedPoints, RunOptions, Trouble, line_plot, print_out,
+};
+use geneva_mimic::{MinStepPolicy, SolverParameters, StepSolution};
 
 #[track_caller]
 fn trouble(text: &str) -> String {
-    trouble_by(&Choices::default(), text)
+    trouble_by(&RunOptions::default(), text)
 }
 
-fn trouble_by(choices: &Choices, text: &str) -> String {
+fn trouble_by(choices: &RunOptions, text: &str) -> String {
     let deck = deck(text);
     let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{faults}"));
     Program::new(&deck)
@@ -19,7 +21,7 @@ fn trouble_by(choices: &Choices, text: &str) -> String {
         .to_string()
 }
 
-fn times(run: &Run) -> Vec<f64> {
+fn times(run: &DeckRun) -> Vec<f64> {
     run.rows.iter().map(|row| row[0]).collect()
 }
 
@@ -59,16 +61,16 @@ fn steps_are_no_longer_than_dtmax_and_no_shorter_than_dtmin() {
 #[test]
 fn a_tolerance_costs_steps_and_gives_accuracy() {
     let (program, set) = own("oscillator", &[1.0, 0.0, 1.0, 0.0, 1.0]);
-    let usual = Choices::default();
-    let error = |relative_tolerance: f64, kept: Kept| {
-        let integrator = Parameters { relative_tolerance, kept, ..usual.integrator };
-        let run = program.run(&set, &Choices { integrator, ..usual }).unwrap_or_else(|trouble| panic!("{trouble}"));
+    let usual = RunOptions::default();
+    let error = |relative_tolerance: f64, kept: StepSolution| {
+        let integrator = SolverParameters { relative_tolerance, kept, ..usual.integrator };
+        let run = program.run(&set, &RunOptions { integrator, ..usual }).unwrap_or_else(|trouble| panic!("{trouble}"));
         let error = run.rows.iter().map(|row| (row[1] - libm::cos(row[0])).abs()).fold(0.0, f64::max);
         (error, run.work.accepted)
     };
-    let [rough, fine] = [1e-5, 1e-9].map(|tolerance| error(tolerance, Kept::TwoHalfSteps));
+    let [rough, fine] = [1e-5, 1e-9].map(|tolerance| error(tolerance, StepSolution::TwoHalfSteps));
     assert!(rough.0 > 10.0 * fine.0 && rough.1 < fine.1, "{rough:?} {fine:?}");
-    assert!(error(1e-5, Kept::Extrapolated).0 < rough.0 && error(1e-5, Kept::FullStep).0 > rough.0);
+    assert!(error(1e-5, StepSolution::Extrapolated).0 < rough.0 && error(1e-5, StepSolution::FullStep).0 > rough.0);
 }
 
 #[test]
@@ -100,15 +102,15 @@ fn what_stops_a_run_is_told_with_card_and_time() {
 fn a_step_below_dtmin_stops_a_run_that_is_to_be_stopped() {
     let text = " SIGN FSW(T-.512345,-1.,1.,1.)\n SLOW INT(1.,0.)\n X INT(1000.*SIGN,0.)\n OUT(T,X)\n FIN(T,1.)\n END\n";
     let program = program(text);
-    let usual = Choices::default();
+    let usual = RunOptions::default();
     let kept = program.run(&DataSet::default(), &usual).unwrap_or_else(|trouble| panic!("{trouble}"));
     assert_eq!(kept.work.forced, 0, "it can be passed");
     let text = text.replace(" OUT", " DTMIN .01\n OUT");
     let program = super::program(&text);
     let kept = program.run(&DataSet::default(), &usual).unwrap_or_else(|trouble| panic!("{trouble}"));
     assert!(kept.work.forced > 0 && print_out(&kept, "").contains("missed the tolerance"));
-    let integrator = Parameters { at_smallest_step: AtSmallestStep::Stop, ..usual.integrator };
-    let told = program.run(&DataSet::default(), &Choices { integrator, ..usual }).expect_err("it stops");
+    let integrator = SolverParameters { at_smallest_step: MinStepPolicy::Stop, ..usual.integrator };
+    let told = program.run(&DataSet::default(), &RunOptions { integrator, ..usual }).expect_err("it stops");
     let Trouble::StepTooSmall { time, card, name, .. } = &told else { panic!("{told}") };
     assert!((0.5..0.512_345).contains(time) && *card == 3 && name == "X", "{told}");
 }
@@ -152,15 +154,15 @@ fn what_cannot_be_run_is_refused() {
         assert!(told.contains(words), "{text}\n{told}");
     }
     // The usual number of steps is in a case above; a small one is reached sooner.
-    let usual = Choices::default();
-    let few = Choices { integrator: Parameters { most_steps: 50_000, ..usual.integrator }, ..usual };
+    let usual = RunOptions::default();
+    let few = RunOptions { integrator: SolverParameters { most_steps: 50_000, ..usual.integrator }, ..usual };
     let told = trouble_by(&few, " X INT(-X,1.)\n DTMAX 1.E-9\n OUT(T,X)\n FIN(-X,1.)\n END\n");
     let words = "FIN is not reached after 50000 steps; most are as long as DTMAX, 1e-9, allows; give a larger";
     assert!(told.contains(words), "{told}");
     let program = program(" PAR(A)\n OUT(A)\n FIN(T,1.)\n END\n");
     let run = |set: &[(&str, f64)]| {
         let set = DataSet(set.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect());
-        program.run(&set, &Choices::default()).map(|run| run.rows[0][0])
+        program.run(&set, &RunOptions::default()).map(|run| run.rows[0][0])
     };
     assert_eq!(run(&[("A", 2.0)]), Ok(2.0));
     // The later number counts.
@@ -218,11 +220,11 @@ fn equal_decks_give_equal_bits_and_runs_do_not_touch_each_other() {
     let set = |mu: f64| {
         DataSet(names.iter().map(|name| (*name).to_owned()).zip([4.0, -0.75, mu, 0.125, 6e-5, 2e-5]).collect())
     };
-    let together = program.runs(&[set(0.25), set(0.125), set(0.25)], &Choices::default()).expect("three runs");
+    let together = program.runs(&[set(0.25), set(0.125), set(0.25)], &RunOptions::default()).expect("three runs");
     assert_eq!(together[0], together[2]);
     assert_ne!(together[0].rows, together[1].rows);
-    assert_eq!(Ok(&together[1]), program.run(&set(0.125), &Choices::default()).as_ref());
-    let error = program.runs(&[set(0.25), set(f64::NAN)], &Choices::default()).expect_err("no number");
+    assert_eq!(Ok(&together[1]), program.run(&set(0.125), &RunOptions::default()).as_ref());
+    let error = program.runs(&[set(0.25), set(f64::NAN)], &RunOptions::default()).expect_err("no number");
     assert!(error.to_string().starts_with("data set 2: at T = 0: "), "{error}");
 }
 
@@ -275,9 +277,9 @@ fn small_integrals_are_followed_as_large_ones() {
     // Beside a large one a small one is followed to the floor that is asked for.
     let program = program(" V INT(-X,0.)\n X INT(V,1.E-9)\n Y INT(1.,1.)\n DT 5.\n OUT(T,X)\n FIN(T,50.)\n END\n");
     let error = |absolute_floor: f64| {
-        let usual = Choices::default();
-        let integrator = Parameters { absolute_floor, ..usual.integrator };
-        let run = program.run(&DataSet::default(), &Choices { integrator, ..usual }).expect("it runs");
+        let usual = RunOptions::default();
+        let integrator = SolverParameters { absolute_floor, ..usual.integrator };
+        let run = program.run(&DataSet::default(), &RunOptions { integrator, ..usual }).expect("it runs");
         run.rows.iter().map(|row| (row[1] - 1e-9 * libm::cos(row[0])).abs()).fold(0.0, f64::max)
     };
     assert!(error(1e-3) > 1e-10 && error(1e-9) < 1e-12, "{} {}", error(1e-3), error(1e-9));
@@ -325,14 +327,14 @@ fn a_deck_with_many_delays_is_held_to_a_number_of_steps_and_of_values() {
         assert!(told.contains(words), "{told}");
     }
     let program = program(&deck(20, "5.E-5", ",100."));
-    let few = Choices { remembered: RememberedPoints::AsAsked, ..Choices::default() };
+    let few = RunOptions { remembered: RememberedPoints::AsAsked, ..RunOptions::default() };
     assert!(program.run(&DataSet::default(), &few).is_ok_and(|run| run.work.accepted >= 200_000));
 }
 
 #[test]
 fn runs_at_the_same_time_share_the_memory() {
-    let usual = Choices::default();
-    let shared = Choices { at_once: 1000, ..usual };
+    let usual = RunOptions::default();
+    let shared = RunOptions { at_once: 1000, ..usual };
     let set = DataSet::default();
     let small = program(" A TDL(T*T,1.)\n OUT(T,A)\n FIN(T,2.)\n END\n");
     assert_eq!(small.run(&set, &shared), small.run(&set, &usual));

@@ -1,7 +1,7 @@
 //! The order of the statements, whatever the order of the cards, and how long it takes to find.
 
 use super::{last, program, runs, told};
-use geneva_mimic::language::{Choices, DataSet, When};
+use geneva_mimic::language::{DataSet, RunOptions, Schedule};
 use source::{circle, components};
 
 /// The order, compiled here by itself: no deck may be so long.
@@ -43,9 +43,13 @@ fn the_order_of_the_cards_does_not_matter() {
 #[test]
 fn what_is_known_before_a_run_is_computed_once() {
     let program = program(" PAR(P)\n A 2.*P\n B A+T\n C SIN(A)\n X INT(A,0.)\n OUT(B,C)\n FIN(T,1.)\n END\n");
-    let when: Vec<_> = program.sorted().iter().map(|of| (of.result.as_str(), of.when, of.is_dead)).collect();
-    let expected =
-        [("A", When::Once, false), ("B", When::Always, false), ("C", When::Once, false), ("X", When::Always, true)];
+    let when: Vec<_> = program.execution_order().iter().map(|of| (of.result.as_str(), of.when, of.is_dead)).collect();
+    let expected = [
+        ("A", Schedule::Once, false),
+        ("B", Schedule::Always, false),
+        ("C", Schedule::Once, false),
+        ("X", Schedule::Always, true),
+    ];
     assert_eq!(when, expected);
     assert_eq!(program.size(), (1, 1));
 }
@@ -89,7 +93,7 @@ fn chain(statements: usize) -> String {
 fn many_statements_take_no_more_than_their_share() {
     // Some seconds if each is looked at a few times; an hour if each is compared with each.
     let (text, many) = (chain(100_000), 100_000);
-    assert_eq!(program(&text).sorted().len(), many + 1);
+    assert_eq!(program(&text).execution_order().len(), many + 1);
     assert_eq!(last(&chain(2000)).len(), 2);
 }
 
@@ -98,7 +102,7 @@ fn there_are_bounds_to_integrals_and_delays() {
     let run = |card: &str, many: usize| {
         let cards: String = (0..many).map(|k| format!(" X{k} {card}\n")).collect();
         let program = program(&format!("{cards} OUT(T,X0)\n FIN(T,.2)\n END\n"));
-        program.run(&DataSet::default(), &Choices::default()).map(|run| run.rows[2][1])
+        program.run(&DataSet::default(), &RunOptions::default()).map(|run| run.rows[2][1])
     };
     for (card, most) in [("INT(1.,0.)", 1024), ("TDL(T,.1)", 256)] {
         assert!((run(card, most).expect("as many as there may be") - 0.2).abs() < 0.11, "{card}");

@@ -1,8 +1,8 @@
 //! How many steps a run may take, and how many all runs of a deck may take together.
 
 use super::program;
-use geneva_mimic::language::{Choices, DataSet, Program, Run, Runs};
-use geneva_mimic::{Parameters, Work};
+use geneva_mimic::language::{DataSet, DeckRun, DeckRuns, Program, RunOptions};
+use geneva_mimic::{SolverParameters, SolverStats};
 
 /// Most steps of all runs, counted once for each integral and each delay.
 const MOST_OF_ALL: u64 = 300_000_000;
@@ -11,11 +11,11 @@ const MOST_OF_ALL: u64 = 300_000_000;
 fn all_runs_have_so_many_steps_together() {
     // Two integrals and two delays: a step counts four times.
     let program = program(" X INT(1.,0.)\n Y INT(X,0.)\n A TDL(X,.1)\n B TDL(X,.2)\n OUT(T)\n FIN(T,.1)\n END\n");
-    let made = program.run(&DataSet::default(), &Choices::default()).expect("it runs");
-    let half = Work { accepted: MOST_OF_ALL / 16, rejected: MOST_OF_ALL / 16, ..made.work };
-    let mut runs = Runs::default();
+    let made = program.run(&DataSet::default(), &RunOptions::default()).expect("it runs");
+    let half = SolverStats { accepted: MOST_OF_ALL / 16, rejected: MOST_OF_ALL / 16, ..made.work };
+    let mut runs = DeckRuns::default();
     for _ in 0..2 {
-        runs.add(&program, Ok(Run { work: half, ..made.clone() })).expect("as many as can be");
+        runs.add(&program, Ok(DeckRun { work: half, ..made.clone() })).expect("as many as can be");
     }
     let told = runs.add(&program, Ok(made)).expect_err("more than can be").to_string();
     assert!(
@@ -31,9 +31,9 @@ fn many_integrals_have_fewer_steps() {
         let all: String = (0..integrals).map(|number| format!(" X{number} INT(1.,0.)\n")).collect();
         program(&format!("{all}{cards} OUT(T)\n END\n"))
     };
-    let usual = Choices::default();
-    let few = Choices { integrator: Parameters { most_steps: 7, ..usual.integrator }, ..usual };
-    let refused = |program: &Program, choices: &Choices| {
+    let usual = RunOptions::default();
+    let few = RunOptions { integrator: SolverParameters { most_steps: 7, ..usual.integrator }, ..usual };
+    let refused = |program: &Program, choices: &RunOptions| {
         program.run(&DataSet::default(), choices).expect_err("too many steps").to_string()
     };
     for (integrals, most) in [(2, 10_000_000), (10, 10_000_000), (100, 1_000_000), (1000, 100_000)] {

@@ -1,7 +1,7 @@
 //! What is on a card: names, numbers and signs, each with its columns.
 
 use super::runs;
-use geneva_mimic::language::{Deck, Layout, Problem};
+use geneva_mimic::language::{CardLayout, Deck, Problem};
 
 /// The columns of a deck and their values at the start.
 #[track_caller]
@@ -27,7 +27,7 @@ fn names_may_begin_with_a_digit_and_numbers_may_end_with_a_point() {
 #[test]
 fn what_cannot_be_read_is_told_with_its_columns() {
     let text = " A 1.\n X A+1.2.3 $ 1E999\n OUT(X)\n FIN(T,.1)\n END\n";
-    let faults = Deck::read(text, Layout::Free).expect_err("three faults").0;
+    let faults = Deck::read(text, CardLayout::Free).expect_err("three faults").0;
     // The expression begins in the fourth column.
     let problems: Vec<_> = faults.into_iter().map(|fault| (fault.card, fault.columns, fault.problem)).collect();
     let expected = [

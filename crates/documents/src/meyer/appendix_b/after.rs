@@ -10,7 +10,7 @@ use crate::meyer::appendix_d::{
     OTHER_ANGLE, WITHOUT_THE_MINUS, along_the_slots, before_the_line, coming_in, of_the_pins,
 };
 use crate::meyer::runs::table::{listing, rows};
-use geneva_case1973::program::Program;
+use geneva_case1973::program::Program1973;
 use geneva_case1973::witness::steps::Course;
 use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::steady::Engagement;
@@ -128,8 +128,11 @@ fn angle() -> Vec<Claim> {
             .first_route(crate::evidence::RUNGE_KUTTA, |stated| {
                 static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
                 grows(stated, &GROWING, |hypothesis, row| {
-                    let program = Program { reset: hypothesis.angle(row), ..Program::of(&hypothesis.parameters(row)?) };
-                    let integrator = geneva_mimic::Parameters::new(listing().interval, listing().duration);
+                    let program = Program1973 {
+                        reset: hypothesis.angle(row),
+                        ..Program1973::ideal(&hypothesis.parameters(row)?)
+                    };
+                    let integrator = geneva_mimic::SolverParameters::new(listing().interval, listing().duration);
                     let lines = program.run(&integrator).ok()?.lines;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
@@ -296,7 +299,7 @@ fn square_after(parameters: &Parameters, turned: f64, steps: u32) -> Option<f64>
         angles.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(f64::NAN)
     };
     let all: Vec<f64> = (0..=steps).map(|k| turned * f64::from(k) / f64::from(steps)).collect();
-    Course::along(parameters, all, engaged).squares(0.0).last().copied()
+    Course::from_angles(parameters, all, engaged).squares(0.0).last().copied()
 }
 
 /// Whether what is printed at each interval of a run grows from line to line: the angle, or the speed. In all runs,

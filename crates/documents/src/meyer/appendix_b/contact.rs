@@ -11,8 +11,8 @@ use crate::meyer::slips::{LOST_BARS, SOLVED_WITH_BARS};
 use crate::meyer::spring::constant;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, within_one};
 use geneva_dynamics::Sign;
-use geneva_dynamics::equation_proofs::InOneFormula;
-use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
+use geneva_dynamics::equation_proofs::OneFormulaSolution;
+use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named};
 
 const PROGRAM: Locator = at("Appendix B, paragraphs before the program");
 
@@ -39,7 +39,7 @@ fn solved() -> Vec<Claim> {
                 "whether the equation, with its bars, can be solved for the acceleration",
             )
             .first_route(Evidence::EXACT_IDENTITY, |stated| {
-                let Finding { holds, how, .. } = all_proven(&Sign::BOTH.map(InOneFormula));
+                let Finding { holds, how, .. } = all_proven(&Sign::BOTH.map(OneFormulaSolution));
                 Finding::new(
                     holds == stated.pick(true, false),
                     format!("one formula with bars gives the solution for either sign, because {how}"),
@@ -338,8 +338,8 @@ pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
         _ => card.to_owned(),
     });
     let text = cards.collect::<Vec<_>>().join("\n");
-    let cards = Deck::read(&text, Layout::of(&text)).ok()?;
-    let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &Choices::default()).ok()?;
+    let cards = Deck::read(&text, CardLayout::detect(&text)).ok()?;
+    let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &RunOptions::default()).ok()?;
     run.rows.into_iter().map(|row| row.try_into().ok()).collect()
 }
 
@@ -389,8 +389,8 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
         ];
         let text = deck_named("escapement")?.to_owned();
         let text = changed.iter().fold(text, |text, (old, new)| text.replace(old, new));
-        let cards = Deck::read(&text, Layout::of(&text)).ok()?;
-        let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &Choices::default()).ok()?;
+        let cards = Deck::read(&text, CardLayout::detect(&text)).ok()?;
+        let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &RunOptions::default()).ok()?;
         run.rows.into_iter().map(|row| row.try_into().ok()).collect()
     };
     let lines = lines().unwrap_or_default();
@@ -422,9 +422,10 @@ mod tests {
 
     #[test]
     fn most_steps_of_every_run_are_longer_than_the_delay() {
-        let program = Program::new(&deck::deck(&deck::as_listed(&listing())).expect("a deck")).expect("a program");
+        let program =
+            Program::new(&deck::deck(&deck::listed_settings(&listing())).expect("a deck")).expect("a program");
         for row in rows() {
-            let run = program.run(&deck::data(&program, row), &Choices::default()).expect("a run");
+            let run = program.run(&deck::data(&program, row), &RunOptions::default()).expect("a run");
             let (longer, all) = (run.longer_than_delay, run.work.accepted);
             assert!(2 * longer > all && longer < all, "{}: {longer} of {all}", row.slug());
         }

@@ -5,7 +5,7 @@ use super::*;
 use crate::meyer::letters;
 use crate::meyer::reading::{self, By, Letters, Moment, decide};
 use crate::meyer::slips::{LOST_DOTS, ONE_AS_L};
-use geneva_mimic::{Parameters, integrate};
+use geneva_mimic::{SolverParameters, integrate};
 
 const TEXT: Locator = at("Appendix B, after the lines of the example");
 
@@ -116,7 +116,8 @@ fn integrated([speed, place]: [&str; 2]) -> f64 {
     let mut system = |_: f64, state: &Vector2<f64>| {
         Vector2::new(state[1], -(start["c"] * state[1] + start["k"] * state[0]) / start["m"])
     };
-    let run = integrate(&mut system, Vector2::new(start[place], start[speed]), &Parameters::new(1.0, 1.0), |_| ());
+    let run =
+        integrate(&mut system, Vector2::new(start[place], start[speed]), &SolverParameters::new(1.0, 1.0), |_| ());
     run.map_or(f64::NAN, |run| run.last.state[0])
 }
 

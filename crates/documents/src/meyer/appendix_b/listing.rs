@@ -199,9 +199,9 @@ fn factors() -> Vec<Claim> {
         PROGRAM
             .equation("meyer.listing.s", "S FSW(F,-1.,1.,1.)", "S, by the sign of F, and plus one where F is zero")
             .evaluated(Evidence::CLOSED_FORM, |tex| match switch_of(tex) {
-                Some(card) => {
-                    by_coefficients(|lines, at| [(card.picked(|letter| lines.get(letter).copied()), at.sign.of(1.0))])
-                }
+                Some(card) => by_coefficients(|lines, at| {
+                    [(card.picked(|letter| lines.get(letter).copied()), at.sign.apply(1.0))]
+                }),
                 None => Finding::of_reading(None),
             })
             .read(Evidence::VECTORS, |tex| {

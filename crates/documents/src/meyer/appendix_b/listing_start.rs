@@ -71,7 +71,7 @@ fn pose(mechanism: Mechanism, angle: f64, friction: f64) -> (Letters, Coefficien
     let cards =
         [("G", mechanism.centre_distance_ratio()), ("X0", angle), ("U", friction), ("IC", INERTIA_RATIO), ("IW", 1.0)];
     let letters = reading::by_name(cards);
-    (letters, Coefficients::of_pose(&pose, &INERTIA_RATIO, &friction, &DRIVE))
+    (letters, Coefficients::from_pose(&pose, &INERTIA_RATIO, &friction, &DRIVE))
 }
 
 fn poses(friction: f64) -> impl Iterator<Item = (Letters, Coefficients<f64>)> {

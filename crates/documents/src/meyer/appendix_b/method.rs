@@ -7,7 +7,7 @@ use super::stages::{
 use super::*;
 use crate::meyer::reading::value;
 use geneva_evidence::agreement::joined_numbers;
-use geneva_mimic::{Kept, Parameters, integrate, runge_kutta_step};
+use geneva_mimic::{SolverParameters, StepSolution, integrate, runge_kutta_step};
 use nalgebra::Vector1;
 use std::convert::Infallible;
 
@@ -46,8 +46,10 @@ fn described() -> Vec<Claim> {
             .statement("meyer.app-b.method.order", "fourth order", "the method is of order four")
             .first_route(Evidence::LIMIT_CASE, |stated| {
                 let ratio = [16.0, 32.0].map(|steps| {
-                    let fixed =
-                        Parameters { kept: Kept::FullStep, ..Parameters::with_fixed_step(1.0 / steps, 1.0, 1.0) };
+                    let fixed = SolverParameters {
+                        kept: StepSolution::FullStep,
+                        ..SolverParameters::with_fixed_step(1.0 / steps, 1.0, 1.0)
+                    };
                     let mut growth = |_: f64, y: &Vector1<f64>| *y;
                     let run = integrate(&mut growth, Vector1::new(1.0), &fixed, |_| ());
                     run.map_or(f64::NAN, |run| libm::exp(1.0) - run.last.state[0])
@@ -263,7 +265,10 @@ fn advantages() -> Vec<Claim> {
             })
             .second_route(Evidence::LIMIT_CASE, |stated| {
                 let mut points = Vec::new();
-                let fixed = Parameters { kept: Kept::FullStep, ..Parameters::with_fixed_step(STEP, STEP, 1.0) };
+                let fixed = SolverParameters {
+                    kept: StepSolution::FullStep,
+                    ..SolverParameters::with_fixed_step(STEP, STEP, 1.0)
+                };
                 let mut steady = |_: f64, _: &Vector1<f64>| Vector1::new(1.0);
                 let run = integrate(&mut steady, Vector1::new(0.0), &fixed, |point| points.push(point.state[0]));
                 let said = STEP * stated.pick(1.0, widths()[0]);

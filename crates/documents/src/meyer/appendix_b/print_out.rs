@@ -5,9 +5,9 @@ use crate::evidence::PROGRAM;
 use crate::meyer::runs::table::{listing, rows};
 use geneva_case1973::deck;
 use geneva_case1973::{Constants, Hypothesis, Row, weakest};
-use geneva_dynamics::steady::Printed;
-use geneva_mimic::Work;
-use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
+use geneva_dynamics::steady::PrintedLine;
+use geneva_mimic::SolverStats;
+use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named, print_out};
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, OnceLock};
 
@@ -48,14 +48,14 @@ type Columns = ([f64; 5], f64);
 fn by_program() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of =
-        |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
+        |line: &PrintedLine| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
     let columns = |row: &Row| Some(Hypothesis::AS_RUN.printout(row)?.lines.iter().map(of).collect());
     RUNS.get_or_init(|| rows().iter().map(columns).collect())
 }
 
 /// The time of the last line of the first run by the program, if runs end at this time, in s.
 pub fn last_line(end: f64) -> Option<f64> {
-    let integrator = geneva_mimic::Parameters { run_length: end, ..listing().integrator() };
+    let integrator = geneva_mimic::SolverParameters { run_length: end, ..listing().integrator() };
     let lines = Hypothesis::AS_RUN.program(rows().first()?)?.run(&integrator).ok()?.lines;
     lines.last().map(|line| line.time)
 }
@@ -64,7 +64,7 @@ pub fn last_line(end: f64) -> Option<f64> {
 fn by_integrals() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of =
-        |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
+        |line: &PrintedLine| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
     let run = |row: &Row| {
         let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(listing().interval, listing().duration).ok()?;
         Some(lines.iter().map(of).collect())
@@ -137,13 +137,13 @@ fn output() -> Claim {
             // The program translated by hand has none of these cards; it has the numbers of FIN.
             let length = listing().duration * stated.pick(1.0, 0.5);
             let translated = |row: &Row| {
-                let integrator = geneva_mimic::Parameters { run_length: length, ..listing().integrator() };
+                let integrator = geneva_mimic::SolverParameters { run_length: length, ..listing().integrator() };
                 Hypothesis { constants: Constants::Exact, ..Hypothesis::AS_RUN }.program(row)?.run(&integrator).ok()
             };
             let same = |(row, by_deck): (&Row, &Option<Vec<Vec<f64>>>)| {
                 by_deck.as_ref().zip(translated(row)).is_some_and(|(rows, translated)| {
                     let near =
-                        |(of, line): (&Vec<f64>, &Printed)| (of[2] - line.speed).abs() < 1e-6 * (1.0 + line.speed);
+                        |(of, line): (&Vec<f64>, &PrintedLine)| (of[2] - line.speed).abs() < 1e-6 * (1.0 + line.speed);
                     let lines = translated.lines;
                     rows.len() == lines.len() && rows.iter().zip(&lines).all(near)
                 })
@@ -163,7 +163,7 @@ fn by_deck() -> &'static [Option<Vec<Vec<f64>>>] {
     let run = |row: &Row| {
         let angle = Hypothesis::AS_RUN.angle(row);
         let program = Program::new(&deck::deck(&[(deck::AS_LISTED[0], angle)])?).ok()?;
-        Some(program.run(&deck::data(&program, row), &Choices::default()).ok()?.rows)
+        Some(program.run(&deck::data(&program, row), &RunOptions::default()).ok()?.rows)
     };
     RUNS.get_or_init(|| weakest(rows()).map(run).collect())
 }
@@ -184,15 +184,15 @@ fn prints_alone(kind: &'static str) -> Option<bool> {
 }
 
 fn prints_otherwise_without(kind: &str) -> Option<bool> {
-    static WHOLE: OnceLock<Option<(Work, String)>> = OnceLock::new();
+    static WHOLE: OnceLock<Option<(SolverStats, String)>> = OnceLock::new();
     let text = deck_named("escapement")?;
     let plot = text.lines().find(|line| line.contains("PLO("))?;
     let scaled = text
         .replace(plot, &[plot, "                  SCA(.002,2.5,2.5)", "                  ZER(0.,0.,-100.)"].join("\n"));
     let run = |text: &str| {
-        let deck = Deck::read(text, Layout::of(text)).ok()?;
+        let deck = Deck::read(text, CardLayout::detect(text)).ok()?;
         let program = Program::new(&deck).ok()?;
-        let run = program.run(deck.data_sets().ok()?.first()?, &Choices::default()).ok()?;
+        let run = program.run(deck.data_sets().ok()?.first()?, &RunOptions::default()).ok()?;
         Some((run.work, print_out(&run, "")))
     };
     let belongs = |line: &str| {

@@ -4,7 +4,7 @@ use super::*;
 use crate::meyer::reading::{self, Letters};
 use geneva_dynamics::{Coefficients, Pose, Sign};
 use geneva_kinematics::Mechanism;
-use geneva_mimic::language::{Deck, Layout, Problem};
+use geneva_mimic::language::{CardLayout, Deck, Problem};
 use std::sync::OnceLock;
 
 // What the lines say, in the letters of mathematics; the names are the program's.
@@ -84,7 +84,7 @@ pub fn as_equation(card: &str) -> String {
 /// Whether the language reads a card, in a deck where other cards define its names. A blank keeps the name C from making it a
 /// comment.
 fn is_card(card: &str) -> bool {
-    let faults = Deck::read(&format!(" {card}\n END"), Layout::Free).map_or_else(|faults| faults.0, |_| Vec::new());
+    let faults = Deck::read(&format!(" {card}\n END"), CardLayout::Free).map_or_else(|faults| faults.0, |_| Vec::new());
     let of_card = faults.into_iter().filter(|fault| fault.card == 1);
     of_card.map(|fault| fault.problem).all(|problem| matches!(problem, Problem::UnknownName { .. }))
 }
@@ -144,7 +144,7 @@ impl Truth {
         let ratio = mechanism.centre_distance_ratio();
         let pose = Pose::new(&ratio, &Turn::from_radians(x));
         let [friction, torque, follower, driver] = CARDS.map(|(_, value)| value);
-        let coefficients = Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower));
+        let coefficients = Coefficients::from_pose(&pose, &(driver / follower), &friction, &(torque / follower));
         let (acceleration, sign) =
             coefficients.acceleration(SPEED).map_or((f64::NAN, Sign::Plus), |found| (found.value, found.sign));
         Self { ratio, pose, coefficients, acceleration, sign }

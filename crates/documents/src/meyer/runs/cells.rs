@@ -90,7 +90,7 @@ fn as_run(row: &Row) -> [f64; 4] {
 
 fn as_run_by_steps(row: &Row) -> [f64; 4] {
     static RUNS: CachedResults<4> = OnceLock::new();
-    cached_result(&RUNS, row, |row| witness::lagged(row).map(results))
+    cached_result(&RUNS, row, |row| witness::lagged_run(row).map(results))
 }
 
 fn ideal(row: &Row) -> [f64; 4] {

@@ -2,7 +2,7 @@
 
 use super::table::rows;
 use crate::MEYER;
-use geneva_case1973::{Hypothesis, Row, rows_of, with_friction};
+use geneva_case1973::{Hypothesis, Row, rows_of, rows_with_friction};
 use geneva_kinematics::Mechanism;
 
 /// A friction with which all three mechanisms were run with nearly the same torques, as printed.
@@ -10,7 +10,7 @@ const COMMON_FRICTION: &str = ".25";
 
 /// The rows of a mechanism with a friction that the others were run with too, by rising torque.
 pub fn comparable(mechanism: Mechanism) -> Option<&'static [Row]> {
-    with_friction(rows(), mechanism, COMMON_FRICTION)
+    rows_with_friction(rows(), mechanism, COMMON_FRICTION)
 }
 
 /// The four-pin rows that may be the run drawn in Fig. 8, which the thesis does not name.
@@ -35,7 +35,7 @@ fn that_may_be_of_fig_8(hypothesis: &Hypothesis) -> Option<Vec<&'static Row>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_case1973::{Column, least_braked};
+    use geneva_case1973::{Column, rows_with_least_friction};
 
     #[test]
     fn two_runs_may_be_that_of_fig_8_and_the_table_gives_both_another_rise_time() {
@@ -51,7 +51,9 @@ mod tests {
     fn each_mechanism_has_its_rows_and_examples() {
         assert_eq!(Mechanism::ALL.map(|of| rows_of(rows(), of).len()).iter().sum::<usize>(), rows().len());
         for mechanism in Mechanism::ALL {
-            for own in [least_braked(rows(), mechanism), comparable(mechanism)].map(|own| own.expect("rows")) {
+            for own in
+                [rows_with_least_friction(rows(), mechanism), comparable(mechanism)].map(|own| own.expect("rows"))
+            {
                 assert!(own.len() > 3 && own.iter().all(|row| row.mechanism == mechanism));
             }
         }

@@ -2,14 +2,14 @@
 
 use super::table::rows;
 use crate::meyer::terms::MISSING;
-use geneva_case1973::rise_times::Tried;
-use geneva_case1973::{Reset, Run, Score, compared, deck, rise_times};
+use geneva_case1973::rise_times::DefinitionTrial;
+use geneva_case1973::{Reset, Run, Score, compared_hypotheses, deck, rise_times};
 use std::sync::OnceLock;
 
 /// The scores of all compared hypotheses.
 pub fn scores() -> &'static [Score<'static>] {
     static SCORES: OnceLock<Vec<Score>> = OnceLock::new();
-    SCORES.get_or_init(|| compared().into_iter().map(|hypothesis| Score::of(hypothesis, rows())).collect())
+    SCORES.get_or_init(|| compared_hypotheses().into_iter().map(|hypothesis| Score::new(hypothesis, rows())).collect())
 }
 
 /// The program with the sign chosen by the acceleration of so long ago, in s, and its score: none for the exact sign, then
@@ -26,9 +26,9 @@ pub fn fitting_interval(by_steps: bool) -> f64 {
 }
 
 /// Each definition of a rise time with each part of the velocity that may be missing, then other events of a start.
-pub fn explained() -> &'static [Tried] {
-    static TRIED: OnceLock<Vec<Tried>> = OnceLock::new();
-    TRIED.get_or_init(|| rise_times::explained(rows(), MISSING))
+pub fn explained() -> &'static [DefinitionTrial] {
+    static TRIED: OnceLock<Vec<DefinitionTrial>> = OnceLock::new();
+    TRIED.get_or_init(|| rise_times::try_definitions(rows(), MISSING))
 }
 
 /// The names of the deck with other values in the program of the thesis, each with the claim that has the program's
@@ -56,11 +56,11 @@ mod tests {
 
     #[test]
     fn a_run_that_comes_to_nothing_makes_the_tables_impossible() {
-        let all = Score::of(Hypothesis::WITHOUT_LAG, rows());
+        let all = Score::new(Hypothesis::WITHOUT_LAG, rows());
         let mut results = all.results.clone();
         results[7] = None;
-        let one_less = Score::of_results(all.hypothesis, rows(), results);
-        let [all, one_less] = [all, one_less].map(|score| *score.on(Column::Minimum).expect("a fit"));
+        let one_less = Score::from_results(all.hypothesis, rows(), results);
+        let [all, one_less] = [all, one_less].map(|score| *score.fit(Column::Minimum).expect("a fit"));
         assert_eq!(one_less.within_one, all.within_one - 1);
         assert!(all.likelihoods[0].log.is_finite() && one_less.likelihoods[0].log == f64::NEG_INFINITY);
         assert!(one_less.mean.is_finite());

@@ -65,13 +65,13 @@ impl Double {
     }
 
     /// The number with the opposite sign.
-    pub const fn negated(self) -> Self {
+    pub const fn negate(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 
     /// The difference.
     pub const fn minus(self, other: Self) -> Self {
-        self.plus(other.negated())
+        self.plus(other.negate())
     }
 
     /// The product.
@@ -108,7 +108,7 @@ impl Double {
 
     /// The number as an integer number of parts of one (a power of two) and the rest, both in its own unit: the product of
     /// the first with a short factor is exact.
-    pub fn parted(self, parts_of_one: f64) -> (f64, f64) {
+    pub fn split(self, parts_of_one: f64) -> (f64, f64) {
         let head = libm::floor(self.hi * parts_of_one) / parts_of_one;
         (head, (self.hi - head) + self.lo)
     }

@@ -10,7 +10,7 @@
 //!
 //! velocity = y / (cot α − 2 y), y = sin ε − a vers ε.
 //!
-//! Nothing cancels as ε goes to zero. With ε = x + r, x the angle of a [`Node`] of half-angle tangent t, and both
+//! Nothing cancels as ε goes to zero. With ε = x + r, x the angle of a [`TableNode`] of half-angle tangent t, and both
 //! sides times 1 + t²,
 //!
 //! (1 + t²) y = 2t − 2 a t² + (1 − t² − 2 a t) sin r − (2t + (1 − t²) a) vers r.
@@ -38,11 +38,11 @@ mod table;
 
 use double::ordered_sum;
 pub(super) use double::{Double, fraction_of_pi};
-use table::{Node, series, sine_versine};
+use table::{TableNode, series, sine_versine};
 
 /// What the motion of a wheel needs of its number of stations, α = π/N.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Constants {
+pub(super) struct WheelConstants {
     /// π/2 − α, the crank angle of entry and exit.
     pub entry: Double,
     /// α.
@@ -74,7 +74,7 @@ const TWO_TO_26: f64 = 67_108_864.0;
 /// Binary places of the head of cot α / 2, which is below 2⁸: with the 27 bits of 1 + t² they fill an `f64`.
 const TWO_TO_18: f64 = 262_144.0;
 
-impl Constants {
+impl WheelConstants {
     /// For so many stations, at least 3.
     pub(super) fn new(stations: u32) -> Self {
         let (entry, half_pitch_angle) = (fraction_of_pi(stations - 2, 2 * stations), fraction_of_pi(1, stations));
@@ -89,8 +89,8 @@ impl Constants {
         let near = Double::from(libm::acos(peak_cosine.hi));
         let (near_sine, near_versine) = series(near);
         let peak = near.plus(Double::ONE.minus(near_versine).minus(peak_cosine).over(near_sine));
-        let (twice_tangent_head, twice_tangent_tail) = tangent.twice().parted(TWO_TO_26);
-        let (half_cotangent_head, half_cotangent_tail) = cosine.over(sine.twice()).parted(TWO_TO_18);
+        let (twice_tangent_head, twice_tangent_tail) = tangent.twice().split(TWO_TO_26);
+        let (half_cotangent_head, half_cotangent_tail) = cosine.over(sine.twice()).split(TWO_TO_18);
         Self {
             entry,
             half_pitch_angle,
@@ -113,7 +113,7 @@ impl Constants {
     pub(super) fn velocity(&self, crank: Double) -> f64 {
         let ahead = self.entry.hi - crank.hi;
         let ahead_low = ((self.entry.hi - ahead) - crank.hi) + (self.entry.lo - crank.lo);
-        let (node, Double { hi: rest, lo: low }) = Node::nearest(Double { hi: ahead, lo: ahead_low });
+        let (node, Double { hi: rest, lo: low }) = TableNode::nearest(Double { hi: ahead, lo: ahead_low });
         let (twice, square) = (node.twice_tangent, node.square);
         let scale = 1.0 + square;
         let second = rest * rest;

@@ -9,7 +9,7 @@ use super::double::{Double, ordered_sum};
 
 /// An angle whose half has a short tangent.
 #[derive(Clone, Copy)]
-pub(super) struct Node {
+pub(super) struct TableNode {
     /// The angle in radians, to 2⁻⁸⁶.
     pub angle: Double,
     /// 2t, twice the tangent of its half, dimensionless.
@@ -25,17 +25,17 @@ const TANGENTS_PER_ONE: f64 = 8192.0;
 /// 3 · 2⁵¹: adding it rounds to an integer, which then stands in the low bits of the sum.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-static TABLE: [Node; NODES] = {
-    let mut nodes = [Node { angle: Double::from(0.0), twice_tangent: 0.0, square: 0.0 }; NODES];
+static TABLE: [TableNode; NODES] = {
+    let mut nodes = [TableNode { angle: Double::from(0.0), twice_tangent: 0.0, square: 0.0 }; NODES];
     let mut k = 1;
     while k < NODES {
-        nodes[k] = Node::near(k as f64 / NODES_PER_RADIAN);
+        nodes[k] = TableNode::near(k as f64 / NODES_PER_RADIAN);
         k += 1;
     }
     nodes
 };
 
-impl Node {
+impl TableNode {
     /// The node nearest to an angle.
     const fn near(angle: f64) -> Self {
         let (sine, versine) = series(Double::from(angle));
@@ -63,9 +63,9 @@ impl Node {
 
 /// Sine and versed sine of an angle between 0 and 2, by their power series, to about 100 bits.
 pub(super) const fn series(angle: Double) -> (Double, Double) {
-    let square = angle.times(angle).negated();
+    let square = angle.times(angle).negate();
     let (mut sine, mut versine) = (Double::from(0.0), Double::from(0.0));
-    let (mut odd, mut even) = (angle, square.half().negated());
+    let (mut odd, mut even) = (angle, square.half().negate());
     let mut order = 1.0;
     while odd.hi > 1e-34 || odd.hi < -1e-34 {
         (sine, versine) = (sine.plus(odd), versine.plus(even));
@@ -83,10 +83,10 @@ pub(super) const fn series(angle: Double) -> (Double, Double) {
 /// r³/6 and of r²/2.
 pub(super) fn sine_versine(angle: Double) -> (Double, Double) {
     if angle.hi < 0.0 {
-        let (sine, versine) = sine_versine(angle.negated());
-        return (sine.negated(), versine);
+        let (sine, versine) = sine_versine(angle.negate());
+        return (sine.negate(), versine);
     }
-    let (node, Double { hi: rest, lo: low }) = Node::nearest(angle);
+    let (node, Double { hi: rest, lo: low }) = TableNode::nearest(angle);
     let square = rest * rest;
     let more = low - rest * square * (1.0 / 6.0 - square * (1.0 / 120.0 - square * (1.0 / 5040.0)));
     let sine = Double::from(rest).plus(Double::from(more));

@@ -4,19 +4,28 @@ mod statement;
 
 use crate::language::code::{Instruction, Operation};
 use crate::language::control::STEPS;
-use crate::language::deck::Listed;
-use crate::language::expression::{Expression, Node};
-use crate::language::function::{FUNCTIONS, Kind};
+use crate::language::diagnostic::Diagnostics;
+use crate::language::function::{FUNCTIONS, FunctionKind};
 use crate::language::graph::{Graph, Region};
 use crate::language::program::{
-    Code, Delay, FALSE, FIRST_STEP, FREE, Finish, Memory, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
+    Code, Delay, DifferenceQuotient, FALSE, FIRST_STEP, FREE, Finish, Memory, PlotCode, Program, Sample, State,
+    StateRule, TIME, TRUE,
 };
-use crate::language::sorting::{Sorted, When};
+use crate::language::sorting::{Schedule, SortedStatement};
+use crate::language::tree::{CardExpression, Deck, ExpressionCard, ExpressionNode};
 use std::collections::HashMap;
 
-/// The program of a deck in which nothing is wrong.
-pub(super) fn compiled(graph: &Graph<'_>) -> Program {
-    Compiler::new(graph).program()
+impl Program {
+    /// Sorts and compiles a deck.
+    ///
+    /// # Errors
+    ///
+    /// All that does not fit together: names that no card defines, definitions that clash, loops, truths for numbers.
+    pub fn new(deck: &Deck) -> Result<Self, Diagnostics> {
+        let mut graph = Graph::new(deck);
+        Diagnostics::check(core::mem::take(&mut graph.faults))?;
+        Ok(Compiler::new(&graph).program())
+    }
 }
 
 struct Compiler<'a> {
@@ -34,7 +43,7 @@ struct Compiler<'a> {
     start: Vec<Code>,
     feed: Code,
     samples: Vec<Sample>,
-    slopes: Vec<Slope>,
+    slopes: Vec<DifferenceQuotient>,
     /// The gate of each name that has a memory.
     gates: HashMap<&'a str, u32>,
     /// Of each block that is a difference quotient, the register of its first value.
@@ -159,7 +168,7 @@ impl<'a> Compiler<'a> {
     fn implicit(&self, group: &[usize]) -> Option<usize> {
         let number = *group.last()?;
         let call = self.graph.deck.statements.get(number)?.expression.whole_call()?;
-        (FUNCTIONS[call.0].kind == Kind::Implicit).then_some(number)
+        (FUNCTIONS[call.0].kind == FunctionKind::Implicit).then_some(number)
     }
 
     /// The card of an IMP, the register that it begins with, its own and its counter, which is that of its node.
@@ -183,11 +192,12 @@ impl<'a> Compiler<'a> {
         let card = self.graph.deck.statements[of.statement].card;
         let mut code = Code::default();
         self.nodes_of(of.statement, |region| region == Region::Start(of.node), &mut code);
-        let first = self.argument(block, if of.kind == Kind::Integral || of.kind == Kind::Limited { 1 } else { 2 });
+        let first = self
+            .argument(block, if of.kind == FunctionKind::Integral || of.kind == FunctionKind::Limited { 1 } else { 2 });
         let to = self.of_block[block];
         let from = match of.kind {
-            Kind::Integral | Kind::Limited | Kind::Lag => first.unwrap_or(FALSE),
-            Kind::Slope => {
+            FunctionKind::Integral | FunctionKind::Limited | FunctionKind::Lag => first.unwrap_or(FALSE),
+            FunctionKind::Slope => {
                 self.slope_starts.insert(to, first.unwrap_or(FALSE));
                 first.unwrap_or(FALSE)
             }
@@ -209,7 +219,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// Code for expressions that are no statements, and the register of each.
-    fn listed(&mut self, listed: &Listed, code: &mut Code) -> Vec<u32> {
+    fn listed(&mut self, listed: &ExpressionCard, code: &mut Code) -> Vec<u32> {
         let mut roots = Vec::new();
         for expression in &listed.expressions {
             let mut parts = vec![0; expression.nodes.len()];
@@ -243,7 +253,7 @@ impl<'a> Compiler<'a> {
             each.extend(&code);
             let is_time = registers[0] == TIME;
             let names = listed.expressions[1].nodes.iter().filter_map(|(node, _)| match node {
-                Node::Name(name) => Some(name.as_str()),
+                ExpressionNode::Name(name) => Some(name.as_str()),
                 _ => None,
             });
             let is_run_length = is_time && names.into_iter().all(|name| graph.is_known_before(name));
@@ -264,10 +274,10 @@ impl<'a> Compiler<'a> {
             let feed = self.argument(number, 0).unwrap_or(FALSE);
             let of = |argument| self.argument(number, argument).unwrap_or(FALSE);
             let more = match block.kind {
-                Kind::Integral => More::Nothing,
-                Kind::Limited => More::Limits([of(2), of(3)]),
-                Kind::Lag => More::TimeConstant(of(1)),
-                Kind::Delay => {
+                FunctionKind::Integral => StateRule::Nothing,
+                FunctionKind::Limited => StateRule::Limits([of(2), of(3)]),
+                FunctionKind::Lag => StateRule::TimeConstant(of(1)),
+                FunctionKind::Delay => {
                     let points = self.argument(number, 2);
                     delays.push(Delay { card: statement.card, register, feed, delay: of(1), points });
                     continue;
@@ -284,7 +294,7 @@ impl<'a> Compiler<'a> {
         }
         let mut held: Vec<u32> = self.gates.keys().map(|name| self.named(name).1).collect();
         held.extend(
-            graph.blocks.iter().zip(&self.of_block).filter(|(of, _)| of.kind == Kind::Slope).map(|(_, of)| *of),
+            graph.blocks.iter().zip(&self.of_block).filter(|(of, _)| of.kind == FunctionKind::Slope).map(|(_, of)| *of),
         );
         held.sort_unstable();
         held.dedup();
@@ -295,12 +305,12 @@ impl<'a> Compiler<'a> {
         let live = graph.live();
         let sorted = graph.order.iter().flatten().map(|number| {
             let statement = &deck.statements[*number];
-            Sorted {
+            SortedStatement {
                 card: statement.card,
                 statement: *number,
                 result: statement.result.name.clone(),
                 control: statement.control.as_ref().map(|word| word.name.clone()),
-                when: if graph.is_constant[*number] { When::Once } else { When::Always },
+                when: if graph.is_constant[*number] { Schedule::Once } else { Schedule::Always },
                 is_dead: !live[*number],
             }
         });

@@ -71,7 +71,7 @@ impl Compiler<'_> {
     /// The register of a node whose parts have theirs.
     pub(super) fn node(
         &mut self,
-        expression: &Expression,
+        expression: &CardExpression,
         at: usize,
         card: usize,
         block: Option<usize>,
@@ -81,21 +81,21 @@ impl Compiler<'_> {
         let node = &expression.nodes[at].0;
         let mut from = [0; 4];
         let operation = match node {
-            Node::Number(number) => return self.constant(*number),
-            Node::Name(name) => return self.of_name.get(name.as_str()).copied().unwrap_or(TIME),
-            Node::Negative(_) => Operation::Negate,
-            Node::Binary(operation, _) => *operation,
-            Node::Call(function, arguments) => match FUNCTIONS[*function].kind {
-                Kind::Plain(operation) => {
+            ExpressionNode::Number(number) => return self.constant(*number),
+            ExpressionNode::Name(name) => return self.of_name.get(name.as_str()).copied().unwrap_or(TIME),
+            ExpressionNode::Negative(_) => Operation::Negate,
+            ExpressionNode::Binary(operation, _) => *operation,
+            ExpressionNode::Call(function, arguments) => match FUNCTIONS[*function].kind {
+                FunctionKind::Plain(operation) => {
                     if operation == Operation::ArcTangent {
                         from[1] = TRUE;
                     }
                     operation
                 }
-                Kind::Folded(operation) => return self.folded(operation, arguments, card, parts, code),
-                Kind::Sample => return self.sample(block, arguments, card, parts, code),
-                Kind::Slope => return self.slope(block, arguments, card, parts, code),
-                Kind::Implicit => return self.register(),
+                FunctionKind::Folded(operation) => return self.folded(operation, arguments, card, parts, code),
+                FunctionKind::Sample => return self.sample(block, arguments, card, parts, code),
+                FunctionKind::Slope => return self.slope(block, arguments, card, parts, code),
+                FunctionKind::Implicit => return self.register(),
                 _ => return block.map_or(TIME, |block| self.of_block[block]),
             },
         };
@@ -104,8 +104,8 @@ impl Compiler<'_> {
         }
         let mut operation = operation;
         // A square is a product, as FORTRAN makes of it.
-        if let Node::Binary(Operation::Power, [base, exponent]) = node
-            && expression.nodes[*exponent].0 == Node::Number(2.0)
+        if let ExpressionNode::Binary(Operation::Power, [base, exponent]) = node
+            && expression.nodes[*exponent].0 == ExpressionNode::Number(2.0)
         {
             operation = Operation::Multiply;
             from = [parts[*base], parts[*base], 0, 0];
@@ -156,7 +156,7 @@ impl Compiler<'_> {
         let before = [self.register(), self.register()];
         let to = block.map_or(TIME, |block| self.of_block[block]);
         code.push(card, Instruction { operation: Operation::Slope, to, from: [now[0], now[1], before[0], before[1]] });
-        self.slopes.push(Slope { now, before });
+        self.slopes.push(DifferenceQuotient { now, before });
         to
     }
 }

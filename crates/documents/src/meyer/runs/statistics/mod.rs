@@ -12,8 +12,8 @@ pub use routes::{LITTLE, lagged, shuffled};
 
 use super::study::{delays, explained, scores};
 use super::table::{listing, rows};
-use geneva_case1973::chance::{self, Shuffled};
-use geneva_case1973::fitted::Freed;
+use geneva_case1973::chance::{self, ShuffleScope};
+use geneva_case1973::fitted::InertiaFit;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::{Others, margins, margins_by_one_row_of_each};
 use geneva_case1973::witness::{densities, sampling};
@@ -63,7 +63,7 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "runs.minima",
         meaning: "minima right to one unit, reset after 90° and the inertias of Fig. 11",
         by: STEPS,
-        first: || Some(score(Hypothesis::WITHOUT_LAG)?.on(Column::Minimum)?.within_one as f64),
+        first: || Some(score(Hypothesis::WITHOUT_LAG)?.fit(Column::Minimum)?.within_one as f64),
         second: || count_cycles(Hypothesis::WITHOUT_LAG, &Mechanism::ALL, &[Column::Minimum], 1.0),
         within: 0.0,
     },
@@ -71,7 +71,7 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "runs.periods",
         meaning: "periods right to one unit, reset after 90° and the inertias of Fig. 11",
         by: STEPS,
-        first: || Some(score(Hypothesis::WITHOUT_LAG)?.on(Column::Period)?.within_one as f64),
+        first: || Some(score(Hypothesis::WITHOUT_LAG)?.fit(Column::Period)?.within_one as f64),
         second: || count_cycles(Hypothesis::WITHOUT_LAG, &Mechanism::ALL, &[Column::Period], 1.0),
         within: 0.0,
     },
@@ -79,7 +79,7 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "runs.peaks",
         meaning: "peaks right to one unit, reset after 90° and the inertias of Fig. 11",
         by: INTEGRATOR,
-        first: || Some(score(Hypothesis::WITHOUT_LAG)?.on(Column::Peak)?.within_one as f64),
+        first: || Some(score(Hypothesis::WITHOUT_LAG)?.fit(Column::Peak)?.within_one as f64),
         second: || count(&Mechanism::ALL, &[Column::Peak], 1.0, without_lag),
         within: 0.0,
     },
@@ -87,7 +87,7 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "runs.peaks-lagged",
         meaning: "peaks right to one unit, the program as listed",
         by: NEWTON,
-        first: || Some(lagged(0.1)?.on(Column::Peak)?.within_one as f64),
+        first: || Some(lagged(0.1)?.fit(Column::Peak)?.within_one as f64),
         second: || count_lagged(&Mechanism::ALL, &[Column::Peak], 1.0),
         within: 0.0,
     },
@@ -288,7 +288,7 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "rise.by-chance.usual",
         meaning: "rise times that the best definition explains in the median of all shuffles",
         by: DEALS,
-        first: || middle(shuffled(Shuffled::InTables).to_vec()),
+        first: || middle(shuffled(ShuffleScope::InTables).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), false, SHUFFLES)),
         within: 0.0,
     },
@@ -296,7 +296,7 @@ pub static STATISTICS: [Statistic; 29] = [
         name: "rise.by-chance.equal-torques",
         meaning: "rise times that the best definition explains in the median of all shuffles among equal torques",
         by: DEALS,
-        first: || middle(shuffled(Shuffled::AmongEqualTorques).to_vec()),
+        first: || middle(shuffled(ShuffleScope::AmongEqualTorques).to_vec()),
         second: || middle(sampling::rises(rows(), &definitions(), true, SHUFFLES)),
         within: 0.0,
     },
@@ -323,7 +323,7 @@ mod tests {
     #[test]
     fn the_best_of_all_definitions_explains_more_than_in_any_shuffle() {
         let found = explained().iter().map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max();
-        let [anywhere, alike] = [Shuffled::InTables, Shuffled::AmongEqualTorques].map(shuffled);
+        let [anywhere, alike] = [ShuffleScope::InTables, ShuffleScope::AmongEqualTorques].map(shuffled);
         assert!(anywhere.iter().chain(alike).max() < found.as_ref());
         // Where the torque is kept, so is what all definitions have in common.
         assert!(mean(anywhere) < mean(alike));
@@ -333,7 +333,7 @@ mod tests {
     fn the_right_reset_explains_the_tables_with_no_inertias_and_the_quarter_turn_does() {
         for mechanism in OTHERS {
             let table = rows_of(rows(), mechanism);
-            let of = |reset| Freed::inertias(table, reset).expect("a motion");
+            let of = |reset| InertiaFit::new(table, reset).expect("a motion");
             let [own, quarter] = [Reset::OfTheMechanism, Reset::QuarterTurn].map(of);
             assert!(own.within_one() <= 6 && quarter.within_one() >= 47, "{own:?} {quarter:?}");
             assert!(own.mean_misfit() > 5.0 && quarter.mean_misfit() < 0.5);
@@ -348,7 +348,7 @@ mod tests {
     fn less_friction_fits_ever_better_but_comes_to_no_good_fit() {
         for mechanism in OTHERS {
             let table = rows_of(rows(), mechanism);
-            let with = |friction| Freed::with_friction(table, Reset::OfTheMechanism, friction).expect("a motion");
+            let with = |friction| InertiaFit::with_friction(table, Reset::OfTheMechanism, friction).expect("a motion");
             let all = [1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01].map(with);
             assert!(all.windows(2).all(|pair| pair[1].mean_misfit() < pair[0].mean_misfit()));
             let [.., before, last] = &all;

@@ -2,7 +2,7 @@
 
 use super::*;
 use geneva_case1973::witness::{self, gauss_newton, steps};
-use geneva_case1973::{Run, Score};
+use geneva_case1973::{Run, Score, rise_times};
 
 /// The score of a hypothesis among those compared.
 pub fn score(hypothesis: Hypothesis) -> Option<&'static Score<'static>> {
@@ -33,11 +33,11 @@ pub fn count(
 
 /// A run with the exact sign on the integrator of the program, where the first route solves the motion over the angle.
 pub fn without_lag(row: &Row) -> Option<Run> {
-    Hypothesis::WITHOUT_LAG.by_program(row, &row.given.listing.integrator())
+    Hypothesis::WITHOUT_LAG.run_by_program(row, &row.given.listing.integrator())
 }
 
 pub fn count_lagged(mechanisms: &[Mechanism], columns: &[Column], units: f64) -> Option<f64> {
-    count(mechanisms, columns, units, witness::lagged)
+    count(mechanisms, columns, units, witness::lagged_run)
 }
 
 /// How many results are near by the steady cycle in steps.
@@ -104,7 +104,7 @@ pub fn over_a_fifth(logarithms: fn(&Score) -> Option<[f64; 2]>) -> Option<f64> {
 }
 
 pub fn freed(mechanism: Mechanism, reset: Reset) -> Option<f64> {
-    Some(Freed::inertias(rows_of(rows(), mechanism), reset)?.within_one() as f64)
+    Some(InertiaFit::new(rows_of(rows(), mechanism), reset)?.within_one() as f64)
 }
 
 pub fn freed_in_steps(mechanism: Mechanism, reset: Reset) -> Option<f64> {
@@ -121,7 +121,7 @@ pub fn within_one_in_steps(table: &[Row], reset: Reset) -> Option<f64> {
 pub const LITTLE: f64 = 0.01;
 
 pub fn little_friction(mechanism: Mechanism) -> Option<f64> {
-    let freed = Freed::with_friction(rows_of(rows(), mechanism), Reset::OfTheMechanism, LITTLE)?;
+    let freed = InertiaFit::with_friction(rows_of(rows(), mechanism), Reset::OfTheMechanism, LITTLE)?;
     Some(freed.within_one() as f64)
 }
 
@@ -137,10 +137,10 @@ pub fn little_friction_in_steps(mechanism: Mechanism) -> Option<f64> {
 }
 
 /// How many rise times the best definition explains in each shuffle; dealt once.
-pub fn shuffled(shuffled: Shuffled) -> &'static [usize] {
+pub fn shuffled(shuffled: ShuffleScope) -> &'static [usize] {
     static COUNTS: [OnceLock<Vec<usize>>; 2] = [const { OnceLock::new() }; 2];
-    let own = usize::from(shuffled == Shuffled::AmongEqualTorques);
-    let deal = || chance::shuffles_of_definitions(rows(), explained(), shuffled, SHUFFLES);
+    let own = usize::from(shuffled == ShuffleScope::AmongEqualTorques);
+    let deal = || rise_times::shuffles_of_definitions(rows(), explained(), shuffled, SHUFFLES);
     COUNTS[own].get_or_init(deal)
 }
 

@@ -195,7 +195,7 @@ pub(super) fn is_unprintable(sign: char) -> bool {
 
 /// A problem, and where it is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fault {
+pub struct Diagnostic {
     /// The file of data that it is about; none if it is about the deck.
     pub file: Option<String>,
     /// Number of the card in its file, counted from 1; 0 if it is about the whole deck.
@@ -208,7 +208,7 @@ pub struct Fault {
     pub problem: Problem,
 }
 
-impl fmt::Display for Fault {
+impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.card == 0 {
             return write!(f, "{}", self.problem);
@@ -231,7 +231,7 @@ impl fmt::Display for Fault {
 
 /// All mistakes of a deck, in the order of its cards.
 #[derive(Clone, Debug, PartialEq, Error)]
-pub struct Faults(pub Vec<Fault>);
+pub struct Diagnostics(pub Vec<Diagnostic>);
 
 /// Most faults that are collected of cards, and of what does not fit together.
 pub(super) const MOST_FAULTS: usize = 50_000;
@@ -239,7 +239,7 @@ pub(super) const MOST_FAULTS: usize = 50_000;
 /// Most faults that are listed, the first ones; the others are counted.
 pub(super) const MOST_TOLD: usize = 50;
 
-impl fmt::Display for Faults {
+impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (number, fault) in self.0.iter().take(MOST_TOLD).enumerate() {
             if number > 0 {
@@ -254,9 +254,9 @@ impl fmt::Display for Faults {
     }
 }
 
-impl Faults {
+impl Diagnostics {
     /// These in the order of the cards, if there are any.
-    pub(super) fn among(mut faults: Vec<Fault>) -> Result<(), Self> {
+    pub(super) fn check(mut faults: Vec<Diagnostic>) -> Result<(), Self> {
         faults.sort_by_key(|fault| (fault.card, fault.columns.start));
         faults.dedup();
         if faults.is_empty() { Ok(()) } else { Err(Self(faults)) }

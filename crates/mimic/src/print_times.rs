@@ -5,7 +5,7 @@ pub(crate) const SLIVER: f64 = 1e-9;
 
 /// The multiples of the print interval up to the run length, and the run length.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Grid {
+pub(crate) struct PrintTimes {
     interval: f64,
     end: f64,
     /// Number of the last multiple.
@@ -14,7 +14,7 @@ pub(crate) struct Grid {
     pub(crate) last: u64,
 }
 
-impl Grid {
+impl PrintTimes {
     /// Both must be positive and finite, and their ratio at most [`MOST_STEPS`](crate::MOST_STEPS).
     ///
     /// A run length within rounding of a multiple is taken for the multiple; any other is a last point of its own.

@@ -9,16 +9,16 @@ use crate::{Hypothesis, Reset, Row};
 
 /// A table with the inputs that reproduce its peaks, minima and periods best, by least squares.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Freed {
+pub struct InertiaFit {
     /// Moments of inertia of driver and follower, in in lb s².
     pub inertias: [f64; 2],
     /// By how many units of its last printed place each computed result is off.
     pub misfits: Vec<f64>,
 }
 
-impl Freed {
+impl InertiaFit {
     /// The best inertias of a mechanism's table with this reset; none if they have no motion.
-    pub fn inertias(table: &[Row], reset: Reset) -> Option<Self> {
+    pub fn new(table: &[Row], reset: Reset) -> Option<Self> {
         Self::with_friction(table, reset, 1.0)
     }
 
@@ -26,7 +26,7 @@ impl Freed {
     pub fn with_friction(table: &[Row], reset: Reset, friction: f64) -> Option<Self> {
         let angle = angle(table, reset)?;
         let [driver, follower] = inertias(table, angle, friction)?;
-        let misfits = Motions::of(table, angle, friction, driver / follower)?.misfits(follower);
+        let misfits = Motions::new(table, angle, friction, driver / follower)?.misfits(follower);
         Some(Self { inertias: [driver, follower], misfits })
     }
 
@@ -50,7 +50,7 @@ pub fn most_within_one(table: &[Row], reset: Reset) -> Option<usize> {
     let [least, most] = ratios(table, 1.0)?.map(libm::log);
     let of = |step: u32| {
         let ratio = libm::exp(least + (most - least) * f64::from(step) / f64::from(RATIOS));
-        Motions::of(table, angle, 1.0, ratio).map_or(0, |motions| most_at_one_point(&motions.near()))
+        Motions::new(table, angle, 1.0, ratio).map_or(0, |motions| most_at_one_point(&motions.root_ranges()))
     };
     (0..=RATIOS).map(of).max()
 }

@@ -1,0 +1,147 @@
+//! How sizes in millimetres follow from the numbers of stations and pins, one length and the designer's choices.
+
+use super::Wheel;
+use super::fit::Remedy::{LessDepth, LessPlay, ThinnerHorn, ThinnerPin};
+use super::fit::{ShaftOf, SizesError};
+use super::sizes::{Choices, Crescent, LockingDisc, OF_CRANK_RADIUS, Play, Scale, Sizes};
+use crate::error::length;
+use crate::indexing::Indexing;
+
+/// The least diameter of a driver's shaft that the program chooses, over the pin's diameter, dimensionless.
+const OF_DRIVER_SHAFT: f64 = 0.4;
+
+/// The clearance at a slot's bottom over the pin's diameter, dimensionless.
+const OF_BOTTOM: f64 = 0.05;
+
+/// A dwell shorter than this part of a turn is none: it is rounding.
+const SHORTEST_DWELL: f64 = 1e-9;
+
+impl Sizes {
+    /// The sizes of a wheel from one length and the designer's choices.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Remedy, Scale, Sizes, SizesError, Wheel};
+    ///
+    /// let thick = Choices { pin_diameter: Some(60.0), ..Choices::default() }; // mm, on a crank of 50 mm
+    /// let refused = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &thick);
+    /// assert!(matches!(refused, Err(SizesError::DoesNotFit { remedies, .. }) if remedies.contains(&Remedy::ThinnerPin)));
+    /// # Ok::<(), SizesError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`SizesError::Kinematics`] for a length that is not positive and finite, [`SizesError::Play`] for a play or a
+    /// clearance that is negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way, and
+    /// [`SizesError::Shaft`] for a shaft that is too thick.
+    pub fn new(wheel: Wheel, scale: Scale, choices: &Choices) -> Result<Self, SizesError> {
+        let [a, c, wheel_radius] = lengths(&wheel, scale)?;
+        // a tan(α/2), without the difference of nearly equal lengths.
+        let from_axis = a * libm::tan(wheel.half_pitch_angle() / 2.0);
+        let pin_diameter = match choices.pin_diameter {
+            Some(asked) => length("pin diameter", asked)?,
+            None => default_pin(a, c, from_axis),
+        };
+        let play = match choices.play {
+            Some(play) => fitting_play(play)?,
+            None => Play::from_slot((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
+        };
+        let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
+        let slot_width = pin_diameter + play.slot;
+        let bottom_clearance = match choices.bottom_clearance {
+            Some(asked) => zero_or_more("clearance at the slot's bottom", asked)?,
+            None => OF_BOTTOM * pin_diameter,
+        };
+        let (half, slot_end) = (slot_width / 2.0, c - a - bottom_clearance);
+        let sine = libm::sin(wheel.half_pitch_angle());
+        let web = 2.0 * slot_end * sine - slot_width;
+        let fits = |room: f64, what, remedies| {
+            if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, remedies }) }
+        };
+        fits(web, "the ends of two neighbouring slots run into each other", &[ThinnerPin, LessPlay, LessDepth])?;
+        let locking_arc_radius = a - half - horn_thickness;
+        let tip_radius = libm::hypot(wheel_radius, half);
+        fits(locking_arc_radius + tip_radius - c, "the locking arcs miss the wheel", &[ThinnerPin, ThinnerHorn])?;
+        let passing = c - a - pin_diameter / 2.0;
+        let plate_radius = a + pin_diameter / 2.0 + (pin_diameter / 2.0).min(passing / 2.0);
+        let mut sizes = Self {
+            wheel,
+            crank_radius: a,
+            centre_distance: c,
+            wheel_radius,
+            tip_radius,
+            pin_diameter,
+            play,
+            slot_width,
+            bottom_clearance,
+            slot_end,
+            slot_depth: wheel_radius - slot_end + half,
+            horn_thickness,
+            web,
+            locking_arc_radius,
+            locking_disc: None,
+            plate_radius,
+            wheel_shaft_limit: 2.0 * (slot_end - half).min(c - plate_radius) - play.bore,
+            driver_shaft_limit: 2.0 * (c - tip_radius) - play.bore,
+            wheel_shaft: 0.0,
+            driver_shaft: 0.0,
+        };
+        if wheel.dwell_fraction() > SHORTEST_DWELL {
+            let radius = fits(locking_arc_radius - play.locking / 2.0, "the play leaves no locking disc", &[LessPlay])?;
+            let crescent = Crescent::shallowest(&sizes, radius)?;
+            let left = 2.0 * (crescent.centre - crescent.radius) - play.bore;
+            sizes.driver_shaft_limit = sizes.driver_shaft_limit.min(left);
+            sizes.locking_disc = Some(LockingDisc { radius, crescent });
+        }
+        sizes.wheel_shaft = shaft(ShaftOf::Wheel, choices.wheel_shaft, sizes.wheel_shaft_limit, 0.0)?;
+        sizes.driver_shaft =
+            shaft(ShaftOf::Driver, choices.driver_shaft, sizes.driver_shaft_limit, OF_DRIVER_SHAFT * pin_diameter)?;
+        Ok(sizes)
+    }
+}
+
+/// Crank radius, centre distance and wheel radius; the one that is given comes back as it is.
+fn lengths(wheel: &Wheel, scale: Scale) -> Result<[f64; 3], SizesError> {
+    let (c, r) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
+    let lengths = match scale {
+        Scale::CrankRadius(a) => {
+            let a = length("crank radius", a)?;
+            [a, a * c, a * r]
+        }
+        Scale::CentreDistance(distance) => {
+            let distance = length("centre distance", distance)?;
+            [distance / c, distance, distance / c * r]
+        }
+        Scale::WheelRadius(radius) => {
+            let radius = length("wheel radius", radius)?;
+            [radius / r, radius / r * c, radius]
+        }
+    };
+    for (name, of) in ["crank radius", "centre distance", "wheel radius"].into_iter().zip(lengths) {
+        length(name, of)?;
+    }
+    Ok(lengths)
+}
+
+fn default_pin(a: f64, c: f64, from_axis: f64) -> f64 {
+    (OF_CRANK_RADIUS * a).min((c - a) / 1.5).min(0.9 * (a * from_axis).sqrt())
+}
+
+fn fitting_play(play: Play) -> Result<Play, SizesError> {
+    for (name, asked) in [("slot play", play.slot), ("locking play", play.locking), ("bore play", play.bore)] {
+        zero_or_more(name, asked)?;
+    }
+    Ok(play)
+}
+
+fn zero_or_more(name: &'static str, asked: f64) -> Result<f64, SizesError> {
+    if asked >= 0.0 && asked.is_finite() { Ok(asked) } else { Err(SizesError::Play { name, asked }) }
+}
+
+/// The shaft that was asked for, or half of the greatest, or none if that is too thin to be of use.
+fn shaft(name: ShaftOf, asked: Option<f64>, most: f64, least: f64) -> Result<f64, SizesError> {
+    match asked {
+        None => Ok(Some(most / 2.0).filter(|half| *half > least).unwrap_or_default()),
+        Some(asked) if length("shaft's diameter", asked)? < most => Ok(asked),
+        Some(asked) => Err(SizesError::Shaft { name, asked, most }),
+    }
+}
