@@ -1,7 +1,7 @@
 //! Printing: streams, colours, exit codes, lines of a readable length, and drawings without a page.
 
 use crate::Answer;
-use crate::destination::Destination;
+use crate::destination::{Destination, STANDARD_OUTPUT, UNWRITABLE};
 use crate::printable::{chain, escaped_lines};
 use crate::version;
 use anstream::adapter::strip_str;
@@ -66,9 +66,6 @@ pub trait Streams {
 /// The streams of this process.
 pub struct Own;
 
-/// The message if standard output takes nothing.
-pub const UNWRITABLE: &str = "cannot write to standard output";
-
 // A standard output that is closed (`>&-`) cannot be told from one that nobody wants to see: the runtime opens /dev/null in
 // its place before `main`, for reading and writing, and so do others who give a program /dev/null, such as Python's
 // `subprocess.DEVNULL`. So it counts as /dev/null.
@@ -110,9 +107,6 @@ impl Streams for Answer {
         TextLayout::default()
     }
 }
-
-/// What is asked for instead of a file.
-pub const STANDARD_OUTPUT: &str = "-";
 
 /// How the text of an answer is laid out that goes where it was asked for: to standard output, or to a file.
 pub fn layout_for(asked: &str, streams: &dyn Streams) -> TextLayout {

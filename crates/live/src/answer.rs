@@ -1,6 +1,5 @@
 //! What a figure answers.
 
-use crate::control::Quantity;
 use geneva_ask::written::no_greater;
 use geneva_ask::{Field, Rounding};
 use geneva_figures::{Figure, with_minus_sign};
@@ -31,6 +30,29 @@ pub struct Number {
     pub value: f64,
     /// As it is read, with its unit.
     pub text: String,
+}
+
+/// A number that is told.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its name in the answer.
+    pub name: &'static str,
+    /// What it is called.
+    pub label: &'static str,
+    /// The key of the field that it is; none if the figure has it from elsewhere.
+    pub key: Option<&'static str>,
+}
+
+impl Quantity {
+    /// A number that the figure finds itself.
+    pub const fn new(name: &'static str, label: &'static str) -> Self {
+        Self { name, label, key: None }
+    }
+
+    /// A number that is the field with this key.
+    pub const fn field(name: &'static str, label: &'static str, key: &'static str) -> Self {
+        Self { name, label, key: Some(key) }
+    }
 }
 
 /// So many of so many parts of a long calculation.

@@ -1,6 +1,6 @@
 //! What a reader may move in a figure, and what is told.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Quantity};
 use crate::arguments::{Arguments, computable, quoted};
 
 /// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
@@ -178,29 +178,6 @@ pub struct Preset {
     pub name: &'static str,
     /// Its arguments; those left out keep their values, and `*2` makes a value twice what it is.
     pub arguments: &'static str,
-}
-
-/// A number that is told.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Quantity {
-    /// Its name in the answer.
-    pub name: &'static str,
-    /// What it is called.
-    pub label: &'static str,
-    /// The key of the field that it is; none if the figure has it from elsewhere.
-    pub key: Option<&'static str>,
-}
-
-impl Quantity {
-    /// A number that the figure finds itself.
-    pub const fn new(name: &'static str, label: &'static str) -> Self {
-        Self { name, label, key: None }
-    }
-
-    /// A number that is the field with this key.
-    pub const fn field(name: &'static str, label: &'static str, key: &'static str) -> Self {
-        Self { name, label, key: Some(key) }
-    }
 }
 
 /// An angle of the drawing that the pointer sets: that of the pointer about the circle of the pins.

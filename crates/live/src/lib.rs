@@ -19,9 +19,9 @@ mod mistake;
 mod polygon;
 mod wheel;
 
-pub use answer::{Answer, Number, Progress, shown};
+pub use answer::{Answer, Number, Progress, Quantity, shown};
 pub use arguments::Arguments;
-pub use control::{Control, Drag, File, Kind, Live, Preset, Quantity, Side};
+pub use control::{Control, Drag, File, Kind, Live, Preset, Side};
 
 /// All figures that a reader moves, in the order of the book.
 pub const LIVE: [&Live; 5] = [&wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];

@@ -257,6 +257,13 @@ fn with_arguments(error: SizesError, question: &Question) -> Error {
     Error::Sizes { error, arguments }
 }
 
+/// The error of numbers that are not finite.
+pub(super) fn too_large() -> Error {
+    refused!(
+        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
+    )
+}
+
 /// The crank radius in millimetres of a wheel of this scale.
 fn crank_radius(wheel: &AnyWheel, scale: Scale) -> Result<f64, Error> {
     Ok(match scale {

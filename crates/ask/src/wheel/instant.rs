@@ -1,8 +1,7 @@
 //! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
 use super::Question;
-use super::design::Design;
-use super::report::too_large;
+use super::design::{Design, too_large};
 use crate::written::{as_typed, rounded_down};
 use crate::{Error, Field, Item, Row};
 use geneva_dynamics::wheel_loads::Load;

@@ -3,7 +3,7 @@
 //! Ratios of length are to the crank radius; those of velocity, acceleration and jerk to the driver's angular speed, its
 //! square and its cube; fractions are of the driver's turn. What needs something that was not given is missing.
 
-use super::design::Design;
+use super::design::{Design, too_large};
 use super::instant::item;
 use super::kind::Kind;
 use super::{loads, parts};
@@ -51,13 +51,6 @@ impl Design {
         fields.extend(loads::fields(self, wheel)?);
         Ok(fields)
     }
-}
-
-/// The error of numbers that are not finite.
-pub(super) fn too_large() -> Error {
-    refused!(
-        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
-    )
 }
 
 fn given(design: &Design) -> Vec<Field> {

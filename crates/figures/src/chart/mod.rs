@@ -5,6 +5,7 @@
 //! draws frame, grid, numbers and layers on a [pen](pen::Pen) that writes our SVG.
 
 mod axis;
+mod frame;
 mod look;
 mod names;
 mod panel;

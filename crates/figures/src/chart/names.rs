@@ -1,6 +1,6 @@
 //! Where the names of curves and points stand: where they hide least.
 
-use super::panel::Frame;
+use super::frame::Frame;
 use crate::svg::{Canvas, Label, Path, Pixels, Place, Placing, Shape, around, leader};
 use crate::theme::PAPER;
 use nalgebra::Vector2;

@@ -1,11 +1,12 @@
 //! One frame with its axes, and what it shows: areas, curves, marks, lines of reference and names.
 
 use super::axis::Axis;
+use super::frame::Frame;
 use super::look::{Marker, Stroke};
 use super::names::{Name, Spot, write};
 use super::pen::{ENLARGED, Look, Pen, colour};
 use crate::parts::arrow;
-use crate::svg::{Canvas, Label, Pixels, Placing, part_within};
+use crate::svg::{Canvas, Label, Pixels, Placing};
 use crate::theme::Colour;
 use nalgebra::Vector2;
 use plotters::prelude::*;
@@ -188,7 +189,7 @@ impl Panel {
         let [left, right] = column.frame;
         let corner = Vector2::new(left, top + above);
         let end = Vector2::new(right, top + above + self.height);
-        Frame { corners: [corner, end], x: self.x.clone(), left: self.left.clone() }
+        Frame::new([corner, end], &self.x, &self.left)
     }
 
     /// Draws it on a canvas of this size, in a column, from `top` on.
@@ -216,7 +217,7 @@ impl Panel {
         let looks: Vec<Look> =
             [Look::Frame, Look::Grid].into_iter().chain(self.layers.iter().map(Layer::look)).collect();
         let large = |length: f64| (length * ENLARGED) as u32;
-        let [least, greatest] = frame.corners;
+        let [least, greatest] = frame.corners();
         let (below, beside) = (size.y - greatest.y, size.x - greatest.x);
         let root = Pen::new(canvas, size, &looks).into_drawing_area();
         let mut chart = ChartBuilder::on(&root)
@@ -266,7 +267,7 @@ impl Panel {
                     }
                 }
                 Layer::Marks { points, .. } => {
-                    let inside = points.iter().filter(|(x, y)| frame.holds(&frame.at(*x, *y)));
+                    let inside = points.iter().filter(|(x, y)| frame.contains(&frame.at(*x, *y)));
                     let marks = inside.map(|point| Circle::new(*point, 1, style));
                     chart.draw_series(marks)?;
                 }
@@ -277,7 +278,7 @@ impl Panel {
     }
 
     fn titles(&self, canvas: &mut Canvas, column: &Column, frame: &Frame) {
-        let [least, greatest] = frame.corners;
+        let [least, greatest] = frame.corners();
         let [left, end] = column.panel;
         let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, TITLE_HEIGHT + self.lift()));
         if let Some(title) = &self.left.title {
@@ -306,7 +307,7 @@ impl Panel {
 
     /// What names keep clear of, within the frame: marks, and those of the curves that are asked for.
     fn placing(&self, frame: &Frame, avoided: impl Fn(&[(f64, f64)]) -> bool) -> Placing {
-        let [least, greatest] = frame.corners;
+        let [least, greatest] = frame.corners();
         let room = Vector2::new(6.0, 4.0);
         let mut placing = Placing::within(least + room, greatest - room);
         for [from, to] in self.arrows(frame) {
@@ -339,70 +340,5 @@ impl Layer {
             Self::Curve { stroke, .. } => Look::Line(*stroke),
             Self::Marks { marker, .. } => Look::Marks(*marker),
         }
-    }
-}
-
-/// Where data lie on the page.
-#[derive(Clone, Debug)]
-pub struct Frame {
-    corners: [Pixels; 2],
-    /// The x axis.
-    pub x: Axis,
-    left: Axis,
-}
-
-impl Frame {
-    /// The upper left and the lower right corner.
-    pub fn corners(&self) -> [Pixels; 2] {
-        self.corners
-    }
-
-    /// Where values of the x axis and of the y axis meet.
-    pub fn at(&self, x: f64, y: f64) -> Pixels {
-        self.at_share([self.x.share(x), self.left.share(y)])
-    }
-
-    /// A place in shares of the frame, from its lower left corner.
-    pub fn at_share(&self, [x, y]: [f64; 2]) -> Pixels {
-        let [least, greatest] = self.corners;
-        Vector2::new(least.x + x * (greatest.x - least.x), greatest.y + y * (least.y - greatest.y))
-    }
-
-    /// The places of points, as far as they lie within.
-    pub fn inside(&self, points: &[(f64, f64)]) -> Vec<Pixels> {
-        points.iter().map(|(x, y)| self.at(*x, *y)).filter(|at| self.holds(at)).collect()
-    }
-
-    fn holds(&self, at: &Pixels) -> bool {
-        let [least, greatest] = self.corners;
-        let slack = Vector2::new(1e-6, 1e-6);
-        at.sup(&(least - slack)) == *at && at.inf(&(greatest + slack)) == *at
-    }
-
-    /// The parts of a curve that lie within: plotters would draw the rest along the edge.
-    fn parts(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
-        let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
-        let mut goes_on = false;
-        for pair in points.windows(2) {
-            let [from, to] = [pair[0], pair[1]].map(|(x, y)| self.at(x, y));
-            let Some([enter, leave]) = part_within(&from, &to, &self.corners) else {
-                goes_on = false;
-                continue;
-            };
-            let end = if leave < 1.0 { self.data(&from.lerp(&to, leave)) } else { pair[1] };
-            match parts.last_mut() {
-                Some(part) if goes_on => part.push(end),
-                _ => parts.push(vec![if enter > 0.0 { self.data(&from.lerp(&to, enter)) } else { pair[0] }, end]),
-            }
-            goes_on = leave >= 1.0;
-        }
-        parts
-    }
-
-    /// The values at a place.
-    fn data(&self, at: &Pixels) -> (f64, f64) {
-        let [least, greatest] = self.corners;
-        let x = self.x.value_at((at.x - least.x) / (greatest.x - least.x));
-        (x, self.left.value_at((greatest.y - at.y) / (greatest.y - least.y)))
     }
 }

@@ -1,6 +1,6 @@
 //! The three panels of the forces.
 
-use super::forces::Senses;
+use super::force_senses::Senses;
 use super::pose::Bodies;
 use crate::parts::{NEAR, WIDTH, angle, arrow, axis, numbered, right_angle, sense, vector};
 use crate::svg::{Canvas, DASHED, Label, Path, Pixels, Placing, Shape, View, angle_of, around, beside_line, heading};

@@ -11,6 +11,7 @@ mod drawn;
 mod engagement;
 mod existence;
 mod force_panels;
+mod force_senses;
 mod forces;
 mod hand_over;
 mod mechanism;

@@ -1,8 +1,7 @@
 //! The page: shapes first, labels on top, then the frame that makes it an image with words.
 
 use super::ground::{Face, astray, below};
-use super::label::{Label, TEXT_SIZE, escape};
-use super::placing::Place;
+use super::label::{Label, Place, TEXT_SIZE, escape};
 use super::shape::Shape;
 use super::view::Pixels;
 use crate::number::trimmed;

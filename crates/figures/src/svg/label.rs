@@ -33,6 +33,17 @@ enum Style {
     Superscript,
 }
 
+/// Where a label may stand: so far from a point, in a direction.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// What the label belongs to.
+    pub point: Pixels,
+    /// Which way from there, of any length.
+    pub towards: Pixels,
+    /// How far from there, in pixels.
+    pub distance: f64,
+}
+
 /// A line of text made of symbols, subscripts and words.
 #[derive(Clone, Debug)]
 pub struct Label {

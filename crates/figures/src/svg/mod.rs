@@ -11,8 +11,8 @@ mod shape;
 mod view;
 
 pub use canvas::{Canvas, Kind, PIXELS_PER_MILLIMETRE};
-pub use label::{HALO, Label, TEXT_SIZE, escape};
+pub use label::{HALO, Label, Place, TEXT_SIZE, escape};
 pub use path::{Path, Sense};
-pub use placing::{Place, Placing, around, beside_line, leader};
+pub use placing::{Placing, around, beside_line, leader};
 pub use shape::{DASHED, Shape};
 pub use view::{Pixels, View, angle_of, heading, part_within};

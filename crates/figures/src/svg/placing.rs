@@ -1,7 +1,7 @@
 //! Where a label has room: of several places the one that hides least.
 
 use super::canvas::Canvas;
-use super::label::Label;
+use super::label::{Label, Place};
 use super::shape::Shape;
 use super::view::{Pixels, clipped, heading};
 use crate::theme::INK;
@@ -19,17 +19,6 @@ const LEADER: f64 = 24.0;
 const ROOMY: f64 = 14.0;
 /// Free space about a label, in pixels.
 const AIR: f64 = 3.0;
-
-/// A place for a label: so far from a point, in a direction.
-#[derive(Clone, Copy, Debug)]
-pub struct Place {
-    /// What the label belongs to.
-    pub point: Pixels,
-    /// Which way from there, of any length.
-    pub towards: Pixels,
-    /// How far from there, in pixels.
-    pub distance: f64,
-}
 
 /// An area in plain numbers: its least and its greatest x, its least and its greatest y.
 type Area = [[f64; 2]; 2];
