@@ -5,7 +5,7 @@ use crate::arguments::number;
 use crate::control::{Control, Live, Preset, Quantity, Settings};
 use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin};
 use geneva_dynamics::{Inertias, Parameters};
-use geneva_figures::runs::{Compared, one_agreement};
+use geneva_figures::runs::{ComparedCells, one_agreement};
 use geneva_kinematics::Mechanism;
 use std::cell::RefCell;
 
@@ -59,7 +59,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     };
     let name = if hypothesis.lag == Lag::None { angle } else { format!("{angle}, sign late") };
     let score = Score::of_results(hypothesis, &rows, results);
-    let figure = one_agreement(&Compared::new(name, &score), "1 rad/s or 1 ms");
+    let figure = one_agreement(&ComparedCells::new(name, &score), "1 rad/s or 1 ms");
     let counted = |name, mechanisms: &[Mechanism]| {
         let count = score.within_one_of(mechanisms);
         let all = score.cells().filter(|cell| mechanisms.contains(&cell.mechanism)).count();

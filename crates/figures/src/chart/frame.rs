@@ -1,6 +1,6 @@
 //! Where data lie on the page: the frame of a panel, with the scales of its axes.
 
-use super::axis::Axis;
+use super::axis::ChartAxis;
 use crate::svg::{Pixels, part_within};
 use nalgebra::Vector2;
 
@@ -9,13 +9,13 @@ use nalgebra::Vector2;
 pub struct Frame {
     corners: [Pixels; 2],
     /// The x axis.
-    pub x: Axis,
-    left: Axis,
+    pub x: ChartAxis,
+    left: ChartAxis,
 }
 
 impl Frame {
     /// The frame between two corners, the upper left and the lower right, with an x axis and the y axis at its left.
-    pub fn new(corners: [Pixels; 2], x: &Axis, left: &Axis) -> Self {
+    pub fn new(corners: [Pixels; 2], x: &ChartAxis, left: &ChartAxis) -> Self {
         Self { corners, x: x.clone(), left: left.clone() }
     }
 

@@ -1,8 +1,8 @@
 //! One frame with its axes, and what it shows: areas, curves, marks, lines of reference and names.
 
-use super::axis::Axis;
+use super::axis::ChartAxis;
 use super::frame::Frame;
-use super::look::{Marker, Stroke};
+use super::look::{LineStyle, Marker};
 use super::names::{Name, Spot, write};
 use super::pen::{ENLARGED, Look, Pen, colour};
 use crate::parts::arrow;
@@ -39,7 +39,7 @@ enum Layer {
     /// A filled area, under the grid.
     Area { corners: Vec<(f64, f64)>, colour: Colour, class: &'static str },
     /// A curve, as far as it lies in the frame.
-    Curve { points: Vec<(f64, f64)>, stroke: Stroke },
+    Curve { points: Vec<(f64, f64)>, stroke: LineStyle },
     /// Equal marks, as far as they lie in the frame.
     Marks { points: Vec<(f64, f64)>, marker: Marker },
 }
@@ -49,19 +49,19 @@ enum Layer {
 struct Impulse {
     x: f64,
     upwards: bool,
-    stroke: Stroke,
+    stroke: LineStyle,
 }
 
 /// From where to where on the page a panel goes, and its frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Column {
+pub struct PanelColumn {
     panel: [f64; 2],
     frame: [f64; 2],
 }
 
-impl Column {
+impl PanelColumn {
     /// The column of this number, of so many on a page of this width.
-    pub fn of(number: usize, columns: usize, width: f64) -> Self {
+    pub fn new(number: usize, columns: usize, width: f64) -> Self {
         if columns < 2 {
             return Self { panel: [0.0, width], frame: [SIDE, width - SIDE] };
         }
@@ -74,9 +74,9 @@ impl Column {
 #[derive(Clone, Debug)]
 pub struct Panel {
     height: f64,
-    x: Axis,
-    left: Axis,
-    right: Axis,
+    x: ChartAxis,
+    left: ChartAxis,
+    right: ChartAxis,
     layers: Vec<Layer>,
     impulses: Vec<Impulse>,
     names: Vec<Name>,
@@ -84,7 +84,7 @@ pub struct Panel {
 
 impl Panel {
     /// An empty frame of this height in pixels.
-    pub fn new(height: f64, x: &Axis, left: &Axis) -> Self {
+    pub fn new(height: f64, x: &ChartAxis, left: &ChartAxis) -> Self {
         let right = left.blank();
         Self {
             height,
@@ -98,7 +98,7 @@ impl Panel {
     }
 
     /// Other marks and words at the right: for what belongs to the same heights.
-    pub fn right(self, right: Axis) -> Self {
+    pub fn right_axis(self, right: ChartAxis) -> Self {
         Self { right, ..self }
     }
 
@@ -116,7 +116,7 @@ impl Panel {
     }
 
     /// A curve, as far as it lies in the frame.
-    pub fn curve(mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) -> Self {
+    pub fn curve(mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: LineStyle) -> Self {
         self.layers.push(Layer::Curve { points: points.into_iter().collect(), stroke });
         self
     }
@@ -128,25 +128,25 @@ impl Panel {
     }
 
     /// An arrow from zero to the top of the frame, or to its foot: what becomes infinite for an instant.
-    pub fn impulse(mut self, x: f64, upwards: bool, stroke: Stroke) -> Self {
+    pub fn impulse(mut self, x: f64, upwards: bool, stroke: LineStyle) -> Self {
         self.impulses.push(Impulse { x, upwards, stroke });
         self
     }
 
     /// A line from the foot of the frame to its top.
-    pub fn vertical(self, x: f64, stroke: Stroke) -> Self {
+    pub fn vertical(self, x: f64, stroke: LineStyle) -> Self {
         let Range { start, end } = self.left.range;
         self.curve([(x, start), (x, end)], stroke)
     }
 
     /// A line across the frame.
-    pub fn horizontal(self, y: f64, stroke: Stroke) -> Self {
+    pub fn horizontal(self, y: f64, stroke: LineStyle) -> Self {
         let Range { start, end } = self.x.range;
         self.curve([(start, y), (end, y)], stroke)
     }
 
     /// A name near one of the points, first in this direction (radians, counter-clockwise as seen).
-    pub fn near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
+    pub fn name_near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
         self.name(label, Spot::Near(points.into_iter().collect(), first))
     }
 
@@ -184,7 +184,7 @@ impl Panel {
         if titles.into_iter().flatten().any(Label::has_subscript) { LIFT } else { 0.0 }
     }
 
-    fn frame(&self, column: &Column, top: f64) -> Frame {
+    fn frame(&self, column: &PanelColumn, top: f64) -> Frame {
         let above = self.above();
         let [left, right] = column.frame;
         let corner = Vector2::new(left, top + above);
@@ -197,7 +197,7 @@ impl Panel {
         &self,
         canvas: &mut Canvas,
         size: Pixels,
-        column: &Column,
+        column: &PanelColumn,
         top: f64,
     ) -> Result<(), Box<dyn std::error::Error + '_>> {
         let frame = self.frame(column, top);
@@ -277,7 +277,7 @@ impl Panel {
         Ok(())
     }
 
-    fn titles(&self, canvas: &mut Canvas, column: &Column, frame: &Frame) {
+    fn titles(&self, canvas: &mut Canvas, column: &PanelColumn, frame: &Frame) {
         let [least, greatest] = frame.corners();
         let [left, end] = column.panel;
         let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, TITLE_HEIGHT + self.lift()));
@@ -309,7 +309,7 @@ impl Panel {
     fn placing(&self, frame: &Frame, avoided: impl Fn(&[(f64, f64)]) -> bool) -> Placing {
         let [least, greatest] = frame.corners();
         let room = Vector2::new(6.0, 4.0);
-        let mut placing = Placing::within(least + room, greatest - room);
+        let mut placing = Placing::new(least + room, greatest - room);
         for [from, to] in self.arrows(frame) {
             placing.avoid(&from, &to, 2.0);
         }
@@ -319,7 +319,7 @@ impl Panel {
                 Layer::Curve { points, .. } if !avoided(points) => {}
                 Layer::Curve { points, stroke } => {
                     let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.at(*x, *y)).collect();
-                    placing.avoid_all(&super::trace::thinned(&places), if stroke.width < 1.5 { 0.3 } else { 2.0 });
+                    placing.avoid_all(&super::trace::thin_out(&places), if stroke.width < 1.5 { 0.3 } else { 2.0 });
                 }
                 Layer::Marks { points, marker } => {
                     let room = Vector2::new(1.0, 1.0) * (marker.size / 2.0 + 1.0);

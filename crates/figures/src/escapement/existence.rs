@@ -1,7 +1,7 @@
 //! How much friction an escapement can bear before its equation of motion has no single solution.
 
-use crate::chart::{Axis, Chart, Entry, Panel, Spot, of_mechanism};
-use crate::number::trimmed;
+use crate::chart::{Chart, ChartAxis, LegendEntry, Panel, Spot, of_mechanism};
+use crate::number::format_trimmed;
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
 use geneva_dynamics::Parameters;
@@ -19,7 +19,7 @@ const LIMITS: Range<f64> = 1e-6..1e6;
 
 /// An escapement to be marked on the map.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Design {
+pub struct MarkedEscapement {
     /// Pins, slots and centre distance.
     pub mechanism: Mechanism,
     /// I_D / I_f.
@@ -28,9 +28,9 @@ pub struct Design {
     pub friction: f64,
 }
 
-impl Design {
+impl MarkedEscapement {
     /// The point of an escapement.
-    pub fn of(parameters: &Parameters) -> Self {
+    pub fn from_parameters(parameters: &Parameters) -> Self {
         let inertia_ratio = parameters.inertias().ratio();
         Self { mechanism: parameters.mechanism(), inertia_ratio, friction: parameters.friction() }
     }
@@ -50,8 +50,8 @@ impl Design {
 /// Below its curve a mechanism has one acceleration at every angle; on it and above there are angles with none or more
 /// than one. The ranges grow with the designs. Series: I_D / I_f, then μ* for 3, 4 and 6 slots; the designs' inertias
 /// are among the rows.
-pub fn existence(designs: &[Design]) -> Figure {
-    let designs: Vec<&Design> = designs.iter().filter(|design| design.can_be_shown()).collect();
+pub fn existence(designs: &[MarkedEscapement]) -> Figure {
+    let designs: Vec<&MarkedEscapement> = designs.iter().filter(|design| design.can_be_shown()).collect();
     let [inertias, frictions] = axes(&designs);
     let mut panel = Panel::new(426.0, &inertias, &frictions);
     for mechanism in Mechanism::ALL {
@@ -64,7 +64,10 @@ pub fn existence(designs: &[Design]) -> Figure {
     let key = Mechanism::ALL.map(|mechanism| {
         let (pins, slots) = (mechanism.pins(), mechanism.slots());
         let look = of_mechanism(slots);
-        Entry::both(look, Label::words(&format!("{pins} pins, {slots} slots")).in_colour(look.0.colour))
+        LegendEntry::curve_with_marks(
+            look,
+            Label::words(&format!("{pins} pins, {slots} slots")).in_colour(look.0.colour),
+        )
     });
     let above = [0.06, 0.1, 0.16, 0.22].into_iter().flat_map(|y| [0.18, 0.2, 0.24].map(|x| [x, 1.0 - y]));
     let below = [0.84, 0.78, 0.9, 0.7, 0.66, 0.6].into_iter().flat_map(|y| [0.78, 0.72].map(|x| [x, 1.0 - y]));
@@ -91,18 +94,18 @@ pub fn existence(designs: &[Design]) -> Figure {
     Chart::new([panel]).key(key).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
 }
 
-fn mark_words(design: &Design) -> String {
+fn mark_words(design: &MarkedEscapement) -> String {
     let side = if design.is_sound() { "below" } else { "above" };
     format!(
         "{} slots at I_D / I_f = {}, μ = {}: {side} its curve",
         design.mechanism.slots(),
-        trimmed(design.inertia_ratio, 4),
-        trimmed(design.friction, 4)
+        format_trimmed(design.inertia_ratio, 4),
+        format_trimmed(design.friction, 4)
     )
 }
 
 /// Axes of I_D / I_f and of μ that hold the designs.
-fn axes(designs: &[&Design]) -> [Axis; 2] {
+fn axes(designs: &[&MarkedEscapement]) -> [ChartAxis; 2] {
     let ratios = || designs.iter().map(|design| design.inertia_ratio);
     let start = ratios().fold(INERTIAS.start, |least, one| least.min(one / 1.6));
     let end = ratios().fold(INERTIAS.end, |most, one| most.max(one * 1.6));
@@ -110,7 +113,7 @@ fn axes(designs: &[&Design]) -> [Axis; 2] {
     let ratio = Label::words("inertia of the driver over the follower's, ").and_symbol("I").sub("D");
     let ratio = ratio.and(" / ").and_symbol("I").sub("f");
     let friction = Label::words("coefficient of friction ").and_symbol("μ");
-    [Axis::logarithmic(start..end).titled(ratio), Axis::from_zero(0.0, top, 4.0).titled(friction)]
+    [ChartAxis::logarithmic(start..end).titled(ratio), ChartAxis::from_zero(0.0, top, 4.0).titled(friction)]
 }
 
 /// A curve, by steps of μ: from the left side of the frame to its top or its right side.
@@ -125,7 +128,7 @@ fn curve(mechanism: Mechanism, inertias: &Range<f64>, top: f64) -> Vec<(f64, f64
 }
 
 /// μ* of the three at equal ratios of the inertias, and at those of the designs.
-fn rows(inertias: &Range<f64>, designs: &[&Design]) -> Vec<[f64; 4]> {
+fn rows(inertias: &Range<f64>, designs: &[&MarkedEscapement]) -> Vec<[f64; 4]> {
     let step =
         |k: u32| inertias.start * libm::exp(libm::log(inertias.end / inertias.start) * f64::from(k) / f64::from(STEPS));
     let mut ratios: Vec<f64> = (0..=STEPS).map(step).collect();
@@ -143,14 +146,14 @@ fn rows(inertias: &Range<f64>, designs: &[&Design]) -> Vec<[f64; 4]> {
 #[cfg(test)]
 pub mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn};
+    use crate::checks::{ParsedDrawing, assert_drawn};
 
-    fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
-        Design { mechanism, inertia_ratio, friction }
+    fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> MarkedEscapement {
+        MarkedEscapement { mechanism, inertia_ratio, friction }
     }
 
     /// Some designs, two of them close together.
-    pub fn designs() -> Vec<Design> {
+    pub fn designs() -> Vec<MarkedEscapement> {
         vec![
             design(Mechanism::FOUR_PIN, 0.03, 0.125),
             design(Mechanism::FOUR_PIN, 0.04, 0.2),
@@ -169,7 +172,7 @@ pub mod tests {
             let row = rows.iter().find(|row| row[0] == design.inertia_ratio).expect("a row");
             let column = 1 + design.mechanism.index();
             assert!(design.is_sound() && design.friction < row[column]);
-            assert!(!Design { friction: row[column] * 1.001, ..design }.is_sound());
+            assert!(!MarkedEscapement { friction: row[column] * 1.001, ..design }.is_sound());
         }
         // A curve's points are where μ is critical.
         for mechanism in Mechanism::ALL {
@@ -194,8 +197,8 @@ pub mod tests {
             (0, far(1.0, -0.125)),
         ] {
             let figure = existence(&designs);
-            drawn(&figure);
-            let drawing = Drawing::of(&figure);
+            assert_drawn(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             assert_eq!(drawing.count("point"), marked, "{designs:?}");
         }
     }

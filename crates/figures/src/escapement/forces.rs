@@ -1,19 +1,19 @@
 //! The forces at one instant: on the pin, at the contact, on the follower.
 
-use super::engagement::{Instant, speed_at};
+use super::engagement::{EngagementState, speed_at};
 use super::force_panels::{contact, follower, pin_and_driver};
 use super::force_senses::Senses;
-use super::pose::{Bodies, Margins};
-use crate::number::{degrees, short, shown, significant, without_noise};
+use super::pose::{EscapementMargins, EscapementPose};
+use crate::number::{degrees, describe_parameters, short, significant, without_noise};
 use crate::parts::{WIDTH, angle_label};
-use crate::svg::{Canvas, Kind, Label, Shape};
+use crate::svg::{Canvas, DrawingKind, Label, Shape};
 use crate::theme::GRID;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
 use nalgebra::Vector2;
 
-const MARGINS: Margins = Margins { side: 46.0, above: 48.0, below: 30.0 };
+const MARGINS: EscapementMargins = EscapementMargins { side: 46.0, above: 48.0, below: 30.0 };
 /// Height of the two lower panels and of the values under them, in pixels.
 const LOWER: f64 = 330.0;
 const VALUES: f64 = 92.0;
@@ -44,8 +44,8 @@ pub fn steady_forces(parameters: &Parameters, part: f64) -> Result<Figure, Figur
 /// [`FigureError`] if the angle is beyond ±π/m or not finite, or the speed negative or not finite.
 pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, FigureError> {
     let escapement = parameters.mechanism();
-    let bodies = Bodies::at(&escapement, crank, MARGINS)?;
-    let at = Instant::new(parameters, crank, speed)?;
+    let bodies = EscapementPose::at_driver_angle(&escapement, crank, MARGINS)?;
+    let at = EngagementState::new(parameters, crank, speed)?;
     let normal = without_noise(at.normal, 1.0);
     let senses = Senses::new(crank, bodies.phi, normal, parameters.friction());
     let top = bodies.height;
@@ -104,14 +104,14 @@ pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<
             degrees(crank),
             significant(speed / parameters.drive().sqrt(), 3),
             senses.flank_words(),
-            shown(parameters)
+            describe_parameters(parameters)
         ),
     );
-    Ok(words.figure(canvas, Kind::Diagram, series))
+    Ok(words.figure(canvas, DrawingKind::Diagram, series))
 }
 
 /// The state in numbers, below the panels.
-fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f64; 3], top: f64) {
+fn values(canvas: &mut Canvas, at: &EscapementPose, [normal, friction, acceleration]: [f64; 3], top: f64) {
     let rule = [20.0, WIDTH - 20.0].map(|x| Vector2::new(x, top));
     canvas.draw(Shape::line(&rule[0], &rule[1]).stroke(GRID, 1.2));
     let number = |value: f64| format!(" = {}", short(value, 3));

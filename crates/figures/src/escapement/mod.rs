@@ -23,7 +23,7 @@ mod running;
 
 pub use angles::angles;
 pub(crate) use engagement::speeds;
-pub use existence::{Design, existence};
+pub use existence::{MarkedEscapement, existence};
 pub use forces::steady_forces;
 pub use hand_over::hand_over;
 pub use mechanism::mechanism;

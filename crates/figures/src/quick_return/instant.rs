@@ -13,7 +13,7 @@ const NOTHING: f64 = 1e-7;
 
 /// Position and motion at one instant. Angles in radians, the rest in the units of the arguments.
 #[derive(Clone, Debug)]
-pub struct Instant {
+pub struct LeverState {
     /// From the direction O4 → O2, in [0, 2π).
     pub crank_angle: f64,
     /// φ, in (−π, π].
@@ -28,7 +28,7 @@ pub struct Instant {
     pub motion: Motion<f64>,
 }
 
-impl Instant {
+impl LeverState {
     /// The motion of a linkage at a position. With the pin on the lever's pivot nothing moves.
     pub fn new(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> Self {
         let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).unwrap_or_else(still);
@@ -84,7 +84,7 @@ pub fn cleared(value: f64, scale: f64) -> f64 {
 }
 
 /// A value with its unit, to four significant digits; zero without any.
-pub fn written(value: f64, unit: &str) -> String {
+pub fn format_with_unit(value: f64, unit: &str) -> String {
     format!("{} {unit}", short(value, 4))
 }
 

@@ -1,6 +1,6 @@
 //! What the size of the joints costs: mean speed and multiplier against it.
 
-use crate::chart::{Axis, Chart, Panel, kind};
+use crate::chart::{Chart, ChartAxis, Panel, kind};
 use crate::number::{significant, with_hyphens};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
@@ -69,15 +69,19 @@ fn of_lines(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) -> F
     let sizes = || all().map(|point| point.0);
     let (least, greatest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(f64::NEG_INFINITY, f64::max));
     let x = if least < greatest {
-        Axis::spanning(least, greatest, 5.0)
+        ChartAxis::spanning(least, greatest, 5.0)
     } else {
-        Axis::from_zero(0.0, greatest.max(1.0), 5.0)
+        ChartAxis::from_zero(0.0, greatest.max(1.0), 5.0)
     };
     let titles = ["mean speed over ideal mean speed", "multiplier"];
     let panels = [0, 1].map(|k| {
         let values = || groups[k].iter().flat_map(finite).map(|point| point.1);
         let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-        let y = if low < high { Axis::spanning(low, high, 4.0) } else { Axis::from_zero(0.0, high.max(1.0), 4.0) };
+        let y = if low < high {
+            ChartAxis::spanning(low, high, 4.0)
+        } else {
+            ChartAxis::from_zero(0.0, high.max(1.0), 4.0)
+        };
         let x = if k == 1 { x.clone().titled(Label::words(size)) } else { x.clone() };
         groups[k].iter().fold(Panel::new(260.0, &x, &y.titled(Label::words(titles[k]))), |panel, line| {
             let (points, (stroke, marker)) = (finite(line), kind(number(line)));
@@ -88,7 +92,7 @@ fn of_lines(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) -> F
             let last_half = points.iter().skip(points.len() / 2).copied();
             let falls = points.first().zip(points.last()).is_some_and(|(first, last)| last.1 < first.1);
             let first = if falls { -FRAC_PI_2 } else { FRAC_PI_2 };
-            let panel = if is_named { panel } else { panel.near(last_half, first, name) };
+            let panel = if is_named { panel } else { panel.name_near(last_half, first, name) };
             if points.len() <= MARKED { panel.marks(points, marker.sized(8.0)) } else { panel }
         })
     });
@@ -127,7 +131,7 @@ fn of_lines(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) -> F
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn, sound};
+    use crate::checks::{ParsedDrawing, assert_drawn, assert_sound};
 
     fn lines(count: usize, points: i32, value: fn(f64) -> f64) -> Vec<Line> {
         let point = |k: i32| (f64::from(k) / f64::from(points), value(f64::from(k) / f64::from(points)));
@@ -139,8 +143,8 @@ mod tests {
         for (count, points) in [(1, 4), (3, 12), (5, 40)] {
             let (speeds, multipliers) = (lines(count, points, |x| 1.0 - 0.5 * x), lines(count, points, |x| 0.1 + x));
             let figure = of_lines("radius of the pin over the crank", "an example", &speeds, &multipliers);
-            sound(&figure);
-            let drawing = Drawing::of(&figure);
+            assert_sound(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             assert_eq!(drawing.count("loss"), 2 * count);
             // Straight lines are left with two points, falling and rising.
             for k in 0..2 * count {
@@ -158,7 +162,7 @@ mod tests {
             vec![Line { name: "odd".to_owned(), points: vec![(f64::NAN, 1.0), (0.5, f64::INFINITY), (0.25, 0.5)] }];
         for some in [vec![], odd] {
             let figure = of_lines("size", "nothing", &some, &some);
-            drawn(&figure);
+            assert_drawn(&figure);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The ground of a label: the faces below it, whose colours its halo has.
 
 use super::view::Pixels;
-use crate::number::trimmed;
+use crate::number::format_trimmed;
 use crate::theme::{Colour, FACE, FACE_SHARE, FILL, PAPER};
 
 /// Shares of a label's width and height at which it is asked what is below.
@@ -37,7 +37,7 @@ fn is_within(at: &Pixels, outline: &[Pixels]) -> bool {
 
 /// A filled shape.
 #[derive(Clone, Debug)]
-pub struct Face {
+pub struct FilledShape {
     pub area: Area,
     pub colour: Colour,
     /// How much it covers of what is below, between 0 and 1.
@@ -47,7 +47,7 @@ pub struct Face {
 /// The colour of what is below a label between two corners: of the faces that are under most of it.
 ///
 /// The fully covering colours of arrow heads and dots are no ground: a label covers them.
-pub fn below(faces: &[Face], corners: &[Pixels; 2]) -> String {
+pub fn ground_colour(faces: &[FilledShape], corners: &[Pixels; 2]) -> String {
     let under = |place: Pixels| faces.iter().filter(move |face| face.area.contains(&place));
     let grounds = counted(corners, |place| under(place).fold(PAPER.0.to_owned(), over));
     let most = grounds.iter().map(|(_, count)| *count).max();
@@ -55,7 +55,7 @@ pub fn below(faces: &[Face], corners: &[Pixels; 2]) -> String {
 }
 
 /// How much of a label between two corners is beyond the ground under most of it, between 0 and 1.
-pub fn astray(faces: &[Face], corners: &[Pixels; 2]) -> f64 {
+pub fn overhang(faces: &[FilledShape], corners: &[Pixels; 2]) -> f64 {
     let grounds = counted(corners, |place| {
         let under = faces.iter().enumerate().filter(|(_, face)| face.area.contains(&place));
         under.fold(Vec::new(), |mut under, (k, face)| {
@@ -88,9 +88,9 @@ fn counted<T: PartialEq>([least, greatest]: &[Pixels; 2], at: impl Fn(Pixels) ->
 }
 
 /// The colour of a ground with a face over it.
-fn over(ground: String, Face { colour, share, .. }: &Face) -> String {
+fn over(ground: String, FilledShape { colour, share, .. }: &FilledShape) -> String {
     let mixed = |colour: &str, share: f64| {
-        let percent = trimmed(100.0 * share, 1);
+        let percent = format_trimmed(100.0 * share, 1);
         if share < 1.0 { format!("color-mix(in srgb, {colour} {percent}%, {ground})") } else { colour.to_owned() }
     };
     match *colour {
@@ -114,8 +114,8 @@ mod tests {
     }
 
     fn under(shapes: &[Shape], least: [f64; 2], greatest: [f64; 2]) -> String {
-        let faces: Vec<Face> = shapes.iter().filter_map(Shape::face).collect();
-        below(&faces, &[least.into(), greatest.into()])
+        let faces: Vec<FilledShape> = shapes.iter().filter_map(Shape::face).collect();
+        ground_colour(&faces, &[least.into(), greatest.into()])
     }
 
     #[test]
@@ -135,11 +135,11 @@ mod tests {
 
     #[test]
     fn a_label_across_an_edge_is_partly_astray() {
-        let faces: Vec<Face> = [square(0.0, 100.0).fill(FILL)].iter().filter_map(Shape::face).collect();
-        let astray = |least: f64| astray(&faces, &[[least, 10.0].into(), [least + 100.0, 30.0].into()]);
-        assert_eq!([0.0, 100.0].map(astray), [0.0, 0.0]);
-        approx::assert_relative_eq!(astray(40.0), 0.4, max_relative = 1e-12);
-        approx::assert_relative_eq!(astray(80.0), 0.2, max_relative = 1e-12);
+        let faces: Vec<FilledShape> = [square(0.0, 100.0).fill(FILL)].iter().filter_map(Shape::face).collect();
+        let overhang = |least: f64| overhang(&faces, &[[least, 10.0].into(), [least + 100.0, 30.0].into()]);
+        assert_eq!([0.0, 100.0].map(overhang), [0.0, 0.0]);
+        approx::assert_relative_eq!(overhang(40.0), 0.4, max_relative = 1e-12);
+        approx::assert_relative_eq!(overhang(80.0), 0.2, max_relative = 1e-12);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Path data: lines and true arcs.
 
 use super::view::{Pixels, angle_of, heading};
-use crate::number::trimmed;
+use crate::number::format_trimmed;
 use std::f64::consts::TAU;
 
 /// Along an arc, a point at least every so many radians.
@@ -18,7 +18,7 @@ pub enum Sense {
 
 impl Sense {
     /// Counter-clockwise for a positive rate, as angles are counted.
-    pub fn of(rate: f64) -> Self {
+    pub fn from_rate(rate: f64) -> Self {
         if rate < 0.0 { Self::Clockwise } else { Self::CounterClockwise }
     }
 
@@ -101,7 +101,7 @@ impl Path {
 
     /// Goes to a point along a circle of this radius, by more than half of it if `large`.
     pub fn arc(mut self, radius: f64, large: bool, sense: Sense, to: &Pixels) -> Self {
-        let (r, sweep) = (trimmed(radius, self.decimals), u8::from(sense == Sense::Clockwise));
+        let (r, sweep) = (format_trimmed(radius, self.decimals), u8::from(sense == Sense::Clockwise));
         self.data += &format!(" A{r} {r} 0 {} {sweep} {}", u8::from(large), pair(to, self.decimals));
         let from = self.end();
         if let Some(part) = self.loops.last_mut() {
@@ -139,7 +139,7 @@ impl Path {
 }
 
 fn pair(point: &Pixels, decimals: usize) -> String {
-    format!("{} {}", trimmed(point.x, decimals), trimmed(point.y, decimals))
+    format!("{} {}", format_trimmed(point.x, decimals), format_trimmed(point.y, decimals))
 }
 
 /// Points along an arc between its ends, in the manner of path data: by more than half of the circle if `large`.

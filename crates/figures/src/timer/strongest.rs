@@ -1,7 +1,7 @@
 //! The greatest accelerations and forces of the steady motion over the friction.
 
 use super::{Curve, Tested, axis, key, of_friction};
-use crate::chart::{Axis, Chart, Panel, Spot, of_mechanism};
+use crate::chart::{Chart, ChartAxis, Panel, Spot, of_mechanism};
 use crate::number::significant;
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
@@ -37,7 +37,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         Label::words("pin force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K"),
     ];
     let panels = titles.into_iter().enumerate().map(|(k, title)| {
-        let y = Axis::from_zero(0.0, of(k).fold(0.0, f64::max), 3.0).titled(title);
+        let y = ChartAxis::from_zero(0.0, of(k).fold(0.0, f64::max), 3.0).titled(title);
         let x = if k + 1 == PANELS { x.clone().titled(of_friction()) } else { x.clone().unnumbered() };
         curves.iter().fold(Panel::new(185.0, &x, &y), |panel, Curve { slots, points, marks }| {
             let (stroke, marker) = of_mechanism(*slots);

@@ -150,8 +150,9 @@ fn mechanism(slots: u32) -> anyhow::Result<Figure> {
 }
 
 /// The runs of the thesis as points of the map: one for each mechanism and friction, whatever the torque.
-fn designs() -> anyhow::Result<Vec<escapement::Design>> {
-    let design = |row| Ok(escapement::Design::of(&Hypothesis::IDEAL.parameters(row).context(NONE)?));
+fn designs() -> anyhow::Result<Vec<escapement::MarkedEscapement>> {
+    let design =
+        |row| Ok(escapement::MarkedEscapement::from_parameters(&Hypothesis::IDEAL.parameters(row).context(NONE)?));
     weakest(rows()).map(design).collect()
 }
 
