@@ -2,13 +2,13 @@
 
 use crate::{number, object, stdout};
 use geneva_ask::wheel::{Design, Question};
-use geneva_ask::{Answer, Rounding, Shows, Value};
+use geneva_ask::{Report, Rounding, Shows, Value};
 use geneva_live::Arguments;
 
 const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --at -20";
 const MATERIALS: &str = " --thickness 10 --density 8860 --pin-material steel --wheel-material phosphor-bronze";
 
-fn answer() -> Answer {
+fn answer() -> Report {
     let question = Question::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
     Design::new(question).and_then(|design| design.answer()).expect("an answer")
 }

@@ -147,7 +147,7 @@ impl Field {
 /// What a question gets: a title, what all numbers have in common, sections of fields, a list, and a closing note. A section
 /// without lines has no heading.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub struct Report {
     /// What the answer is about.
     pub title: String,
     /// What all numbers have in common.
@@ -171,7 +171,7 @@ pub struct Item {
     pub row: Row,
 }
 
-impl Answer {
+impl Report {
     /// All fields of the sections.
     pub fn fields(&self) -> impl Iterator<Item = &Field> {
         self.sections.iter().flat_map(|(_, fields)| fields)
@@ -195,7 +195,7 @@ impl Answer {
     }
 }
 
-impl Serialize for Answer {
+impl Serialize for Report {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let list = self.list.as_ref().map(|(key, items)| {
             (*key, Value::List(items.iter().map(|item| Value::Object(item.row.clone())).collect()))

@@ -27,7 +27,7 @@ pub mod quick_return;
 pub mod wheel;
 pub mod written;
 
-pub use field::{Answer, Field, Item, Line, Rounding, Row, Shows, Value};
+pub use field::{Field, Item, Line, Report, Rounding, Row, Shows, Value};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;
@@ -67,7 +67,7 @@ pub enum Error {
 /// # Errors
 ///
 /// A mechanism that is not asked so, and what is wrong with the arguments.
-pub fn answer(question: &str) -> Result<Answer, Error> {
+pub fn answer(question: &str) -> Result<Report, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
         "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.answer(),

@@ -4,7 +4,7 @@
 
 use super::{Design, SETTLED, Units, own_reset, rise, unsteady};
 use crate::written::{angle, as_typed, count, number};
-use crate::{Answer, Error, Field};
+use crate::{Error, Field, Report};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::{critical_friction, least_margin};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, RiseMeasure, SteadyState};
@@ -22,12 +22,12 @@ impl Design {
     /// # Errors
     ///
     /// Why there is no steady state.
-    pub fn answer(&self) -> Result<Answer, Error> {
+    pub fn answer(&self) -> Result<Report, Error> {
         let (parameters, engagement, reset_deg) = (&self.parameters, &self.engagement, self.reset_deg);
         let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
         let state = self.steady_state()?;
         let rise = rise(engagement, &state).map_err(|error| unsteady(&self.question, error))?;
-        let answer = Answer {
+        let answer = Report {
             title: format!(
                 "Geneva escapement: {}, {}, friction {}, torque {}, inertias: driver {}, follower {}",
                 count(mechanism.slots() as usize, "slot"),

@@ -4,7 +4,7 @@ use super::Design;
 use super::instant::{Instant, NOT_TOLD, Stroke};
 use super::vector::Vector;
 use crate::written::as_typed;
-use crate::{Answer, Error, Field};
+use crate::{Error, Field, Report};
 use geneva_kinematics::quick_return::{Branch, Motion, Position, Strokes};
 
 /// What the numbers are measured from, and what adds up.
@@ -50,7 +50,7 @@ impl Design {
     /// # Errors
     ///
     /// Lengths, angles or speeds that are too large or too small to compute with.
-    pub fn answer(&self) -> Result<Answer, Error> {
+    pub fn answer(&self) -> Result<Report, Error> {
         let Self { linkage, position, drive, rpm } = self;
         let beyond = || refused!("{BEYOND}");
         let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
@@ -68,7 +68,7 @@ impl Design {
             Field::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
         ];
         let (velocities, accelerations) = seen.motion(&motion);
-        let answer = Answer {
+        let answer = Report {
             title: format!(
                 "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} rpm {}",
                 as_typed(linkage.ground()),

@@ -8,7 +8,7 @@ use super::instant::item;
 use super::kind::Kind;
 use super::{loads, parts};
 use crate::written::{as_typed, count, degrees, number};
-use crate::{Answer, Error, Field};
+use crate::{Error, Field, Report};
 use geneva_kinematics::indexing::Indexing;
 
 impl Design {
@@ -17,7 +17,7 @@ impl Design {
     /// # Errors
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
-    pub fn answer(&self) -> Result<Answer, Error> {
+    pub fn answer(&self) -> Result<Report, Error> {
         let wheel = self.wheel.indexing();
         let sections = vec![
             ("Given", given(self)),
@@ -32,7 +32,7 @@ impl Design {
         ];
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
-        let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
+        let answer = Report { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
         if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
     }
 

@@ -6,7 +6,7 @@
 use super::kind::{AnyWheel, Kind};
 use super::times::{SAME, Times};
 use crate::written::{as_typed, count, number};
-use crate::{Answer, Error, Field, Item, Row};
+use crate::{Error, Field, Item, Report, Row};
 
 /// How many pins a driver has, by what heads it. No wheel has a dwell with more.
 const PINS: [&str; 6] = ["One pin", "Two pins", "Three pins", "Four pins", "Five pins", "Six pins"];
@@ -104,7 +104,7 @@ another, which is slower. This driver comes nearest.";
 /// # Errors
 ///
 /// A number of stations that no wheel has.
-pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Answer, Error> {
+pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Report, Error> {
     let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut drivers = Vec::new();
     for kind in kinds {
@@ -132,7 +132,7 @@ pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Answer,
             count(stations as usize, "station")
         )
     };
-    Ok(Answer {
+    Ok(Report {
         title: format!(
             "Drivers for {}, an index of at most {most} s and a dwell of at least {least} s",
             count(stations as usize, "station")
