@@ -2,7 +2,7 @@
 
 use crate::{number, object, stdout};
 use geneva_ask::wheel::{Design, Question};
-use geneva_ask::{Report, Rounding, Shows, Value};
+use geneva_ask::{Report, Rounding, SheetNumber, Value};
 use geneva_live::Arguments;
 
 const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --at -20";
@@ -50,7 +50,7 @@ fn every_field_is_in_the_object_and_on_the_sheet() {
             assert_eq!(value, number(&found, field.key), "{}", field.key);
         }
         if let Some(line) = &field.line {
-            let unit = if line.shows == Shows::Words { "" } else { field.unit };
+            let unit = if line.shows == SheetNumber::Words { "" } else { field.unit };
             let line = words(&format!("{} {} {} {}", line.name, field.on_a_sheet(), unit, line.meaning));
             assert!(sheet.contains(&line), "{}: no line {line:?}", field.key);
         }

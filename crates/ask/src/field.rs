@@ -16,25 +16,25 @@ pub struct Field {
     /// How it is rounded where it is read, unless the reader's text says otherwise.
     pub rounding: Rounding,
     /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
-    pub line: Option<Line>,
+    pub line: Option<SheetLine>,
     /// Whether a figure that a reader moves lists it although the figure has no place of its own for it.
     pub is_on_pages: bool,
 }
 
-/// The line of a field: its name, and what its number means.
+/// The line of a field on a sheet: its name, and what its number means.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct SheetLine {
     /// Its name; nothing where the line above has it.
     pub name: &'static str,
     /// What the number means.
     pub meaning: Cow<'static, str>,
     /// Which number it shows.
-    pub shows: Shows,
+    pub shows: SheetNumber,
 }
 
-/// The number of a line.
+/// The number that a line of a sheet shows.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shows {
+pub enum SheetNumber {
     /// The value, in its unit.
     Value,
     /// The size of a value that is signed or has a direction, in the value's unit, and the direction.
@@ -70,7 +70,7 @@ impl Field {
 
     /// The field with its line: a name, and what the number means. What is missing has none.
     pub fn line(self, name: &'static str, meaning: impl Into<Cow<'static, str>>) -> Self {
-        if self.value == Value::Missing { self } else { self.with(name, meaning.into(), Shows::Value) }
+        if self.value == Value::Missing { self } else { self.with(name, meaning.into(), SheetNumber::Value) }
     }
 
     /// The field with its line under another that says the same in another unit.
@@ -80,17 +80,17 @@ impl Field {
 
     /// The field with a line without a number: words say it all, also of what is missing.
     pub fn words(self, name: &'static str, words: impl Into<Cow<'static, str>>) -> Self {
-        self.with(name, words.into(), Shows::Words)
+        self.with(name, words.into(), SheetNumber::Words)
     }
 
-    fn with(self, name: &'static str, meaning: Cow<'static, str>, shows: Shows) -> Self {
-        Self { line: Some(Line { name, meaning, shows }), ..self }
+    fn with(self, name: &'static str, meaning: Cow<'static, str>, shows: SheetNumber) -> Self {
+        Self { line: Some(SheetLine { name, meaning, shows }), ..self }
     }
 
     /// The field with another number on its line: the size of what is signed or has a direction, which stands beside it.
     pub fn of_size(mut self, size: f64, direction: String) -> Self {
         if let Some(line) = &mut self.line {
-            line.shows = Shows::Size(size, direction);
+            line.shows = SheetNumber::Size(size, direction);
         }
         self
     }
@@ -98,13 +98,13 @@ impl Field {
     /// The number of its line, to the digits of a sheet; nothing where words say it all.
     pub fn on_a_sheet(&self) -> String {
         match (self.line.as_ref().map(|line| &line.shows), &self.value) {
-            (Some(Shows::Size(size, _)), _) => number(*size),
-            (Some(Shows::Value), Value::Number(value)) => match self.rounding {
+            (Some(SheetNumber::Size(size, _)), _) => number(*size),
+            (Some(SheetNumber::Value), Value::Number(value)) => match self.rounding {
                 Rounding::Limit(digits) => to_digits(no_greater(*value, digits), digits),
                 _ if self.unit == "°" => angle(*value),
                 _ => number(*value),
             },
-            (Some(Shows::Value), Value::Count(count)) => count.to_string(),
+            (Some(SheetNumber::Value), Value::Count(count)) => count.to_string(),
             _ => String::new(),
         }
     }

@@ -27,7 +27,7 @@ pub mod quick_return;
 pub mod wheel;
 pub mod written;
 
-pub use field::{Field, Item, Line, Report, Rounding, Row, Shows, Value};
+pub use field::{Field, Item, Report, Rounding, Row, SheetLine, SheetNumber, Value};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;

@@ -2,7 +2,7 @@
 //! rows of its own, such as a cycle or a run, is a series.
 
 use crate::output::{TextLayout, heading};
-use geneva_ask::{Field, Report, Shows, Value};
+use geneva_ask::{Field, Report, SheetNumber, Value};
 
 pub use geneva_press::fields::{Row, csv, json};
 
@@ -19,9 +19,9 @@ impl<'a> Written<'a> {
     fn of(field: &'a Field) -> Option<Self> {
         let line = field.line.as_ref()?;
         let (unit, direction) = match &line.shows {
-            Shows::Value => (field.unit, ""),
-            Shows::Size(_, direction) => (field.unit, direction.as_str()),
-            Shows::Words => ("", ""),
+            SheetNumber::Value => (field.unit, ""),
+            SheetNumber::Size(_, direction) => (field.unit, direction.as_str()),
+            SheetNumber::Words => ("", ""),
         };
         Some(Self { name: line.name, number: field.on_a_sheet(), unit, direction, meaning: &line.meaning })
     }
