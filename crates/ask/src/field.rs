@@ -6,7 +6,7 @@ use std::borrow::Cow;
 
 /// A value under its key, in its unit, with its name and its meaning where it has a line of a sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Field {
+pub struct ReportField {
     /// Its name among the fields, which also says the unit.
     pub key: &'static str,
     /// What it is, with all its digits.
@@ -56,7 +56,7 @@ pub enum Rounding {
     Limit(usize),
 }
 
-impl Field {
+impl ReportField {
     /// A value without a unit. It has no line unless it gets one.
     pub fn new(key: &'static str, value: impl Into<Value>) -> Self {
         Self::in_unit(key, value, "")
@@ -153,7 +153,7 @@ pub struct Report {
     /// What all numbers have in common.
     pub introduction: &'static str,
     /// Headings with their fields.
-    pub sections: Vec<(&'static str, Vec<Field>)>,
+    pub sections: Vec<(&'static str, Vec<ReportField>)>,
     /// A list behind the fields, such as instants, and its key.
     pub list: Option<(&'static str, Vec<Item>)>,
     /// What to add to the question for more.
@@ -166,14 +166,14 @@ pub struct Item {
     /// The heading of the section.
     pub heading: &'static str,
     /// Its fields in the order of the sheet.
-    pub fields: Vec<Field>,
+    pub fields: Vec<ReportField>,
     /// All of it as data.
     pub row: Row,
 }
 
 impl Report {
     /// All fields of the sections.
-    pub fn fields(&self) -> impl Iterator<Item = &Field> {
+    pub fn fields(&self) -> impl Iterator<Item = &ReportField> {
         self.sections.iter().flat_map(|(_, fields)| fields)
     }
 
@@ -183,7 +183,7 @@ impl Report {
     }
 
     /// The field with this key: of the sections, or of the first of the list.
-    pub fn field(&self, key: &str) -> Option<&Field> {
+    pub fn field(&self, key: &str) -> Option<&ReportField> {
         let first = self.list.iter().filter_map(|(_, items)| items.first()).flat_map(|item| &item.fields);
         self.fields().chain(first).find(|field| field.key == key)
     }

@@ -27,7 +27,7 @@ pub mod quick_return;
 pub mod wheel;
 pub mod written;
 
-pub use field::{Field, Item, Report, Rounding, Row, SheetLine, SheetNumber, Value};
+pub use field::{Item, Report, ReportField, Rounding, Row, SheetLine, SheetNumber, Value};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;
@@ -85,7 +85,7 @@ pub fn answer(question: &str) -> Result<Report, Error> {
 /// # Errors
 ///
 /// As for [`answer`].
-pub fn further(question: &str) -> Result<Vec<Field>, Error> {
+pub fn further(question: &str) -> Result<Vec<ReportField>, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
         "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.further(),

@@ -2,7 +2,7 @@
 //! rows of its own, such as a cycle or a run, is a series.
 
 use crate::output::{TextLayout, heading};
-use geneva_ask::{Field, Report, SheetNumber, Value};
+use geneva_ask::{Report, ReportField, SheetNumber, Value};
 
 pub use geneva_press::fields::{Row, csv, json};
 
@@ -16,7 +16,7 @@ struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    fn of(field: &'a Field) -> Option<Self> {
+    fn of(field: &'a ReportField) -> Option<Self> {
         let line = field.line.as_ref()?;
         let (unit, direction) = match &line.shows {
             SheetNumber::Value => (field.unit, ""),
@@ -92,7 +92,7 @@ pub fn table(answer: &Report) -> anyhow::Result<String> {
 }
 
 /// The numbers of a field with their keys and units: one, or those of a vector.
-fn parts(field: &Field) -> Vec<(String, Value, &'static str)> {
+fn parts(field: &ReportField) -> Vec<(String, Value, &'static str)> {
     match &field.value {
         Value::Object(Row(parts)) => parts
             .iter()

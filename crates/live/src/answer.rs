@@ -1,7 +1,7 @@
 //! What a figure answers.
 
 use geneva_ask::written::no_greater;
-use geneva_ask::{Field, Rounding};
+use geneva_ask::{ReportField, Rounding};
 use geneva_figures::{Figure, with_minus_sign};
 
 /// A drawing and its numbers.
@@ -140,7 +140,7 @@ impl Number {
     }
 
     /// The number of an answer's field, rounded as the field says, with its unit.
-    pub fn of(name: &'static str, field: &Field) -> Option<Self> {
+    pub fn of(name: &'static str, field: &ReportField) -> Option<Self> {
         let value = field.number()?;
         Some(match field.rounding {
             Rounding::Significant(digits) => Self::significant(name, value, digits, field.unit),
@@ -164,7 +164,8 @@ mod tests {
         assert_eq!(Number::new("a", -0.0, 0, "").value.to_bits(), 0);
         assert_eq!(Number::significant("a", 0.012_345, 3, "").text, "0.0123");
         assert_eq!(Number::significant("a", 1234.5, 3, "ms").text, "1234 ms");
-        let most = Number::of("a", &Field::in_unit("a", 0.0349, "mm").rounded(Rounding::Limit(2))).expect("a number");
+        let most =
+            Number::of("a", &ReportField::in_unit("a", 0.0349, "mm").rounded(Rounding::Limit(2))).expect("a number");
         assert_eq!((most.value, most.text.as_str()), (0.0349, "0.034 mm"));
     }
 }

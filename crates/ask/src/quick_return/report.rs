@@ -4,7 +4,7 @@ use super::Design;
 use super::instant::{Instant, NOT_TOLD, Stroke};
 use super::vector::Vector;
 use crate::written::as_typed;
-use crate::{Error, Field, Report};
+use crate::{Error, Report, ReportField};
 use geneva_kinematics::quick_return::{Branch, Motion, Position, Strokes};
 
 /// What the numbers are measured from, and what adds up.
@@ -62,10 +62,10 @@ impl Design {
             lever_acceleration: unsigned_zero(motion.accelerations.follower_acceleration),
         };
         let given = vec![
-            Field::in_unit("ground_m", linkage.ground(), "m"),
-            Field::in_unit("crank_m", linkage.crank(), "m"),
-            Field::new("rpm", *rpm),
-            Field::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
+            ReportField::in_unit("ground_m", linkage.ground(), "m"),
+            ReportField::in_unit("crank_m", linkage.crank(), "m"),
+            ReportField::new("rpm", *rpm),
+            ReportField::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
         ];
         let (velocities, accelerations) = seen.motion(&motion);
         let answer = Report {
@@ -92,36 +92,36 @@ impl Design {
 }
 
 /// Angular velocity and angular acceleration of the lever, counter-clockwise positive.
-pub fn lever_motion(motion: &Motion<f64>) -> [Field; 2] {
+pub fn lever_motion(motion: &Motion<f64>) -> [ReportField; 2] {
     let (speed, acceleration) = (motion.velocities.follower_speed, motion.accelerations.follower_acceleration);
     [
-        Field::in_unit("lever_speed_rad_s", unsigned_zero(speed), "rad/s"),
-        Field::in_unit("lever_acceleration_rad_s2", unsigned_zero(acceleration), "rad/s²"),
+        ReportField::in_unit("lever_speed_rad_s", unsigned_zero(speed), "rad/s"),
+        ReportField::in_unit("lever_acceleration_rad_s2", unsigned_zero(acceleration), "rad/s²"),
     ]
 }
 
 impl Seen {
-    fn position(&self, position: &Position) -> Vec<Field> {
+    fn position(&self, position: &Position) -> Vec<ReportField> {
         let branch = match self.instant.branch {
             Branch::Near => "near",
             Branch::Far => "far",
         };
         vec![
-            Field::in_unit("crank_angle_deg", unsigned_zero(position.crank.degrees()), "°")
+            ReportField::in_unit("crank_angle_deg", unsigned_zero(position.crank.degrees()), "°")
                 .line("crank angle", "direction from the crank's axis to the pin"),
-            Field::in_unit("lever_angle_deg", self.lever_deg, "°")
+            ReportField::in_unit("lever_angle_deg", self.lever_deg, "°")
                 .line("lever angle", "direction from the lever's pivot to the pin"),
-            Field::in_unit("angle_at_pin_deg", position.angle_at_pin().to_degrees(), "°")
+            ReportField::in_unit("angle_at_pin_deg", position.angle_at_pin().to_degrees(), "°")
                 .line("angle at the pin", "between lever and crank"),
-            Field::in_unit("pin_distance_m", position.pin_distance, "m")
+            ReportField::in_unit("pin_distance_m", position.pin_distance, "m")
                 .line("pin distance", "from the lever's pivot to the pin"),
-            Field::new("branch", branch).words("branch", self.instant.branch_in_words()),
-            Field::new("stroke", self.instant.stroke.name()).words("stroke", self.instant.stroke_in_words()),
+            ReportField::new("branch", branch).words("branch", self.instant.branch_in_words()),
+            ReportField::new("stroke", self.instant.stroke.name()).words("stroke", self.instant.stroke_in_words()),
         ]
     }
 
     /// Velocities and accelerations.
-    fn motion(&self, motion: &Motion<f64>) -> (Vec<Field>, Vec<Field>) {
+    fn motion(&self, motion: &Motion<f64>) -> (Vec<ReportField>, Vec<ReportField>) {
         let (instant, [lever_speed, lever_acceleration]) = (&self.instant, lever_motion(motion));
         let (velocities, terms) = (&motion.velocities, &motion.accelerations);
         let [pin, lever, sliding] =
@@ -185,10 +185,10 @@ impl Seen {
     }
 
     /// A vector: why it is zero, if it is, or else which way it points.
-    fn vector(&self, key: &'static str, name: &'static str, vector: &Vector, way: Way, why_zero: &str) -> Field {
+    fn vector(&self, key: &'static str, name: &'static str, vector: &Vector, way: Way, why_zero: &str) -> ReportField {
         let unit = if key.ends_with("_s2") { "m/s²" } else { "m/s" };
         let Some(degrees) = vector.direction_deg else {
-            return Field::in_unit(key, vector, unit)
+            return ReportField::in_unit(key, vector, unit)
                 .line(name, format!("zero: {why_zero}"))
                 .of_size(0.0, String::new());
         };
@@ -201,7 +201,7 @@ impl Seen {
             Across => format!("across the lever, {}", sense(apart)),
             Is(way) => way.to_owned(),
         };
-        Field::in_unit(key, vector, unit)
+        ReportField::in_unit(key, vector, unit)
             .line(name, way)
             .of_size(vector.magnitude, format!("at {:>7}°", direction(degrees)))
     }
@@ -229,9 +229,9 @@ impl Seen {
     }
 }
 
-fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<Field> {
+fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<ReportField> {
     let time_ratio = (strokes.fast > 0.0).then(|| strokes.time_ratio());
-    let swing = Field::in_unit("swing_limit_deg", strokes.swing_limit.map(f64::to_degrees), "°");
+    let swing = ReportField::in_unit("swing_limit_deg", strokes.swing_limit.map(f64::to_degrees), "°");
     let swing = match strokes.swing_limit {
         None => swing
             .words("swing", "none: the crank is longer than the ground distance, so the lever turns round and round"),
@@ -242,9 +242,9 @@ fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<Field> {
         ),
         Some(_) => swing.line("swing limit", "greatest lever angle, to either side"),
     };
-    let mut slow = Field::in_unit("slow_stroke_deg", strokes.slow.to_degrees(), "°");
-    let mut fast = Field::in_unit("fast_stroke_deg", strokes.fast.to_degrees(), "°");
-    let mut ratio = Field::new("time_ratio", time_ratio);
+    let mut slow = ReportField::in_unit("slow_stroke_deg", strokes.slow.to_degrees(), "°");
+    let mut fast = ReportField::in_unit("fast_stroke_deg", strokes.fast.to_degrees(), "°");
+    let mut ratio = ReportField::new("time_ratio", time_ratio);
     if time_ratio.is_some() {
         slow = slow.line("slow stroke", "of a turn of the crank");
         fast = fast.line("fast stroke", "of a turn of the crank");

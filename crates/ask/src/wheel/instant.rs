@@ -3,7 +3,7 @@
 use super::Question;
 use super::design::{Design, too_large};
 use crate::written::{as_typed, rounded_down};
-use crate::{Error, Field, Item, Row};
+use crate::{Error, Item, ReportField, Row};
 use geneva_dynamics::wheel_loads::Load;
 use geneva_kinematics::indexing::{Motion, Phase, PinInSlot};
 
@@ -58,37 +58,39 @@ impl Instant {
         let time = speed.map(|speed| self.degrees.to_radians() / speed);
         Fields {
             place: vec![
-                Field::in_unit("crank_angle_deg", self.degrees, "°").line("crank angle", meaning),
-                Field::new("phase", phase),
-                Field::in_unit("wheel_angle_deg", self.wheel_angle(design), "°")
+                ReportField::in_unit("crank_angle_deg", self.degrees, "°").line("crank angle", meaning),
+                ReportField::new("phase", phase),
+                ReportField::in_unit("wheel_angle_deg", self.wheel_angle(design), "°")
                     .line("wheel angle", "from the middle of the index at crank angle zero"),
-                Field::in_unit("pin_radius_ratio", pin.map(|pin| pin.radius), "× crank radius")
+                ReportField::in_unit("pin_radius_ratio", pin.map(|pin| pin.radius), "× crank radius")
                     .line("pin", "from the wheel's axis"),
             ],
             ratios: vec![
-                Field::in_unit("velocity_ratio", motion.velocity, "× driver speed").line("velocity", ""),
-                Field::in_unit("acceleration_ratio", motion.acceleration, "× driver speed²").line("acceleration", ""),
-                Field::in_unit("jerk_ratio", motion.jerk, "× driver speed³").line("jerk", ""),
+                ReportField::in_unit("velocity_ratio", motion.velocity, "× driver speed").line("velocity", ""),
+                ReportField::in_unit("acceleration_ratio", motion.acceleration, "× driver speed²")
+                    .line("acceleration", ""),
+                ReportField::in_unit("jerk_ratio", motion.jerk, "× driver speed³").line("jerk", ""),
             ],
             along_the_slot: vec![
-                Field::in_unit("sliding_ratio", pin.map(|pin| pin.sliding), "× pin speed")
+                ReportField::in_unit("sliding_ratio", pin.map(|pin| pin.sliding), "× pin speed")
                     .line("sliding", "along the slot; negative while the pin goes in"),
-                Field::in_unit("coriolis_ratio", pin.map(|pin| pin.coriolis), "× pin's own")
+                ReportField::in_unit("coriolis_ratio", pin.map(|pin| pin.coriolis), "× pin's own")
                     .line("Coriolis", "acceleration of the pin, over its acceleration on the crank circle"),
             ],
-            time: Field::in_unit("time_s", time, "s"),
+            time: ReportField::in_unit("time_s", time, "s"),
             rates: vec![
-                Field::in_unit("wheel_speed_rad_s", rated(motion.velocity, 1), "rad/s").also(),
-                Field::in_unit("wheel_acceleration_rad_s2", rated(motion.acceleration, 2), "rad/s²").also(),
-                Field::in_unit("wheel_jerk_rad_s3", rated(motion.jerk, 3), "rad/s³").also(),
+                ReportField::in_unit("wheel_speed_rad_s", rated(motion.velocity, 1), "rad/s").also(),
+                ReportField::in_unit("wheel_acceleration_rad_s2", rated(motion.acceleration, 2), "rad/s²").also(),
+                ReportField::in_unit("wheel_jerk_rad_s3", rated(motion.jerk, 3), "rad/s³").also(),
             ],
             load: vec![
-                Field::in_unit("wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")
+                ReportField::in_unit("wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")
                     .line("wheel torque", "positive while the pin drives the wheel"),
-                Field::in_unit("pin_force_n", load.and_then(|load| design.force(load.pin_moment)), "N")
+                ReportField::in_unit("pin_force_n", load.and_then(|load| design.force(load.pin_moment)), "N")
                     .line("pin force", "at right angles to the slot"),
-                Field::in_unit("crank_torque_nm", load.map(|load| load.crank_torque), "N m").line("crank torque", ""),
-                Field::in_unit("power_w", load.map(|load| load.power), "W").line("power", ""),
+                ReportField::in_unit("crank_torque_nm", load.map(|load| load.crank_torque), "N m")
+                    .line("crank torque", ""),
+                ReportField::in_unit("power_w", load.map(|load| load.power), "W").line("power", ""),
             ],
         }
     }
@@ -96,13 +98,13 @@ impl Instant {
 
 /// What is reported of an instant.
 struct Fields {
-    place: Vec<Field>,
-    ratios: Vec<Field>,
-    along_the_slot: Vec<Field>,
-    time: Field,
+    place: Vec<ReportField>,
+    ratios: Vec<ReportField>,
+    along_the_slot: Vec<ReportField>,
+    time: ReportField,
     /// The ratios at the driver's speed, in their order.
-    rates: Vec<Field>,
-    load: Vec<Field>,
+    rates: Vec<ReportField>,
+    load: Vec<ReportField>,
 }
 
 impl Fields {
@@ -114,9 +116,9 @@ impl Fields {
     }
 
     /// On a sheet: each rate under its ratio. Of a wheel at rest there is only its place to tell.
-    fn into_lines(self, is_at_rest: bool) -> Vec<Field> {
+    fn into_lines(self, is_at_rest: bool) -> Vec<ReportField> {
         let Self { place, ratios, along_the_slot, rates, load, .. } = self;
-        let moving = ratios.into_iter().zip(rates).flat_map(<[Field; 2]>::from).chain(along_the_slot).chain(load);
+        let moving = ratios.into_iter().zip(rates).flat_map(<[ReportField; 2]>::from).chain(along_the_slot).chain(load);
         place.into_iter().chain(moving.filter(|_| !is_at_rest)).collect()
     }
 }

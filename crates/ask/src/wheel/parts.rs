@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use crate::written::degrees as degrees_told;
-use crate::{Error, Field, Rounding, Value};
+use crate::{Error, ReportField, Rounding, Value};
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, SharedTolerance, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
@@ -21,12 +21,12 @@ fn nearest_words(design: &Design, nearest: &Nearest) -> String {
 const LIMIT: Rounding = Rounding::Limit(4);
 const SOUGHT: Rounding = Rounding::Limit(2);
 
-fn mm(key: &'static str, length: Option<f64>) -> Field {
-    Field::in_unit(key, length, "mm")
+fn mm(key: &'static str, length: Option<f64>) -> ReportField {
+    ReportField::in_unit(key, length, "mm")
 }
 
 /// The fields of the parts; without numbers where no size was given, or of another kind of wheel.
-pub fn parts(design: &Design) -> Vec<Field> {
+pub fn parts(design: &Design) -> Vec<ReportField> {
     let sizes = design.sizes.as_ref();
     let of = |length: fn(&Sizes) -> f64| sizes.map(length);
     // A shaft that there is not has no diameter.
@@ -97,14 +97,14 @@ pub fn parts(design: &Design) -> Vec<Field> {
 }
 
 /// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
-pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
+pub fn tolerances(design: &Design) -> Result<Vec<ReportField>, Error> {
     let sizes = design.sizes.as_ref();
     let is_tight = sizes.is_some_and(|sizes| sizes.play.slot == 0.0 || sizes.locking_gap() == Some(0.0));
     // What is less than the tolerance is not known to be more than none; without play it is none.
     let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight);
     let least = found.map(|(least, _)| least);
     let tolerance = design.centre_tolerance()?;
-    let not_found = |field: Field, name, is_found: bool| {
+    let not_found = |field: ReportField, name, is_found: bool| {
         if sizes.is_some() && !is_found {
             field.words(
                 name,
@@ -123,7 +123,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
         .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch")
         .rounded(SOUGHT);
     let play = sizes.and_then(Sizes::dwell_play);
-    let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
+    let degrees = |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°");
     let at_greatest = play.map_or_else(String::new, |play| {
         let until = degrees_told(play.until_entry);
         format!(
@@ -133,7 +133,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
     let knock = sizes.and_then(Sizes::knock).zip(design.pin_speed());
     let speed = |key, of: fn(&Knock) -> f64| {
         let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
-        Field::in_unit(key, speed, "mm/s").rounded(Rounding::Significant(3))
+        ReportField::in_unit(key, speed, "mm/s").rounded(Rounding::Significant(3))
     };
     Ok(vec![
         not_found(nearest, "least clearance", least.is_some()),
@@ -160,7 +160,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
             .rounded(LIMIT),
         degrees("dwell_backlash_deg", play.map(|play| play.middle))
             .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
-        Field::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
+        ReportField::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
             .line("", "part of the dwell, about its middle, in which it is no greater")
             .rounded(Rounding::Percent(0)),
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
@@ -176,7 +176,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
 }
 
 /// How far each size may be wrong if all are, with shafts as loose as their bores allow; without numbers as of the parts.
-pub fn together(design: &Design) -> Result<Vec<Field>, Error> {
+pub fn together(design: &Design) -> Result<Vec<ReportField>, Error> {
     let found = design.shared_tolerance()?;
     let (limits, radius) = (found.flatten(), design.sizes.map(|sizes| sizes.wheel_radius));
     let of = |length: fn(&SharedTolerance) -> f64| limits.as_ref().map(length);
@@ -203,10 +203,10 @@ pub fn together(design: &Design) -> Result<Vec<Field>, Error> {
 }
 
 /// What a maker should know about sizes that do fit.
-pub fn warnings(design: &Design) -> Vec<Field> {
+pub fn warnings(design: &Design) -> Vec<ReportField> {
     let found = design.warnings();
     let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();
     let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
-    let field = Field::new("warnings", texts);
+    let field = ReportField::new("warnings", texts);
     vec![if said.is_empty() { field } else { field.words("before you make it", said) }]
 }

@@ -8,7 +8,7 @@ use super::instant::item;
 use super::kind::Kind;
 use super::{loads, parts};
 use crate::written::{as_typed, count, degrees, number};
-use crate::{Error, Field, Report};
+use crate::{Error, Report, ReportField};
 use geneva_kinematics::indexing::Indexing;
 
 impl Design {
@@ -43,7 +43,7 @@ impl Design {
     /// # Errors
     ///
     /// Speeds and inertias that no wheel has.
-    pub fn shown(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+    pub fn shown(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
         let mut fields = geometry(self, wheel);
         fields.extend(parts::parts(self));
         fields.extend(parts::tolerances(self)?);
@@ -53,18 +53,18 @@ impl Design {
     }
 }
 
-fn given(design: &Design) -> Vec<Field> {
+fn given(design: &Design) -> Vec<ReportField> {
     let wheel = design.wheel.indexing();
     vec![
-        Field::new("type", design.wheel.kind().name()),
-        Field::new("stations", wheel.stations()),
-        Field::new("pins", wheel.pins()),
-        Field::new("rpm", design.question.rpm),
-        Field::in_unit("crank_radius_mm", design.crank_radius, "mm"),
+        ReportField::new("type", design.wheel.kind().name()),
+        ReportField::new("stations", wheel.stations()),
+        ReportField::new("pins", wheel.pins()),
+        ReportField::new("rpm", design.question.rpm),
+        ReportField::in_unit("crank_radius_mm", design.crank_radius, "mm"),
     ]
 }
 
-fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<Field> {
+fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<ReportField> {
     let wheel = &design.wheel;
     // Of an external wheel the length that was given comes back as it was given.
     let of_parts = design.sizes.map(|sizes| [sizes.centre_distance, sizes.wheel_radius]);
@@ -77,35 +77,35 @@ fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<Field> 
         Kind::Spherical => "from there along the meridian to the pin's centre at its deepest",
     };
     vec![
-        Field::in_unit("engagement_half_angle_deg", indexing.engagement_half_angle().to_degrees(), "°")
+        ReportField::in_unit("engagement_half_angle_deg", indexing.engagement_half_angle().to_degrees(), "°")
             .line("engagement half-angle", "crank angle where a pin enters and leaves"),
-        Field::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
+        ReportField::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
             .line("centre distance", "wheel's axis to driver's axis"),
-        Field::in_unit("centre_distance_mm", centres, "mm").also(),
-        Field::in_unit("wheel_radius_ratio", wheel.wheel_radius_ratio(), "× crank radius")
+        ReportField::in_unit("centre_distance_mm", centres, "mm").also(),
+        ReportField::in_unit("wheel_radius_ratio", wheel.wheel_radius_ratio(), "× crank radius")
             .line("wheel radius", "wheel's axis to a pin's centre as it enters"),
-        Field::in_unit("wheel_radius_mm", radius, "mm").also(),
-        Field::in_unit("slot_length_ratio", wheel.slot_length_ratio(), "× crank radius")
+        ReportField::in_unit("wheel_radius_mm", radius, "mm").also(),
+        ReportField::in_unit("slot_length_ratio", wheel.slot_length_ratio(), "× crank radius")
             .line("least slot length", slot),
-        Field::in_unit("slot_length_mm", lengths(wheel.slot_length_ratio()), "mm").also(),
+        ReportField::in_unit("slot_length_mm", lengths(wheel.slot_length_ratio()), "mm").also(),
     ]
 }
 
-fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let times = design.times(wheel)?;
     Ok(vec![
-        Field::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
+        ReportField::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
             .line("motion fraction", "while a pin is in a slot"),
-        Field::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
+        ReportField::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
             .line("dwell fraction", "while the wheel is locked"),
-        Field::in_unit("indexing_time_s", times.map(|[index, _]| index), "s")
+        ReportField::in_unit("indexing_time_s", times.map(|[index, _]| index), "s")
             .line("indexing time", "from when a pin enters to when it leaves"),
-        Field::in_unit("dwell_time_s", times.map(|[_, dwell]| dwell), "s")
+        ReportField::in_unit("dwell_time_s", times.map(|[_, dwell]| dwell), "s")
             .line("dwell time", "from when it leaves to when the next pin enters"),
     ])
 }
 
-fn motion(design: &Design) -> Vec<Field> {
+fn motion(design: &Design) -> Vec<ReportField> {
     let (wheel, speed, kind) = (design.wheel.indexing(), design.speed(), design.wheel.kind());
     let (velocity, entry) = (wheel.peak_velocity(), wheel.entry_acceleration());
     let (acceleration, jerk) = (wheel.acceleration_peak(), wheel.jerk_peak());
@@ -121,19 +121,24 @@ fn motion(design: &Design) -> Vec<Field> {
     };
     let jerk_at = place(jerk.angle);
     vec![
-        Field::in_unit("peak_velocity_ratio", velocity, "× driver speed").line("peak velocity", place(0.0)),
-        Field::in_unit("peak_speed_rad_s", speed.map(|speed| speed * velocity), "rad/s").also(),
-        Field::in_unit("entry_acceleration_ratio", entry, "× driver speed²").line("entry acceleration", at_entry),
-        Field::in_unit("entry_acceleration_rad_s2", speed.map(|speed| speed * speed * entry), "rad/s²").also(),
-        Field::in_unit("peak_acceleration_ratio", acceleration.ratio, "× driver speed²")
+        ReportField::in_unit("peak_velocity_ratio", velocity, "× driver speed").line("peak velocity", place(0.0)),
+        ReportField::in_unit("peak_speed_rad_s", speed.map(|speed| speed * velocity), "rad/s").also(),
+        ReportField::in_unit("entry_acceleration_ratio", entry, "× driver speed²").line("entry acceleration", at_entry),
+        ReportField::in_unit("entry_acceleration_rad_s2", speed.map(|speed| speed * speed * entry), "rad/s²").also(),
+        ReportField::in_unit("peak_acceleration_ratio", acceleration.ratio, "× driver speed²")
             .line("peak acceleration", place(acceleration.angle)),
-        Field::in_unit("peak_acceleration_rad_s2", speed.map(|speed| speed * speed * acceleration.ratio), "rad/s²")
-            .also(),
+        ReportField::in_unit(
+            "peak_acceleration_rad_s2",
+            speed.map(|speed| speed * speed * acceleration.ratio),
+            "rad/s²",
+        )
+        .also(),
         // Of the peak of deceleration; that of acceleration is as far before the middle.
-        Field::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
-        Field::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
+        ReportField::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
+        ReportField::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
             .line("peak jerk", format!("{jerk_at}; not counting the jumps at the ends")),
-        Field::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³").also(),
+        ReportField::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³")
+            .also(),
     ]
 }
 

@@ -6,7 +6,7 @@
 use super::kind::{AnyWheel, Kind};
 use super::times::{SAME, Times};
 use crate::written::{as_typed, count, number};
-use crate::{Error, Field, Item, Report, Row};
+use crate::{Error, Item, Report, ReportField, Row};
 
 /// How many pins a driver has, by what heads it. No wheel has a dwell with more.
 const PINS: [&str; 6] = ["One pin", "Two pins", "Three pins", "Four pins", "Five pins", "Six pins"];
@@ -64,14 +64,14 @@ impl Driver {
         Item {
             heading: PINS.get(self.pins as usize - 1).copied().unwrap_or_default(),
             fields: vec![
-                Field::in_unit("least_rpm", slow_rpm, "rpm").line(for_index, name),
-                Field::in_unit("greatest_turn_s", self.longest, "s").line("", "a turn"),
-                Field::in_unit("greatest_index_time_s", slow.index, "s").line("", "index, the longest you allow"),
-                Field::in_unit("greatest_dwell_time_s", slow.dwell, "s").line("", format!("dwell, {dwell}")),
-                Field::in_unit("greatest_rpm", fast_rpm, "rpm").line(for_dwell, ""),
-                Field::in_unit("least_turn_s", self.shortest, "s").line("", "a turn"),
-                Field::in_unit("least_index_time_s", fast.index, "s").line("", format!("index, {index}")),
-                Field::in_unit("least_dwell_time_s", fast.dwell, "s").line("", "dwell, the shortest you allow"),
+                ReportField::in_unit("least_rpm", slow_rpm, "rpm").line(for_index, name),
+                ReportField::in_unit("greatest_turn_s", self.longest, "s").line("", "a turn"),
+                ReportField::in_unit("greatest_index_time_s", slow.index, "s").line("", "index, the longest you allow"),
+                ReportField::in_unit("greatest_dwell_time_s", slow.dwell, "s").line("", format!("dwell, {dwell}")),
+                ReportField::in_unit("greatest_rpm", fast_rpm, "rpm").line(for_dwell, ""),
+                ReportField::in_unit("least_turn_s", self.shortest, "s").line("", "a turn"),
+                ReportField::in_unit("least_index_time_s", fast.index, "s").line("", format!("index, {index}")),
+                ReportField::in_unit("least_dwell_time_s", fast.dwell, "s").line("", "dwell, the shortest you allow"),
             ],
             row: Row(vec![
                 ("type", self.kind.name().into()),
@@ -141,8 +141,8 @@ pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Report,
         sections: vec![(
             "Wanted",
             vec![
-                Field::in_unit("index_time_s", index, "s").line("index", "at most"),
-                Field::in_unit("dwell_time_s", dwell, "s").line("dwell", "at least"),
+                ReportField::in_unit("index_time_s", index, "s").line("index", "at most"),
+                ReportField::in_unit("dwell_time_s", dwell, "s").line("dwell", "at least"),
             ],
         )],
         list: Some(("drivers", drivers.iter().map(|driver| driver.item(stations, times)).collect())),

@@ -6,7 +6,7 @@
 
 use super::kind::{AnyWheel, Kind};
 use crate::written::{as_typed, count, number};
-use crate::{Field, Item, Report, Row};
+use crate::{Item, Report, ReportField, Row};
 
 /// Wanted times, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,9 +91,9 @@ pub fn proposals(times: Times, kind: Option<Kind>) -> Report {
         sections: vec![(
             "Wanted",
             vec![
-                Field::in_unit("index_time_s", index, "s"),
-                Field::in_unit("dwell_time_s", dwell, "s"),
-                Field::in_unit("dwell_over_index", dwell / index, "× index").line("dwell", "the wanted ratio"),
+                ReportField::in_unit("index_time_s", index, "s"),
+                ReportField::in_unit("dwell_time_s", dwell, "s"),
+                ReportField::in_unit("dwell_over_index", dwell / index, "× index").line("dwell", "the wanted ratio"),
             ],
         )],
         list: Some(("proposals", items.collect())),
@@ -101,7 +101,7 @@ pub fn proposals(times: Times, kind: Option<Kind>) -> Report {
     }
 }
 
-fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<Field> {
+fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<ReportField> {
     let numbers = match of.stations {
         Some(stations) => count(stations as usize, "station"),
         None => "any number of stations".to_owned(),
@@ -114,10 +114,10 @@ fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<Field> {
         less => format!("index, {} % shorter than wanted", number(-less)),
     };
     vec![
-        Field::in_unit("rpm", 60.0 / (cycle * f64::from(of.pins)), "rpm").line("driver", name),
-        Field::in_unit("index_time_s", of.motion * cycle, "s").line("", index),
-        Field::in_unit("dwell_time_s", (1.0 - of.motion) * cycle, "s").line("", "dwell"),
-        Field::in_unit("dwell_over_index", (1.0 - of.motion) / of.motion, "× index").line("", "dwell"),
+        ReportField::in_unit("rpm", 60.0 / (cycle * f64::from(of.pins)), "rpm").line("driver", name),
+        ReportField::in_unit("index_time_s", of.motion * cycle, "s").line("", index),
+        ReportField::in_unit("dwell_time_s", (1.0 - of.motion) * cycle, "s").line("", "dwell"),
+        ReportField::in_unit("dwell_over_index", (1.0 - of.motion) / of.motion, "× index").line("", "dwell"),
     ]
 }
 

@@ -75,7 +75,7 @@ fn last_in_fit(stations: u32) -> anyhow::Result<[f64; 2]> {
 mod tests {
     use super::*;
     use crate::asked::{question, value};
-    use geneva_ask::Field;
+    use geneva_ask::ReportField;
     use geneva_ask::wheel::{Design, Question};
     use geneva_kinematics::indexing::Indexing;
     use geneva_kinematics::wheel::{EntryContact, Play};
@@ -185,7 +185,7 @@ mod tests {
         let force = |crank_radius| {
             let question = Question { crank_radius: Some(crank_radius), ..question.clone() };
             let answer = Design::new(question).and_then(|design| design.answer()).expect("loaded");
-            answer.field("peak_pin_force_n").and_then(Field::number).expect("a force")
+            answer.field("peak_pin_force_n").and_then(ReportField::number).expect("a force")
         };
         let best = question.crank_radius.expect("a size");
         for radius in 10..=100 {
