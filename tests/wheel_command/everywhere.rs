@@ -2,7 +2,7 @@
 
 use crate::{number, object, stdout};
 use geneva_ask::wheel::{Design, Question};
-use geneva_ask::{Report, Rounding, SheetNumber, Value};
+use geneva_ask::{FieldValue, Report, Rounding, SheetNumber};
 use geneva_live::Arguments;
 
 const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --at -20";
@@ -45,7 +45,7 @@ fn every_field_is_in_the_object_and_on_the_sheet() {
     let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>().join(" ");
     let sheet = words(&sheet);
     for field in answer.fields() {
-        assert_eq!(field.value == Value::Missing, found[field.key].is_null(), "{}", field.key);
+        assert_eq!(field.value == FieldValue::Missing, found[field.key].is_null(), "{}", field.key);
         if let Some(value) = field.number() {
             assert_eq!(value, number(&found, field.key), "{}", field.key);
         }

@@ -10,7 +10,7 @@ pub struct ReportField {
     /// Its name among the fields, which also says the unit.
     pub key: &'static str,
     /// What it is, with all its digits.
-    pub value: Value,
+    pub value: FieldValue,
     /// Its unit; nothing for a pure number.
     pub unit: &'static str,
     /// How it is rounded where it is read, unless the reader's text says otherwise.
@@ -58,19 +58,19 @@ pub enum Rounding {
 
 impl ReportField {
     /// A value without a unit. It has no line unless it gets one.
-    pub fn new(key: &'static str, value: impl Into<Value>) -> Self {
+    pub fn new(key: &'static str, value: impl Into<FieldValue>) -> Self {
         Self::in_unit(key, value, "")
     }
 
     /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
-    pub fn in_unit(key: &'static str, value: impl Into<Value>, unit: &'static str) -> Self {
+    pub fn in_unit(key: &'static str, value: impl Into<FieldValue>, unit: &'static str) -> Self {
         let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
         Self { key, value: value.into(), unit, rounding, line: None, is_on_pages: false }
     }
 
     /// The field with its line: a name, and what the number means. What is missing has none.
     pub fn line(self, name: &'static str, meaning: impl Into<Cow<'static, str>>) -> Self {
-        if self.value == Value::Missing { self } else { self.with(name, meaning.into(), SheetNumber::Value) }
+        if self.value == FieldValue::Missing { self } else { self.with(name, meaning.into(), SheetNumber::Value) }
     }
 
     /// The field with its line under another that says the same in another unit.
@@ -99,12 +99,12 @@ impl ReportField {
     pub fn on_a_sheet(&self) -> String {
         match (self.line.as_ref().map(|line| &line.shows), &self.value) {
             (Some(SheetNumber::Size(size, _)), _) => number(*size),
-            (Some(SheetNumber::Value), Value::Number(value)) => match self.rounding {
+            (Some(SheetNumber::Value), FieldValue::Number(value)) => match self.rounding {
                 Rounding::Limit(digits) => to_digits(no_greater(*value, digits), digits),
                 _ if self.unit == "°" => angle(*value),
                 _ => number(*value),
             },
-            (Some(SheetNumber::Value), Value::Count(count)) => count.to_string(),
+            (Some(SheetNumber::Value), FieldValue::Count(count)) => count.to_string(),
             _ => String::new(),
         }
     }
@@ -122,10 +122,10 @@ impl ReportField {
     /// Its number, or the size of its vector; none if it is something else or missing.
     pub fn number(&self) -> Option<f64> {
         match &self.value {
-            Value::Number(number) => Some(*number),
-            Value::Count(count) => Some(*count as f64),
-            Value::Object(Row(vector)) => match vector.first() {
-                Some(("magnitude", Value::Number(size))) => Some(*size),
+            FieldValue::Number(number) => Some(*number),
+            FieldValue::Count(count) => Some(*count as f64),
+            FieldValue::Object(DataRow(vector)) => match vector.first() {
+                Some(("magnitude", FieldValue::Number(size))) => Some(*size),
                 _ => None,
             },
             _ => None,
@@ -135,8 +135,8 @@ impl ReportField {
     /// The direction of its vector in degrees; none if it is something else, or a vector that is zero.
     pub fn direction(&self) -> Option<f64> {
         match &self.value {
-            Value::Object(Row(vector)) => match vector.get(1) {
-                Some(("direction_deg", Value::Number(degrees))) => Some(*degrees),
+            FieldValue::Object(DataRow(vector)) => match vector.get(1) {
+                Some(("direction_deg", FieldValue::Number(degrees))) => Some(*degrees),
                 _ => None,
             },
             _ => None,
@@ -168,7 +168,7 @@ pub struct Item {
     /// Its fields in the order of the sheet.
     pub fields: Vec<ReportField>,
     /// All of it as data.
-    pub row: Row,
+    pub row: DataRow,
 }
 
 impl Report {
@@ -178,7 +178,7 @@ impl Report {
     }
 
     /// The rows of the list.
-    pub fn rows(&self) -> impl Iterator<Item = &Row> {
+    pub fn rows(&self) -> impl Iterator<Item = &DataRow> {
         self.list.iter().flat_map(|(_, items)| items).map(|item| &item.row)
     }
 
@@ -191,14 +191,14 @@ impl Report {
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let in_rows = self.rows().flat_map(|row| &row.0).map(|(_, value)| value);
-        self.fields().map(|field| &field.value).chain(in_rows).all(Value::is_finite)
+        self.fields().map(|field| &field.value).chain(in_rows).all(FieldValue::is_finite)
     }
 }
 
 impl Serialize for Report {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let list = self.list.as_ref().map(|(key, items)| {
-            (*key, Value::List(items.iter().map(|item| Value::Object(item.row.clone())).collect()))
+            (*key, FieldValue::List(items.iter().map(|item| FieldValue::Object(item.row.clone())).collect()))
         });
         let fields = self.fields().map(|field| (field.key, field.value.clone()));
         serializer.collect_map(fields.chain(list))
@@ -207,7 +207,7 @@ impl Serialize for Report {
 
 /// What a field says.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum FieldValue {
     /// Nothing is known, or nothing was asked for: null in JSON, an empty cell.
     Missing,
     /// Whether something is so.
@@ -219,18 +219,18 @@ pub enum Value {
     /// A word or a sentence.
     Text(String),
     /// Several, with semicolons between them in a cell.
-    List(Vec<Value>),
+    List(Vec<FieldValue>),
     /// Fields of its own: columns of their own in CSV; null in JSON if every one of them is missing.
-    Object(Row),
+    Object(DataRow),
     /// Fields of one of a list, and the words for them in a cell.
-    Worded(Row, String),
+    Worded(DataRow, String),
 }
 
 /// Keys, which are also the columns, with their values.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row(pub Vec<(&'static str, Value)>);
+pub struct DataRow(pub Vec<(&'static str, FieldValue)>);
 
-impl Value {
+impl FieldValue {
     /// Whether every number in it is one.
     pub fn is_finite(&self) -> bool {
         match self {
@@ -255,20 +255,20 @@ impl Value {
     }
 }
 
-impl Row {
+impl DataRow {
     /// Whether every field of it is missing.
     fn is_empty(&self) -> bool {
-        self.0.iter().all(|(_, value)| *value == Value::Missing)
+        self.0.iter().all(|(_, value)| *value == FieldValue::Missing)
     }
 }
 
-impl Serialize for Row {
+impl Serialize for DataRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
     }
 }
 
-impl Serialize for Value {
+impl Serialize for FieldValue {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Missing => serializer.serialize_none(),
@@ -283,50 +283,50 @@ impl Serialize for Value {
     }
 }
 
-impl From<bool> for Value {
+impl From<bool> for FieldValue {
     fn from(flag: bool) -> Self {
         Self::Flag(flag)
     }
 }
 
-impl From<u32> for Value {
+impl From<u32> for FieldValue {
     fn from(count: u32) -> Self {
         Self::Count(count.into())
     }
 }
 
-impl From<usize> for Value {
+impl From<usize> for FieldValue {
     fn from(count: usize) -> Self {
         Self::Count(count as u64)
     }
 }
 
-impl From<f64> for Value {
+impl From<f64> for FieldValue {
     /// A zero has no sign.
     fn from(number: f64) -> Self {
         Self::Number(number + 0.0)
     }
 }
 
-impl From<&str> for Value {
+impl From<&str> for FieldValue {
     fn from(text: &str) -> Self {
         Self::Text(text.to_owned())
     }
 }
 
-impl From<String> for Value {
+impl From<String> for FieldValue {
     fn from(text: String) -> Self {
         Self::Text(text)
     }
 }
 
-impl<T: Into<Value>> From<Option<T>> for Value {
+impl<T: Into<FieldValue>> From<Option<T>> for FieldValue {
     fn from(value: Option<T>) -> Self {
         value.map_or(Self::Missing, T::into)
     }
 }
 
-impl<T: Into<Value>> From<Vec<T>> for Value {
+impl<T: Into<FieldValue>> From<Vec<T>> for FieldValue {
     fn from(values: Vec<T>) -> Self {
         Self::List(values.into_iter().map(T::into).collect())
     }
@@ -339,9 +339,9 @@ mod tests {
     #[test]
     fn a_number_that_is_none_is_found_wherever_it_is() {
         for (value, finite) in [
-            (Value::from(f64::NAN), false),
+            (FieldValue::from(f64::NAN), false),
             (vec![1.0, f64::INFINITY].into(), false),
-            (Value::Object(Row(vec![("x", f64::NEG_INFINITY.into())])), false),
+            (FieldValue::Object(DataRow(vec![("x", f64::NEG_INFINITY.into())])), false),
             (vec![1.0].into(), true),
             (None::<f64>.into(), true),
         ] {

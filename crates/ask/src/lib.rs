@@ -27,7 +27,7 @@ pub mod quick_return;
 pub mod wheel;
 pub mod written;
 
-pub use field::{Item, Report, ReportField, Rounding, Row, SheetLine, SheetNumber, Value};
+pub use field::{DataRow, FieldValue, Item, Report, ReportField, Rounding, SheetLine, SheetNumber};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;

@@ -2,9 +2,9 @@
 //! rows of its own, such as a cycle or a run, is a series.
 
 use crate::output::{TextLayout, heading};
-use geneva_ask::{Report, ReportField, SheetNumber, Value};
+use geneva_ask::{FieldValue, Report, ReportField, SheetNumber};
 
-pub use geneva_press::fields::{Row, csv, json};
+pub use geneva_press::fields::{DataRow, csv, json};
 
 /// A line as it is written.
 struct Written<'a> {
@@ -78,7 +78,7 @@ pub fn table(answer: &Report) -> anyhow::Result<String> {
             above
         });
         parts(field).into_iter().map(move |(key, value, unit)| {
-            Row(vec![
+            DataRow(vec![
                 ("key", key.into()),
                 ("name", name.into()),
                 ("value", value),
@@ -92,9 +92,9 @@ pub fn table(answer: &Report) -> anyhow::Result<String> {
 }
 
 /// The numbers of a field with their keys and units: one, or those of a vector.
-fn parts(field: &ReportField) -> Vec<(String, Value, &'static str)> {
+fn parts(field: &ReportField) -> Vec<(String, FieldValue, &'static str)> {
     match &field.value {
-        Value::Object(Row(parts)) => parts
+        FieldValue::Object(DataRow(parts)) => parts
             .iter()
             .map(|(part, value)| {
                 let unit = if part.ends_with("_deg") { "°" } else { field.unit };

@@ -3,7 +3,7 @@
 //! A work is cited where a sentence needs it and listed once, on the page of sources. We give only what we have read of a
 //! work's details, and say where and when.
 
-use crate::fields::Row;
+use crate::fields::DataRow;
 use crate::html::escape;
 use crate::lookup;
 use anyhow::{Context, ensure};
@@ -378,9 +378,9 @@ pub fn list() -> anyhow::Result<String> {
 }
 
 /// The list as data, with where and when we read each work's details.
-pub fn rows() -> impl Iterator<Item = Row> {
+pub fn rows() -> impl Iterator<Item = DataRow> {
     WORKS.iter().map(|work| {
-        Row(vec![
+        DataRow(vec![
             ("key", work.key.into()),
             ("authors", work.authors.into()),
             ("title", work.title.into()),

@@ -2,7 +2,7 @@
 
 use crate::citing::{LICENCE, TITLE, VERSION};
 use crate::edition::Edition;
-use crate::fields::{self, Row, Value};
+use crate::fields::{self, DataRow, FieldValue};
 use crate::{address, bibliography};
 use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
 use std::collections::BTreeSet;
@@ -152,15 +152,15 @@ pub fn files(edition: &Edition) -> anyhow::Result<Vec<(&'static str, String)>> {
 }
 
 /// Rows in a file that says what it belongs to, in which edition of the project.
-fn versioned(what: &'static str, edition: &Edition, rows: impl Iterator<Item = Row>) -> anyhow::Result<String> {
-    fields::json(&Row(vec![
+fn versioned(what: &'static str, edition: &Edition, rows: impl Iterator<Item = DataRow>) -> anyhow::Result<String> {
+    fields::json(&DataRow(vec![
         ("title", TITLE.into()),
         ("version", VERSION.into()),
         ("commit", edition.commit.as_deref().into()),
         ("changed", edition.commit.as_ref().map(|_| edition.is_changed).into()),
         ("license", LICENCE.into()),
         ("address", address::known().map(|address| address.book.as_str()).into()),
-        (what, Value::List(rows.map(Value::Object).collect())),
+        (what, FieldValue::List(rows.map(FieldValue::Object).collect())),
     ]))
 }
 
@@ -170,7 +170,7 @@ pub fn slips_of_copies() -> impl Iterator<Item = &'static Places> {
 }
 
 /// Every entry of every line of the documents.
-fn entries() -> anyhow::Result<Vec<Row>> {
+fn entries() -> anyhow::Result<Vec<DataRow>> {
     let mut rows = Vec::new();
     for work in Work::DOCUMENTS {
         let lines = work.inventory()?.iter();
@@ -179,7 +179,7 @@ fn entries() -> anyhow::Result<Vec<Row>> {
     Ok(rows)
 }
 
-fn entry(work: Work, line: &Line, entry: &Entry) -> Row {
+fn entry(work: Work, line: &Line, entry: &Entry) -> DataRow {
     let (kind, id) = match entry {
         Entry::Claim(id) => ("claim", *id),
         Entry::Rest(id, _) => ("rest", *id),
@@ -189,7 +189,7 @@ fn entry(work: Work, line: &Line, entry: &Entry) -> Row {
         Entry::Exception { id, .. } => ("exception", *id),
     };
     let reason = if let Entry::Exception { reason, .. } = entry { Some(reason.clone()) } else { None };
-    Row(vec![
+    DataRow(vec![
         ("source", work.slug().into()),
         ("line", line.number.into()),
         ("entry", kind.into()),
@@ -200,7 +200,7 @@ fn entry(work: Work, line: &Line, entry: &Entry) -> Row {
 }
 
 /// The fields of a file's rows, and one row to each of the ledger's to see of what type they are.
-pub fn described(file: &str) -> anyhow::Result<(&'static [Field], Vec<Row>)> {
+pub fn described(file: &str) -> anyhow::Result<(&'static [Field], Vec<DataRow>)> {
     match file {
         "claims" => Ok((OF_A_CLAIM, verdicts().iter().map(claim).collect())),
         "errata" => Ok((OF_A_SLIP, slips().iter().map(slip).collect())),
@@ -210,7 +210,7 @@ pub fn described(file: &str) -> anyhow::Result<(&'static [Field], Vec<Row>)> {
 }
 
 /// Of what types the values at a path are, in words.
-pub fn types(rows: &[Row], path: &str) -> String {
+pub fn types(rows: &[DataRow], path: &str) -> String {
     let mut found = BTreeSet::new();
     for row in rows {
         collect(row, path, &mut found);
@@ -218,13 +218,13 @@ pub fn types(rows: &[Row], path: &str) -> String {
     found.into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(" or ")
 }
 
-fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
+fn collect(row: &DataRow, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
     let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
     let Some((_, value)) = row.0.iter().find(|(name, _)| *name == key) else { return };
     match (value, rest) {
-        (Value::Object(inner) | Value::Worded(inner, _), Some(rest)) => collect(inner, rest, found),
-        (Value::List(values), Some(rest)) => values.iter().for_each(|value| {
-            if let Value::Object(inner) | Value::Worded(inner, _) = value {
+        (FieldValue::Object(inner) | FieldValue::Worded(inner, _), Some(rest)) => collect(inner, rest, found),
+        (FieldValue::List(values), Some(rest)) => values.iter().for_each(|value| {
+            if let FieldValue::Object(inner) | FieldValue::Worded(inner, _) = value {
                 collect(inner, rest, found);
             }
         }),
@@ -234,7 +234,7 @@ fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
 }
 
 /// All that is known of a claim.
-pub fn claim(judged: &Judged) -> Row {
+pub fn claim(judged: &Judged) -> DataRow {
     let (claim, slip) = (judged.claim, judged.claim.erratum.as_ref().map(|erratum| &erratum.slip));
     let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug()).collect();
     let findings: Vec<_> = judged.findings.iter().map(|(form, finding)| found(form, finding)).collect();
@@ -243,7 +243,7 @@ pub fn claim(judged: &Judged) -> Row {
         Check::Missing { reason } => (None, Some(reason)),
         _ => (None, None),
     };
-    Row(vec![
+    DataRow(vec![
         ("id", claim.id.into()),
         ("source", claim.work.slug().into()),
         ("locator", claim.locator.into()),
@@ -274,18 +274,19 @@ pub fn claim(judged: &Judged) -> Row {
         ("neighbour", neighbour.into()),
         // Which datum is missing and why.
         ("missing", missing.into()),
-        ("erratum", Value::Object(erratum(judged, slip))),
+        ("erratum", FieldValue::Object(erratum(judged, slip))),
     ])
 }
 
 /// How a form was found to hold or to fail.
-fn found(form: &str, finding: &Finding) -> Value {
-    let row = Row(vec![("form", form.into()), ("holds", finding.holds.into()), ("how", finding.how.clone().into())]);
-    Value::Worded(row, format!("{form} {}: {}", if finding.holds { "holds" } else { "fails" }, finding.how))
+fn found(form: &str, finding: &Finding) -> FieldValue {
+    let row =
+        DataRow(vec![("form", form.into()), ("holds", finding.holds.into()), ("how", finding.how.clone().into())]);
+    FieldValue::Worded(row, format!("{form} {}: {}", if finding.holds { "holds" } else { "fails" }, finding.how))
 }
 
 /// For `printed` read `corrected`; all is missing where there is no slip.
-fn erratum(judged: &Judged, slip: Option<&Slip>) -> Row {
+fn erratum(judged: &Judged, slip: Option<&Slip>) -> DataRow {
     let claim = judged.claim;
     // The other claims that the slip reaches, in the record of the one in which it is made.
     let inherited = || {
@@ -293,7 +294,7 @@ fn erratum(judged: &Judged, slip: Option<&Slip>) -> Row {
         let all = places.into_iter().flat_map(|places| &places.claims).map(|judged| judged.claim.id);
         all.filter(|id| *id != claim.id).collect::<Vec<_>>()
     };
-    Row(vec![
+    DataRow(vec![
         ("printed", slip.map(|_| in_full(claim)).into()),
         ("corrected", slip.map(|_| judged.corrected().unwrap_or_default()).into()),
         ("reason", slip.map(|slip| slip.reason).into()),
@@ -304,11 +305,11 @@ fn erratum(judged: &Judged, slip: Option<&Slip>) -> Row {
 }
 
 /// All that is known of a slip.
-pub fn slip(places: &Places) -> Row {
+pub fn slip(places: &Places) -> DataRow {
     let (slip, main) = (&places.slip, places.main());
     // The claims that it reaches.
     let ids: Vec<_> = places.claims.iter().map(|judged| judged.claim.id).collect();
-    Row(vec![
+    DataRow(vec![
         ("id", slip.id.into()),
         ("source", main.claim.work.slug().into()),
         ("locator", main.claim.locator.into()),
@@ -333,7 +334,7 @@ pub fn slip(places: &Places) -> Row {
 mod tests {
     use super::*;
     use geneva_ledger::claims;
-    use serde_json::Value as Json;
+    use serde_json::FieldValue as Json;
 
     /// The paths of all keys below a value.
     fn keys(value: &Json, before: &str, found: &mut BTreeSet<String>) {
@@ -407,13 +408,13 @@ mod tests {
         let in_rows: usize = listed
             .iter()
             .map(|row| match &row.0[4].1 {
-                Value::List(numbers) => numbers.len(),
+                FieldValue::List(numbers) => numbers.len(),
                 _ => 0,
             })
             .sum();
         assert_eq!(in_rows, Work::DOCUMENTS.iter().map(numbers).sum::<usize>());
         for claim in claims().iter().filter(|claim| claim.work.is_document()) {
-            let id = Value::from(claim.id);
+            let id = FieldValue::from(claim.id);
             assert!(listed.iter().any(|row| row.0[3].1 == id), "{} is in no line", claim.id);
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{Design, SETTLED};
 use crate::written::{as_typed, rounded};
-use crate::{Error, Row};
+use crate::{DataRow, Error};
 use geneva_dynamics::Error as Motion;
 use geneva_dynamics::steady::{Engagement, MOST_PRINTED, Printed};
 
@@ -17,8 +17,8 @@ const LINES: f64 = 100.0;
 const MOST_LINES: f64 = 20_000.0;
 
 /// One line.
-fn row(printed: &Printed) -> Row {
-    Row(vec![
+fn row(printed: &Printed) -> DataRow {
+    DataRow(vec![
         ("time", rounded(printed.time).into()),
         ("engagement", printed.engagement.into()),
         ("turned_deg", printed.turned.to_degrees().into()),
@@ -36,7 +36,7 @@ impl Design {
     /// # Errors
     ///
     /// An interval that is longer than the run, and a run of too many rows or engagements.
-    pub fn run(&self, duration: Option<f64>, interval: Option<f64>) -> Result<Vec<Row>, Error> {
+    pub fn run(&self, duration: Option<f64>, interval: Option<f64>) -> Result<Vec<DataRow>, Error> {
         let engagement = &self.engagement;
         let (duration, interval) = match (duration, interval) {
             (Some(duration), Some(interval)) => (duration, interval),

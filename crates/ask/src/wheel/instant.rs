@@ -3,7 +3,7 @@
 use super::Question;
 use super::design::{Design, too_large};
 use crate::written::{as_typed, rounded_down};
-use crate::{Error, Item, ReportField, Row};
+use crate::{DataRow, Error, Item, ReportField};
 use geneva_dynamics::wheel_loads::Load;
 use geneva_kinematics::indexing::{Motion, Phase, PinInSlot};
 
@@ -109,10 +109,10 @@ struct Fields {
 
 impl Fields {
     /// As data: what is known without a speed comes first.
-    fn into_row(self) -> Row {
+    fn into_row(self) -> DataRow {
         let Self { place, ratios, along_the_slot, time, rates, load } = self;
         let all = place.into_iter().chain(ratios).chain(along_the_slot).chain([time]).chain(rates).chain(load);
-        Row(all.map(|field| (field.key, field.value)).collect())
+        DataRow(all.map(|field| (field.key, field.value)).collect())
     }
 
     /// On a sheet: each rate under its ratio. Of a wheel at rest there is only its place to tell.
@@ -166,7 +166,7 @@ impl Design {
     /// # Errors
     ///
     /// Angles that the wheel doesn't have, and numbers that are too large or too small to compute with.
-    pub fn cycle(&self) -> Result<Vec<Row>, Error> {
+    pub fn cycle(&self) -> Result<Vec<DataRow>, Error> {
         let angles = self.angles()?;
         let angles = if angles.is_empty() { (-HALF_TURN..=HALF_TURN).map(f64::from).collect() } else { angles };
         let rows = angles.into_iter().map(|degrees| Ok(Instant::new(self, degrees)?.fields(self).into_row()));

@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use crate::written::degrees as degrees_told;
-use crate::{Error, ReportField, Rounding, Value};
+use crate::{Error, FieldValue, ReportField, Rounding};
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, SharedTolerance, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
@@ -205,7 +205,7 @@ pub fn together(design: &Design) -> Result<Vec<ReportField>, Error> {
 /// What a maker should know about sizes that do fit.
 pub fn warnings(design: &Design) -> Vec<ReportField> {
     let found = design.warnings();
-    let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();
+    let texts: Vec<FieldValue> = found.iter().map(|warning| FieldValue::Text(warning.to_string())).collect();
     let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
     let field = ReportField::new("warnings", texts);
     vec![if said.is_empty() { field } else { field.words("before you make it", said) }]

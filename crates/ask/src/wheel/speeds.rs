@@ -6,7 +6,7 @@
 use super::kind::{AnyWheel, Kind};
 use super::times::{SAME, Times};
 use crate::written::{as_typed, count, number};
-use crate::{Error, Item, Report, ReportField, Row};
+use crate::{DataRow, Error, Item, Report, ReportField};
 
 /// How many pins a driver has, by what heads it. No wheel has a dwell with more.
 const PINS: [&str; 6] = ["One pin", "Two pins", "Three pins", "Four pins", "Five pins", "Six pins"];
@@ -73,7 +73,7 @@ impl Driver {
                 ReportField::in_unit("least_index_time_s", fast.index, "s").line("", format!("index, {index}")),
                 ReportField::in_unit("least_dwell_time_s", fast.dwell, "s").line("", "dwell, the shortest you allow"),
             ],
-            row: Row(vec![
+            row: DataRow(vec![
                 ("type", self.kind.name().into()),
                 ("stations", stations.into()),
                 ("pins", self.pins.into()),

@@ -6,7 +6,7 @@
 
 use super::kind::{AnyWheel, Kind};
 use crate::written::{as_typed, count, number};
-use crate::{Item, Report, ReportField, Row};
+use crate::{DataRow, Item, Report, ReportField};
 
 /// Wanted times, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,8 +60,8 @@ fn nearest(wanted: f64, kind: Option<Kind>) -> Vec<Candidate> {
 }
 
 /// The times and the speed of a candidate whose cycle lasts so many seconds.
-fn row(of: &Candidate, cycle: f64) -> Row {
-    Row(vec![
+fn row(of: &Candidate, cycle: f64) -> DataRow {
+    DataRow(vec![
         ("type", of.kind.name().into()),
         ("stations", of.stations.into()),
         ("pins", of.pins.into()),

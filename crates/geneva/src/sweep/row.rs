@@ -2,7 +2,7 @@
 
 use super::grid::Cell;
 
-use crate::fields::Row;
+use crate::fields::DataRow;
 use geneva_ask::escapement::{engagement, rise};
 use geneva_dynamics::steady::SteadyState;
 use geneva_dynamics::{Error, Inertias, Parameters};
@@ -39,13 +39,13 @@ impl Status {
 }
 
 /// The row of an escapement. What there is no number for is missing, and the status says why.
-pub fn row(cell: &Cell) -> (Row, Status) {
+pub fn row(cell: &Cell) -> (DataRow, Status) {
     let (steady, rise_time, status) = match motion(cell) {
         Ok((steady, Some(rise))) => (Some(steady), Some(rise), Status::Ok),
         Ok((steady, None)) => (Some(steady), None, Status::LongRise),
         Err(status) => (None, None, status),
     };
-    let row = Row(vec![
+    let row = DataRow(vec![
         ("slots", cell.mechanism.slots().into()),
         ("pins", cell.mechanism.pins().into()),
         ("friction", cell.friction.into()),
