@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::quick_return::{Design, Drawing, Place, Question};
+use geneva_ask::quick_return::{Design, Drawing, LinkageAngle, Question};
 use geneva_kinematics::quick_return::Branch;
 
 /// Options of `geneva quick-return`.
@@ -87,8 +87,8 @@ impl QuickReturnArguments {
             BranchName::Far => Branch::Far,
         };
         let place = match (self.angle.crank_angle, self.angle.lever_angle) {
-            (_, Some(lever)) => Place::Lever(lever, branch),
-            (crank, None) => Place::Crank(crank.unwrap_or_default()),
+            (_, Some(lever)) => LinkageAngle::Lever(lever, branch),
+            (crank, None) => LinkageAngle::Crank(crank.unwrap_or_default()),
         };
         Question { ground: self.ground, crank: self.crank, place, rpm: self.rpm }
     }

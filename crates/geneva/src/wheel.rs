@@ -9,7 +9,7 @@ use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use geneva_ask::wheel::{ARGUMENTS, ActsOn, Argument, Design, Kind, Place, Question, Times, proposals, speeds};
+use geneva_ask::wheel::{ARGUMENTS, ActsOn, Argument, ArgumentSlot, Design, Kind, Question, Times, proposals, speeds};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// Options of `geneva wheel`.
@@ -70,13 +70,15 @@ impl FromArgMatches for Asked {
         let Self(question) = self;
         for Argument { name, place, .. } in &ARGUMENTS {
             match place {
-                Place::Stations(at) | Place::Pins(at) => *at(question) = typed(matches, name),
-                Place::Kind(at) => *at(question) = typed(matches, name),
-                Place::Material(at) => *at(question) = typed(matches, name),
-                Place::Length(at) | Place::AboveZero(at) | Place::ZeroOrMore(at) => {
+                ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Length(at) | ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                     *at(question) = typed(matches, name)
                 }
-                Place::Degrees(at) => *at(question) = matches.get_many(name).into_iter().flatten().copied().collect(),
+                ArgumentSlot::Degrees(at) => {
+                    *at(question) = matches.get_many(name).into_iter().flatten().copied().collect()
+                }
             }
         }
         Ok(())
@@ -92,19 +94,19 @@ fn option(argument: &Argument) -> Arg {
         others.map(|other| other.name).collect::<Vec<_>>()
     };
     let option = match place {
-        Place::Stations(_) => option
+        ArgumentSlot::Stations(_) => option
             .value_parser(typed::stations)
             .allow_negative_numbers(true)
             .required_unless_present_any(["index_time", "dwell_time"]),
-        Place::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
-        Place::Kind(_) => option.value_parser(typed::named(&Kind::ALL, Kind::name, Kind::meaning)),
-        Place::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
-        Place::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
-        Place::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
-        Place::Material(_) => option
+        ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
+        ArgumentSlot::Kind(_) => option.value_parser(typed::named(&Kind::ALL, Kind::name, Kind::meaning)),
+        ArgumentSlot::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
+        ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
+        ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
+        ArgumentSlot::Material(_) => option
             .value_parser(materials())
-            .requires_all(others(|argument| matches!(argument.place, Place::Material(_)))),
-        Place::Degrees(_) => {
+            .requires_all(others(|argument| matches!(argument.place, ArgumentSlot::Material(_)))),
+        ArgumentSlot::Degrees(_) => {
             option.value_parser(typed::finite_degrees).allow_hyphen_values(true).action(ArgAction::Append)
         }
     };

@@ -3,7 +3,7 @@
 use crate::answer::{Answer, Number, shown};
 use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, Side, TURNS};
 use geneva_ask::Error;
-use geneva_ask::quick_return::{Design, Place, Question, lever_motion};
+use geneva_ask::quick_return::{Design, LinkageAngle, Question, lever_motion};
 use geneva_figures::{quick_return, with_minus_sign};
 use geneva_kinematics::quick_return::{Branch, Motion};
 
@@ -71,9 +71,9 @@ fn design(settings: &Settings) -> Result<Design, String> {
     let branch = if settings.moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
     let lever = settings.moved("lever")?;
     let theta = angle.unwrap_or(LIVE.controls[0].preset);
-    let place = lever.map_or(Place::Crank(theta + 180.0), |lever| Place::Lever(lever, branch));
+    let place = lever.map_or(LinkageAngle::Crank(theta + 180.0), |lever| LinkageAngle::Lever(lever, branch));
     Design::new(&Question { ground, crank, place, rpm }).map_err(|error| match (error, place) {
-        (_, Place::Crank(_)) => {
+        (_, LinkageAngle::Crank(_)) => {
             format!("crank angle {theta}°: the pin is on the lever's pivot, or too near it; give another angle")
         }
         (Error::Argument(message), _) => {

@@ -22,7 +22,7 @@ pub struct Question {
     /// Distance from the crank's axis to the pin, in metres.
     pub crank: f64,
     /// Where the mechanism is.
-    pub place: Place,
+    pub place: LinkageAngle,
     /// Constant speed of the crank in turns per minute, counter-clockwise above zero.
     pub rpm: f64,
 }
@@ -30,7 +30,7 @@ pub struct Question {
 /// Where the mechanism is, by one of its two angles in degrees, counter-clockwise from the direction that points from the
 /// lever's pivot to the crank's axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
+pub enum LinkageAngle {
     /// Direction from the crank's axis to the pin.
     Crank(f64),
     /// Direction from the lever's pivot to the pin, and which of the two points on the lever's ray the pin is at.
@@ -51,8 +51,8 @@ impl Question {
                 ("ground", value) => ground = Some(number("ground", value)?),
                 ("crank", value) => crank = Some(number("crank", value)?),
                 ("rpm", value) => rpm = Some(number("rpm", value)?),
-                ("crank-angle", value) => place = Some(Place::Crank(number("crank-angle", value)?)),
-                ("lever-angle", value) => place = Some(Place::Lever(number("lever-angle", value)?, Branch::Far)),
+                ("crank-angle", value) => place = Some(LinkageAngle::Crank(number("crank-angle", value)?)),
+                ("lever-angle", value) => place = Some(LinkageAngle::Lever(number("lever-angle", value)?, Branch::Far)),
                 ("branch", "near") => branch = Branch::Near,
                 ("branch", "far") => branch = Branch::Far,
                 (name, value) => {
@@ -65,7 +65,7 @@ impl Question {
         }
         let missing = |name| move || refused!("--{name} is missing; give it");
         let place = match place.ok_or_else(missing("lever-angle"))? {
-            Place::Lever(degrees, _) => Place::Lever(degrees, branch),
+            LinkageAngle::Lever(degrees, _) => LinkageAngle::Lever(degrees, branch),
             crank => crank,
         };
         let [ground, crank, rpm] =
@@ -74,7 +74,7 @@ impl Question {
     }
 }
 
-impl Place {
+impl LinkageAngle {
     fn degrees(self) -> f64 {
         match self {
             Self::Crank(degrees) | Self::Lever(degrees, _) => degrees,
@@ -117,8 +117,8 @@ impl Design {
     pub fn new(question: &Question) -> Result<Self, Error> {
         let linkage = QuickReturn::new(question.ground, question.crank).map_err(|error| impossible(question, error))?;
         let position = match question.place {
-            Place::Lever(lever, branch) => linkage.at_lever_degrees(lever, branch),
-            Place::Crank(crank) => linkage.at_crank_degrees(crank),
+            LinkageAngle::Lever(lever, branch) => linkage.at_lever_degrees(lever, branch),
+            LinkageAngle::Crank(crank) => linkage.at_crank_degrees(crank),
         };
         let position = position.map_err(|error| impossible(question, error))?;
         if position.pin_distance >= NEAREST * linkage.crank() {
@@ -174,8 +174,8 @@ fn impossible(question: &Question, error: KinematicsError) -> Error {
 /// The pin is off the lever's pivot, but not by enough.
 fn too_near(question: &Question, linkage: &QuickReturn, position: &Position) -> Error {
     let option = match question.place {
-        Place::Lever(..) => "--lever-angle",
-        Place::Crank(_) => "--crank-angle",
+        LinkageAngle::Lever(..) => "--lever-angle",
+        LinkageAngle::Crank(_) => "--crank-angle",
     };
     refused!(
         "{option} {}: the pin is only {:.1e} crank radii from the lever's pivot, too near to compute the lever's motion; \
