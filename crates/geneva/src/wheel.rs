@@ -9,7 +9,9 @@ use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use geneva_ask::wheel::{ARGUMENTS, ActsOn, Argument, ArgumentSlot, Design, Kind, Question, Times, proposals, speeds};
+use geneva_ask::wheel::{
+    ARGUMENTS, ActsOn, Argument, ArgumentSlot, Design, Question, Times, WheelKind, proposals, speeds,
+};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// Options of `geneva wheel`.
@@ -99,7 +101,9 @@ fn option(argument: &Argument) -> Arg {
             .allow_negative_numbers(true)
             .required_unless_present_any(["index_time", "dwell_time"]),
         ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
-        ArgumentSlot::Kind(_) => option.value_parser(typed::named(&Kind::ALL, Kind::name, Kind::meaning)),
+        ArgumentSlot::Kind(_) => {
+            option.value_parser(typed::named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
+        }
         ArgumentSlot::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
@@ -200,7 +204,7 @@ fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
 
 /// Refuses options that have no effect for this one wheel.
 fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
-    let is_external = wanted.kind.is_none_or(|kind| kind == Kind::External);
+    let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
         none_of(wanted, acts_on(ActsOn::Parts), why)?;

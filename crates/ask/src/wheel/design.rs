@@ -1,7 +1,7 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
 use super::Question;
-use super::kind::{AnyWheel, Kind};
+use super::kind::{AnyWheel, WheelKind};
 use crate::Error;
 use crate::written::{as_typed, rounded_up};
 use geneva_dynamics::line_contact::{LineContact, Material};
@@ -48,7 +48,7 @@ impl Design {
         let Some(stations) = question.stations else {
             return Err(refused!("the number of stations is missing; give --stations N"));
         };
-        let kind = question.kind.unwrap_or(Kind::External);
+        let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
         let scale = scale(&question);
         let sizes = match (&wheel, scale) {

@@ -1,7 +1,7 @@
 //! Files from which a wheel is made.
 
 use super::design::Design;
-use super::kind::Kind;
+use super::kind::WheelKind;
 use crate::Error;
 use crate::written::as_typed;
 use geneva_kinematics::wheel::{Edge, Face, Sizes};
@@ -60,7 +60,7 @@ impl Design {
     ///
     /// What to choose instead.
     pub fn is_made_from(&self, ending: &str) -> Result<(), Error> {
-        if self.wheel.kind() == Kind::External {
+        if self.wheel.kind() == WheelKind::External {
             return Ok(());
         }
         Err(refused!(

@@ -12,7 +12,7 @@ mod speeds;
 mod times;
 
 pub use design::Design;
-pub use kind::{AnyWheel, Kind};
+pub use kind::{AnyWheel, WheelKind};
 pub use speeds::speeds;
 pub use times::{Times, proposals};
 
@@ -24,7 +24,7 @@ use geneva_dynamics::line_contact::{MATERIALS, Material};
 #[derive(Clone, Debug, Default)]
 pub struct Question {
     /// Kind of wheel (`--type`); external unless it is given.
-    pub kind: Option<Kind>,
+    pub kind: Option<WheelKind>,
     /// Number of slots.
     pub stations: Option<u32>,
     /// Number of pins on the driver; 1 unless it is given.
@@ -112,7 +112,7 @@ pub enum ArgumentSlot {
     /// A number of pins.
     Pins(fn(&mut Question) -> &mut Option<u32>),
     /// A kind of wheel, by its name.
-    Kind(fn(&mut Question) -> &mut Option<Kind>),
+    Kind(fn(&mut Question) -> &mut Option<WheelKind>),
     /// A length in millimetres, above zero.
     Length(fn(&mut Question) -> &mut Option<f64>),
     /// A number above zero.
@@ -343,7 +343,7 @@ impl Question {
                 match known.place {
                     ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(self) = Some(number(name, value)?),
                     ArgumentSlot::Kind(at) => {
-                        *at(self) = Some(one_of(name, value, &Kind::ALL.map(|kind| (kind.name(), kind)))?)
+                        *at(self) = Some(one_of(name, value, &WheelKind::ALL.map(|kind| (kind.name(), kind)))?)
                     }
                     ArgumentSlot::Length(at) | ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                         *at(self) = Some(number(name, value)?)

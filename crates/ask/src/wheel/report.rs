@@ -5,7 +5,7 @@
 
 use super::design::{Design, too_large};
 use super::instant::item;
-use super::kind::Kind;
+use super::kind::WheelKind;
 use super::{loads, parts};
 use crate::written::{as_typed, count, degrees, number};
 use crate::{Error, Report, ReportField};
@@ -72,9 +72,9 @@ fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<ReportF
     let centres = of_parts.map(|[centres, _]| centres).or(wheel.centre_distance_ratio().and_then(lengths));
     let radius = of_parts.map(|[_, radius]| radius).or(lengths(wheel.wheel_radius_ratio()));
     let slot = match wheel.kind() {
-        Kind::External => "from there to where the pin is deepest",
-        Kind::Internal => "from there outwards to the pin's centre at its deepest",
-        Kind::Spherical => "from there along the meridian to the pin's centre at its deepest",
+        WheelKind::External => "from there to where the pin is deepest",
+        WheelKind::Internal => "from there outwards to the pin's centre at its deepest",
+        WheelKind::Spherical => "from there along the meridian to the pin's centre at its deepest",
     };
     vec![
         ReportField::in_unit("engagement_half_angle_deg", indexing.engagement_half_angle().to_degrees(), "°")
@@ -145,9 +145,9 @@ fn motion(design: &Design) -> Vec<ReportField> {
 fn title(design: &Design) -> String {
     let wheel = design.wheel.indexing();
     let name = match design.wheel.kind() {
-        Kind::External => "External",
-        Kind::Internal => "Internal",
-        Kind::Spherical => "Spherical",
+        WheelKind::External => "External",
+        WheelKind::Internal => "Internal",
+        WheelKind::Spherical => "Spherical",
     };
     let (stations, pins) = (count(wheel.stations() as usize, "station"), count(wheel.pins() as usize, "pin"));
     let radius =
@@ -164,7 +164,7 @@ fn short_length(length: f64) -> String {
 
 /// Which options would add to the report.
 fn missing(design: &Design) -> String {
-    let sizes = if design.wheel.kind() == Kind::Spherical {
+    let sizes = if design.wheel.kind() == WheelKind::Spherical {
         "--crank-radius MM or --wheel-radius MM"
     } else {
         "--crank-radius MM, --centre-distance MM or --wheel-radius MM"

@@ -3,7 +3,7 @@
 //! A slower driver makes index and dwell longer. So the greatest index gives the least speed and the least dwell the greatest
 //! speed, and a driver fits if the least speed is not above the greatest.
 
-use super::kind::{AnyWheel, Kind};
+use super::kind::{AnyWheel, WheelKind};
 use super::times::{SAME, Times};
 use crate::written::{as_typed, count, number};
 use crate::{DataRow, Error, Item, Report, ReportField};
@@ -13,7 +13,7 @@ const PINS: [&str; 6] = ["One pin", "Two pins", "Three pins", "Four pins", "Five
 
 /// A driver, and the two speeds that the wanted times ask of it.
 struct Driver {
-    kind: Kind,
+    kind: WheelKind,
     pins: u32,
     /// Part of the cycle of index and dwell that the index takes.
     motion: f64,
@@ -104,8 +104,8 @@ another, which is slower. This driver comes nearest.";
 /// # Errors
 ///
 /// A number of stations that no wheel has.
-pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Report, Error> {
-    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+pub fn speeds(times: Times, stations: u32, kind: Option<WheelKind>) -> Result<Report, Error> {
+    let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut drivers = Vec::new();
     for kind in kinds {
         AnyWheel::new(kind, stations, 1)?;

@@ -4,7 +4,7 @@
 //! speed is free: so the nearest ratios are looked for, and the driver's speed is such that index and dwell together last
 //! as long as is wanted.
 
-use super::kind::{AnyWheel, Kind};
+use super::kind::{AnyWheel, WheelKind};
 use crate::written::{as_typed, count, number};
 use crate::{DataRow, Item, Report, ReportField};
 
@@ -28,7 +28,7 @@ pub(super) const SAME: f64 = 1e-9;
 /// A kind, its numbers and the part of the cycle in which its wheel moves.
 #[derive(Clone, Copy)]
 struct Candidate {
-    kind: Kind,
+    kind: WheelKind,
     /// None if any number will do.
     stations: Option<u32>,
     pins: u32,
@@ -37,20 +37,20 @@ struct Candidate {
 }
 
 /// All that have a dwell; of spherical wheels one stands for all numbers of stations, which have one ratio.
-fn candidates(kind: Kind) -> Vec<Candidate> {
-    let stations = if kind == Kind::Spherical { 3..=3 } else { STATIONS };
+fn candidates(kind: WheelKind) -> Vec<Candidate> {
+    let stations = if kind == WheelKind::Spherical { 3..=3 } else { STATIONS };
     let of = |stations: u32, pins: u32| {
         let wheel = AnyWheel::new(kind, stations, pins).ok()?;
         let motion = wheel.indexing().motion_fraction();
-        let stations = (kind != Kind::Spherical).then_some(stations);
+        let stations = (kind != WheelKind::Spherical).then_some(stations);
         (wheel.indexing().dwell_fraction() > SAME).then_some(Candidate { kind, stations, pins, motion })
     };
     stations.flat_map(|stations| (1..=6).filter_map(move |pins| of(stations, pins))).collect()
 }
 
 /// The nearest to a wanted part of the cycle, the nearest first; of equals the one with fewer stations.
-fn nearest(wanted: f64, kind: Option<Kind>) -> Vec<Candidate> {
-    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+fn nearest(wanted: f64, kind: Option<WheelKind>) -> Vec<Candidate> {
+    let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut all: Vec<_> = kinds.flat_map(candidates).collect();
     all.sort_by(|a, b| {
         (a.motion - wanted).abs().total_cmp(&(b.motion - wanted).abs()).then(a.stations.cmp(&b.stations))
@@ -78,7 +78,7 @@ only makes the whole cycle faster or slower. These wheels come nearest, each at 
 last as long as you want.";
 
 /// Which wheels come nearest to wanted times: of one kind, or of all.
-pub fn proposals(times: Times, kind: Option<Kind>) -> Report {
+pub fn proposals(times: Times, kind: Option<WheelKind>) -> Report {
     let Times { index, dwell } = times;
     let (cycle, wanted) = (index + dwell, index / (index + dwell));
     let found = nearest(wanted, kind);
@@ -122,8 +122,8 @@ fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<ReportField> {
 }
 
 /// The bounds of these kinds of wheel, and a way round them.
-fn bounds(wanted: f64, kind: Option<Kind>) -> String {
-    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+fn bounds(wanted: f64, kind: Option<WheelKind>) -> String {
+    let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let all: Vec<f64> = kinds.flat_map(candidates).map(|of| of.motion).collect();
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     let most = all.iter().copied().fold(0.0, f64::max);
