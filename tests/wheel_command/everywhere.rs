@@ -1,7 +1,7 @@
 //! Each quantity of a wheel is stated in one file. Does it appear wherever a wheel is reported?
 
 use crate::{number, object, stdout};
-use geneva_ask::wheel::{Design, Question};
+use geneva_ask::wheel::{Design, WheelQuestion};
 use geneva_ask::{FieldValue, Report, Rounding, SheetNumber};
 use geneva_live::Arguments;
 
@@ -9,7 +9,7 @@ const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --f
 const MATERIALS: &str = " --thickness 10 --density 8860 --pin-material steel --wheel-material phosphor-bronze";
 
 fn answer() -> Report {
-    let question = Question::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
+    let question = WheelQuestion::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
     Design::new(question).and_then(|design| design.answer()).expect("an answer")
 }
 

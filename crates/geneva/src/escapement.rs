@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::escapement::{Design, Drawing, Further, Question, Units};
+use geneva_ask::escapement::{Design, Drawing, EscapementQuestion, Further, Units};
 
 /// Options of `geneva escapement`.
 #[derive(Args, Debug)]
@@ -80,12 +80,12 @@ pub enum FigureName {
 }
 
 impl EscapementArguments {
-    fn question(&self) -> Question {
+    fn question(&self) -> EscapementQuestion {
         let units = |name| match name {
             UnitsName::InLbS => Units::InLbS,
             UnitsName::Si => Units::Si,
         };
-        Question {
+        EscapementQuestion {
             slots: self.slots,
             friction: self.friction,
             torque: self.torque,

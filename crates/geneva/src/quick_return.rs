@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::quick_return::{Design, Drawing, LinkageAngle, Question};
+use geneva_ask::quick_return::{Design, Drawing, LinkageAngle, QuickReturnQuestion};
 use geneva_kinematics::quick_return::Branch;
 
 /// Options of `geneva quick-return`.
@@ -81,7 +81,7 @@ pub enum FigureName {
 
 impl QuickReturnArguments {
     /// One of the two angles was given; the parser sees to that.
-    fn question(&self) -> Question {
+    fn question(&self) -> QuickReturnQuestion {
         let branch = match self.branch.unwrap_or_default() {
             BranchName::Near => Branch::Near,
             BranchName::Far => Branch::Far,
@@ -90,7 +90,7 @@ impl QuickReturnArguments {
             (_, Some(lever)) => LinkageAngle::Lever(lever, branch),
             (crank, None) => LinkageAngle::Crank(crank.unwrap_or_default()),
         };
-        Question { ground: self.ground, crank: self.crank, place, rpm: self.rpm }
+        QuickReturnQuestion { ground: self.ground, crank: self.crank, place, rpm: self.rpm }
     }
 }
 

@@ -10,7 +10,7 @@ use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use geneva_ask::wheel::{
-    ARGUMENTS, ActsOn, Argument, ArgumentSlot, Design, Question, Times, WheelKind, proposals, speeds,
+    ARGUMENTS, ActsOn, Argument, ArgumentSlot, Design, Times, WheelKind, WheelQuestion, proposals, speeds,
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
@@ -46,7 +46,7 @@ pub struct WheelArguments {
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
 #[derive(Clone, Debug)]
-pub struct Asked(Question);
+pub struct Asked(WheelQuestion);
 
 impl Args for Asked {
     fn augment_args(command: Command) -> Command {
@@ -60,7 +60,7 @@ impl Args for Asked {
 
 impl FromArgMatches for Asked {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let mut asked = Self(Question::default());
+        let mut asked = Self(WheelQuestion::default());
         asked.update_from_arg_matches(matches)?;
         Ok(asked)
     }
@@ -164,7 +164,7 @@ pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<Strin
 }
 
 /// Refuses the first of these options that was given; `why` ends the sentence "… has no effect".
-fn none_of(wanted: &Question, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
+fn none_of(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
     match wanted.numbers().into_iter().find(|(argument, _)| refused(argument)) {
         Some((Argument { name, .. }, value)) => bail!("--{name} {} has no effect {why}", as_typed(value)),
         None => Ok(()),
@@ -172,7 +172,7 @@ fn none_of(wanted: &Question, refused: impl Fn(&Argument) -> bool, why: &str) ->
 }
 
 /// Refuses options that have no effect beside the wanted times.
-fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
+fn beside_times(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
     none_of(
         wanted,
         |argument| argument.name != "stations",
@@ -203,7 +203,7 @@ fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
 }
 
 /// Refuses options that have no effect for this one wheel.
-fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
+fn refused(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
@@ -305,6 +305,6 @@ mod tests {
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
         let Asked(asked) = Asked::from_arg_matches(&command.get_matches_from(line)).expect("options");
-        assert_eq!(format!("{asked:?}"), format!("{:?}", Question::parse(words).expect("arguments")));
+        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(words).expect("arguments")));
     }
 }

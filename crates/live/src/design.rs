@@ -3,7 +3,7 @@
 use crate::answer::{self, Answer, Number};
 use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
 use geneva_ask::Error;
-use geneva_ask::wheel::{Design, Effort, Question};
+use geneva_ask::wheel::{Design, Effort, WheelQuestion};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{Contact, Nearest, Sizes, Warning};
@@ -117,7 +117,7 @@ const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze
 fn design(settings: &Settings) -> Result<Design, String> {
     let wall = *MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
     let (size, is_crank) = (settings.value("radius")?, settings.choice("size")? == 0);
-    let question = Question {
+    let question = WheelQuestion {
         stations: Some(settings.count("stations")?),
         pins: Some(settings.count("pins")?),
         crank_radius: Some(size).filter(|_| is_crank),
@@ -135,7 +135,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
         wheel_material: Some(wall),
         centre_error: settings.value("error")?,
         effort: Effort { clearance: 40_000, tolerance: 12_000 },
-        ..Question::default()
+        ..WheelQuestion::default()
     };
     Design::new(question).map_err(words)
 }

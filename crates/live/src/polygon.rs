@@ -3,7 +3,7 @@
 use crate::answer::{Answer, Number, shown};
 use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, Side, TURNS};
 use geneva_ask::Error;
-use geneva_ask::quick_return::{Design, LinkageAngle, Question, lever_motion};
+use geneva_ask::quick_return::{Design, LinkageAngle, QuickReturnQuestion, lever_motion};
 use geneva_figures::{quick_return, with_minus_sign};
 use geneva_kinematics::quick_return::{Branch, Motion};
 
@@ -72,7 +72,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
     let lever = settings.moved("lever")?;
     let theta = angle.unwrap_or(LIVE.controls[0].preset);
     let place = lever.map_or(LinkageAngle::Crank(theta + 180.0), |lever| LinkageAngle::Lever(lever, branch));
-    Design::new(&Question { ground, crank, place, rpm }).map_err(|error| match (error, place) {
+    Design::new(&QuickReturnQuestion { ground, crank, place, rpm }).map_err(|error| match (error, place) {
         (_, LinkageAngle::Crank(_)) => {
             format!("crank angle {theta}°: the pin is on the lever's pivot, or too near it; give another angle")
         }

@@ -6,7 +6,7 @@ mod report;
 mod run;
 mod timer;
 
-pub use question::{Further, Question, Units};
+pub use question::{EscapementQuestion, Further, Units};
 pub use timer::rates;
 
 use crate::Error;
@@ -35,7 +35,7 @@ const SETTLED: f64 = 0.01;
 /// An escapement that a question describes.
 #[derive(Debug)]
 pub struct Design {
-    question: Question,
+    question: EscapementQuestion,
     parameters: Parameters,
     /// The turn of the driver, in degrees, after which its angle is reset: the question's, or that of the mechanism.
     reset_deg: f64,
@@ -48,7 +48,7 @@ impl Design {
     /// # Errors
     ///
     /// What is impossible, with the arguments to change.
-    pub fn new(question: Question) -> Result<Self, Error> {
+    pub fn new(question: EscapementQuestion) -> Result<Self, Error> {
         let parameters = parameters(&question)?;
         let reset_deg = question.reset_deg.unwrap_or(own_reset(parameters.mechanism()));
         let engagement = engagement(&parameters, reset_deg).map_err(|error| unsteady(&question, error))?;
@@ -89,7 +89,7 @@ impl Design {
 
 /// The parameters that were typed, if there is such an escapement; too much friction is refused in terms of the option and
 /// in degrees.
-fn parameters(question: &Question) -> Result<Parameters, Error> {
+fn parameters(question: &EscapementQuestion) -> Result<Parameters, Error> {
     let mechanism = Mechanism::new(question.slots)?;
     let inertias = Inertias::new(question.driver_inertia, question.follower_inertia)?;
     match Parameters::new(mechanism, inertias, question.torque, question.friction) {
@@ -119,7 +119,7 @@ pub fn engagement(parameters: &Parameters, reset_deg: f64) -> Result<Engagement,
 }
 
 /// The library's refusal of a steady motion, in terms of the options.
-fn unsteady(question: &Question, error: Motion) -> Error {
+fn unsteady(question: &EscapementQuestion, error: Motion) -> Error {
     let friction = as_typed(question.friction);
     match error {
         Motion::Reset { asked, limit } => no_reset(question.reset_deg.unwrap_or(asked.to_degrees()), limit),

@@ -5,7 +5,7 @@ use geneva_dynamics::joints::Joints;
 
 /// What is asked of an escapement; torque and inertias in units that fit each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
+pub struct EscapementQuestion {
     /// Number of slots of the follower: 3, 4 or 6.
     pub slots: u32,
     /// Coefficient of friction between pin and slot.
@@ -76,7 +76,7 @@ const MEASURES: [&str; 12] = [
     "bearing-friction",
 ];
 
-impl Question {
+impl EscapementQuestion {
     /// Reads arguments as they are typed: `--slots 4 --friction 0.2 --torque 0.3 --driver-inertia 4e-6 --follower-inertia 5e-5`.
     /// Of an argument that is given twice the last counts.
     ///
@@ -124,7 +124,7 @@ impl Question {
 
 #[cfg(test)]
 mod tests {
-    use super::{Question, Units};
+    use super::{EscapementQuestion, Units};
 
     #[test]
     fn a_pound_is_a_mass_of_a_pound_under_standard_gravity() {
@@ -139,10 +139,10 @@ mod tests {
     #[test]
     fn what_is_asked_is_read_as_it_is_typed() {
         let four = "--slots 4 --friction 0.2 --torque 2 --driver-inertia 4e-6 --follower-inertia 6e-5";
-        let question = Question::parse(&format!("{four} --friction 0.3 --pin-radius 0.1")).expect("complete");
+        let question = EscapementQuestion::parse(&format!("{four} --friction 0.3 --pin-radius 0.1")).expect("complete");
         let joints = question.further.joints.expect("a pin");
         assert_eq!([question.friction, joints.pin_radius, joints.driver_journal], [0.3, 0.1, 0.0]);
-        assert_eq!(Question::parse(four).expect("complete").further.joints, None);
+        assert_eq!(EscapementQuestion::parse(four).expect("complete").further.joints, None);
         for (text, words) in [
             ("--slots 4 --friction 0.2", "--torque is missing"),
             (&four.replace("--slots 4", ""), "--slots is missing"),
@@ -150,7 +150,7 @@ mod tests {
             (&format!("{four} --oil 1"), "--oil 1: give --slots"),
             (&format!("{four} --play x"), "--play x: not a number"),
         ] {
-            let error = Question::parse(text).expect_err(text).to_string();
+            let error = EscapementQuestion::parse(text).expect_err(text).to_string();
             assert!(error.contains(words), "{error}");
         }
     }

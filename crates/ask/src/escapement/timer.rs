@@ -3,7 +3,7 @@
 //!
 //! Neither the command's sheet nor its data have these fields. Chapters and figures that a reader moves show them.
 
-use super::{Design, Question, unsteady};
+use super::{Design, EscapementQuestion, unsteady};
 use crate::{Error, ReportField, Rounding};
 use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::joints::{self, Joints};
@@ -75,7 +75,7 @@ impl Design {
 
     /// What the timer gains with its friction, if it was set right with another.
     fn set_right(&self, set: f64) -> Result<ReportField, Error> {
-        let set = Self::new(Question { friction: set, ..self.question })?;
+        let set = Self::new(EscapementQuestion { friction: set, ..self.question })?;
         Ok(ReportField::in_unit("gain_h_a_day", HOURS * set.speed_change(self.parameters.friction())?, "h a day")
             .line("gain", "set right with another friction"))
     }

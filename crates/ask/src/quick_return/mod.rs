@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 
 /// What is asked of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
+pub struct QuickReturnQuestion {
     /// Distance from the lever's pivot to the crank's axis, in metres.
     pub ground: f64,
     /// Distance from the crank's axis to the pin, in metres.
@@ -37,7 +37,7 @@ pub enum LinkageAngle {
     Lever(f64, Branch),
 }
 
-impl Question {
+impl QuickReturnQuestion {
     /// Reads arguments as they are typed: `--ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60`.
     ///
     /// # Errors
@@ -114,7 +114,7 @@ impl Design {
     /// # Errors
     ///
     /// What is impossible, with the arguments to change.
-    pub fn new(question: &Question) -> Result<Self, Error> {
+    pub fn new(question: &QuickReturnQuestion) -> Result<Self, Error> {
         let linkage = QuickReturn::new(question.ground, question.crank).map_err(|error| impossible(question, error))?;
         let position = match question.place {
             LinkageAngle::Lever(lever, branch) => linkage.at_lever_degrees(lever, branch),
@@ -140,7 +140,7 @@ impl Design {
 }
 
 /// The library's refusal, in terms of the options and the values that the reader typed.
-fn impossible(question: &Question, error: KinematicsError) -> Error {
+fn impossible(question: &QuickReturnQuestion, error: KinematicsError) -> Error {
     let (ground, crank) =
         (format!("--ground {}", as_typed(question.ground)), format!("--crank {}", as_typed(question.crank)));
     match error {
@@ -172,7 +172,7 @@ fn impossible(question: &Question, error: KinematicsError) -> Error {
 }
 
 /// The pin is off the lever's pivot, but not by enough.
-fn too_near(question: &Question, linkage: &QuickReturn, position: &Position) -> Error {
+fn too_near(question: &QuickReturnQuestion, linkage: &QuickReturn, position: &Position) -> Error {
     let option = match question.place {
         LinkageAngle::Lever(..) => "--lever-angle",
         LinkageAngle::Crank(_) => "--crank-angle",

@@ -1,6 +1,6 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
-use super::Question;
+use super::WheelQuestion;
 use super::kind::{AnyWheel, WheelKind};
 use crate::Error;
 use crate::written::{as_typed, rounded_up};
@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 #[derive(Debug)]
 pub struct Design {
     /// The question.
-    pub question: Question,
+    pub question: WheelQuestion,
     /// The wheel; its lengths are in crank radii.
     pub wheel: AnyWheel,
     /// Crank radius in millimetres.
@@ -44,7 +44,7 @@ impl Design {
     /// # Errors
     ///
     /// What is missing or impossible, with the arguments to change.
-    pub fn new(question: Question) -> Result<Self, Error> {
+    pub fn new(question: WheelQuestion) -> Result<Self, Error> {
         let Some(stations) = question.stations else {
             return Err(refused!("the number of stations is missing; give --stations N"));
         };
@@ -219,13 +219,13 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
 }
 
 /// The one length that was given.
-fn scale(question: &Question) -> Option<Scale> {
+fn scale(question: &WheelQuestion) -> Option<Scale> {
     let crank = question.crank_radius.map(Scale::CrankRadius);
     let centres = question.centre_distance.map(Scale::CentreDistance);
     crank.or(centres).or(question.wheel_radius.map(Scale::WheelRadius))
 }
 
-fn sizes(wheel: Wheel, scale: Scale, question: &Question) -> Result<Sizes, SizesError> {
+fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
     let choices = Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::of),
@@ -241,7 +241,7 @@ fn sizes(wheel: Wheel, scale: Scale, question: &Question) -> Result<Sizes, Sizes
 }
 
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
-fn with_arguments(error: SizesError, question: &Question) -> Error {
+fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
     let of = |remedy: &Remedy| match remedy {
         Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
         Remedy::ThinnerHorn => ("horn", question.horn),

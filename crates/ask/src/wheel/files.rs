@@ -108,16 +108,16 @@ fn tolerance(sizes: &Sizes) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wheel::Question;
+    use crate::wheel::WheelQuestion;
 
     #[test]
     fn corners_are_as_many_as_a_mesh_has() {
         for (stations, thickness) in [(4, 6.0), (6, 10.0), (11, 3.0)] {
-            let question = Question {
+            let question = WheelQuestion {
                 stations: Some(stations),
                 crank_radius: Some(40.0),
                 thickness: Some(thickness),
-                ..Question::default()
+                ..WheelQuestion::default()
             };
             let design = Design::new(question).expect("a wheel");
             let sizes = design.sizes.expect("sizes");

@@ -1,6 +1,6 @@
 //! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
-use super::Question;
+use super::WheelQuestion;
 use super::design::{Design, too_large};
 use crate::written::{as_typed, rounded_down};
 use crate::{DataRow, Error, Item, ReportField};
@@ -138,7 +138,7 @@ pub(super) fn item(design: &Design, degrees: f64) -> Result<Item, Error> {
 impl Design {
     /// The crank angles in degrees at which to report the motion.
     pub(super) fn angles(&self) -> Result<Vec<f64>, Error> {
-        let Question { at, at_wheel, .. } = &self.question;
+        let WheelQuestion { at, at_wheel, .. } = &self.question;
         let asked = at.len() + at_wheel.len();
         if asked > MOST_INSTANTS {
             return Err(refused!(

@@ -22,7 +22,7 @@ use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
-pub struct Question {
+pub struct WheelQuestion {
     /// Kind of wheel (`--type`); external unless it is given.
     pub kind: Option<WheelKind>,
     /// Number of slots.
@@ -108,21 +108,21 @@ impl Argument {
 #[derive(Clone, Copy, Debug)]
 pub enum ArgumentSlot {
     /// A number of stations.
-    Stations(fn(&mut Question) -> &mut Option<u32>),
+    Stations(fn(&mut WheelQuestion) -> &mut Option<u32>),
     /// A number of pins.
-    Pins(fn(&mut Question) -> &mut Option<u32>),
+    Pins(fn(&mut WheelQuestion) -> &mut Option<u32>),
     /// A kind of wheel, by its name.
-    Kind(fn(&mut Question) -> &mut Option<WheelKind>),
+    Kind(fn(&mut WheelQuestion) -> &mut Option<WheelKind>),
     /// A length in millimetres, above zero.
-    Length(fn(&mut Question) -> &mut Option<f64>),
+    Length(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number above zero.
-    AboveZero(fn(&mut Question) -> &mut Option<f64>),
+    AboveZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number that is zero or more.
-    ZeroOrMore(fn(&mut Question) -> &mut Option<f64>),
+    ZeroOrMore(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A material, by its name.
-    Material(fn(&mut Question) -> &mut Option<Material>),
+    Material(fn(&mut WheelQuestion) -> &mut Option<Material>),
     /// Angles in degrees; the argument can be repeated.
-    Degrees(fn(&mut Question) -> &mut Vec<f64>),
+    Degrees(fn(&mut WheelQuestion) -> &mut Vec<f64>),
 }
 
 /// What an argument acts on besides the wheel as such.
@@ -315,7 +315,7 @@ impl Default for Effort {
     }
 }
 
-impl Question {
+impl WheelQuestion {
     /// Reads arguments as they are typed: `--stations 6 --rpm 60`.
     ///
     /// # Errors
@@ -381,7 +381,7 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
 
 #[cfg(test)]
 mod tests {
-    use super::{ARGUMENTS, ArgumentSlot, Question};
+    use super::{ARGUMENTS, ArgumentSlot, WheelQuestion};
 
     #[test]
     fn each_argument_sets_the_field_of_its_name() {
@@ -393,7 +393,7 @@ mod tests {
                 ArgumentSlot::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),
                 _ => ("7", format!("{}: Some(7.0)", argument.name)),
             };
-            let question = Question::parse(&format!("--{} {value}", argument.name)).expect("an argument");
+            let question = WheelQuestion::parse(&format!("--{} {value}", argument.name)).expect("an argument");
             let set = format!(" {}", set.replace('-', "_"));
             assert!(format!("{question:?}").contains(&set), "--{}: no{set}", argument.name);
         }

@@ -76,7 +76,7 @@ mod tests {
     use super::*;
     use crate::asked::{question, value};
     use geneva_ask::ReportField;
-    use geneva_ask::wheel::{Design, Question};
+    use geneva_ask::wheel::{Design, WheelQuestion};
     use geneva_kinematics::indexing::Indexing;
     use geneva_kinematics::wheel::{EntryContact, Play};
     use geneva_live::Arguments;
@@ -183,7 +183,7 @@ mod tests {
     fn with_the_best_crank_radius_the_force_is_least() {
         let question = design("worked-best").expect("fits").question;
         let force = |crank_radius| {
-            let question = Question { crank_radius: Some(crank_radius), ..question.clone() };
+            let question = WheelQuestion { crank_radius: Some(crank_radius), ..question.clone() };
             let answer = Design::new(question).and_then(|design| design.answer()).expect("loaded");
             answer.field("peak_pin_force_n").and_then(ReportField::number).expect("a force")
         };
