@@ -1,7 +1,7 @@
 //! Each quantity of a wheel is stated in one file. Does it appear wherever a wheel is reported?
 
 use crate::{number, object, stdout};
-use geneva_ask::wheel::{Design, WheelQuestion};
+use geneva_ask::wheel::{WheelDesign, WheelQuestion};
 use geneva_ask::{FieldValue, Report, Rounding, SheetNumber};
 use geneva_live::Arguments;
 
@@ -10,7 +10,7 @@ const MATERIALS: &str = " --thickness 10 --density 8860 --pin-material steel --w
 
 fn answer() -> Report {
     let question = WheelQuestion::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
-    Design::new(question).and_then(|design| design.answer()).expect("an answer")
+    WheelDesign::new(question).and_then(|design| design.answer()).expect("an answer")
 }
 
 /// What the program is told, with more behind the question.

@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::escapement::{Design, Drawing, EscapementQuestion, Further, Units};
+use geneva_ask::escapement::{Drawing, EscapementDesign, EscapementQuestion, Further, Units};
 
 /// Options of `geneva escapement`.
 #[derive(Args, Debug)]
@@ -103,7 +103,7 @@ pub fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::Result<
     Format::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
     Format::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
     Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
-    let design = Design::new(wanted.question())?;
+    let design = EscapementDesign::new(wanted.question())?;
     match wanted.format {
         Format::Csv => {
             let rows = design.run(wanted.duration, wanted.interval)?;

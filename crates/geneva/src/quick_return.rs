@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::quick_return::{Design, Drawing, LinkageAngle, QuickReturnQuestion};
+use geneva_ask::quick_return::{Drawing, LinkageAngle, QuickReturnDesign, QuickReturnQuestion};
 use geneva_kinematics::quick_return::Branch;
 
 /// Options of `geneva quick-return`.
@@ -97,7 +97,7 @@ impl QuickReturnArguments {
 /// The mechanism that is wanted, in the format that is wanted.
 pub fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result<String> {
     Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
-    let design = Design::new(&wanted.question())?;
+    let design = QuickReturnDesign::new(&wanted.question())?;
     let answer = design.answer()?;
     match wanted.format {
         Format::Json => fields::json(&answer),

@@ -10,7 +10,7 @@ use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use geneva_ask::wheel::{
-    ARGUMENTS, ActsOn, Argument, ArgumentSlot, Design, Times, WheelKind, WheelQuestion, proposals, speeds,
+    ARGUMENTS, ActsOn, Argument, ArgumentSlot, Times, WheelDesign, WheelKind, WheelQuestion, proposals, speeds,
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
@@ -143,7 +143,7 @@ pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<Strin
             _ => Ok(fields::sheet(&answer, layout)),
         };
     }
-    let design = Design::new(question)?;
+    let design = WheelDesign::new(question)?;
     if matches!(format, Format::Dxf | Format::Scad | Format::Stl) {
         design.is_made_from(format.name())?;
     }

@@ -3,7 +3,7 @@
 use crate::answer::{self, Answer, Number};
 use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
 use geneva_ask::Error;
-use geneva_ask::wheel::{Design, Effort, WheelQuestion};
+use geneva_ask::wheel::{Effort, WheelDesign, WheelQuestion};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{Contact, Nearest, Sizes, Warning};
@@ -114,7 +114,7 @@ pub const LIVE: Live = Live {
 const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze", "acetal"];
 
 /// The wheel of these settings, whose clearances are looked for no longer than a tenth of a second.
-fn design(settings: &Settings) -> Result<Design, String> {
+fn design(settings: &Settings) -> Result<WheelDesign, String> {
     let wall = *MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
     let (size, is_crank) = (settings.value("radius")?, settings.choice("size")? == 0);
     let question = WheelQuestion {
@@ -137,7 +137,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
         effort: Effort { clearance: 40_000, tolerance: 12_000 },
         ..WheelQuestion::default()
     };
-    Design::new(question).map_err(words)
+    WheelDesign::new(question).map_err(words)
 }
 
 /// A wheel without a size, which the controls always give.

@@ -3,7 +3,7 @@
 use crate::answer::{Answer, Number, shown};
 use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, Side, TURNS};
 use geneva_ask::Error;
-use geneva_ask::quick_return::{Design, LinkageAngle, QuickReturnQuestion, lever_motion};
+use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnQuestion, lever_motion};
 use geneva_figures::{quick_return, with_minus_sign};
 use geneva_kinematics::quick_return::{Branch, Motion};
 
@@ -61,7 +61,7 @@ pub const LIVE: Live = Live {
 };
 
 /// The mechanism of these settings: by the lever's angle where the reader has moved that, and by the crank's elsewhere.
-fn design(settings: &Settings) -> Result<Design, String> {
+fn design(settings: &Settings) -> Result<QuickReturnDesign, String> {
     let [ground, radius, rpm] = ["ground", "radius", "rpm"].map(|name| settings.value(name));
     let (ground, crank, rpm) = (ground?, radius?, rpm?);
     if rpm == 0.0 {
@@ -72,7 +72,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
     let lever = settings.moved("lever")?;
     let theta = angle.unwrap_or(LIVE.controls[0].preset);
     let place = lever.map_or(LinkageAngle::Crank(theta + 180.0), |lever| LinkageAngle::Lever(lever, branch));
-    Design::new(&QuickReturnQuestion { ground, crank, place, rpm }).map_err(|error| match (error, place) {
+    QuickReturnDesign::new(&QuickReturnQuestion { ground, crank, place, rpm }).map_err(|error| match (error, place) {
         (_, LinkageAngle::Crank(_)) => {
             format!("crank angle {theta}°: the pin is on the lever's pivot, or too near it; give another angle")
         }
@@ -84,7 +84,7 @@ fn design(settings: &Settings) -> Result<Design, String> {
 }
 
 fn draw(settings: &Settings) -> Result<Answer, String> {
-    let Design { linkage, position, drive, .. } = &design(settings)?;
+    let QuickReturnDesign { linkage, position, drive, .. } = &design(settings)?;
     let factor = settings.value("factor")?;
     let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive)
         .ok_or("these numbers are too large or too small to compute with: give others")?;

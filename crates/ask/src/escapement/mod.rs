@@ -34,7 +34,7 @@ const SETTLED: f64 = 0.01;
 
 /// An escapement that a question describes.
 #[derive(Debug)]
-pub struct Design {
+pub struct EscapementDesign {
     question: EscapementQuestion,
     parameters: Parameters,
     /// The turn of the driver, in degrees, after which its angle is reset: the question's, or that of the mechanism.
@@ -42,7 +42,7 @@ pub struct Design {
     engagement: Engagement,
 }
 
-impl Design {
+impl EscapementDesign {
     /// The escapement that a question describes.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 //!
 //! Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 
-use super::{Design, SETTLED, Units, own_reset, rise, unsteady};
+use super::{EscapementDesign, SETTLED, Units, own_reset, rise, unsteady};
 use crate::written::{angle, as_typed, count, number};
 use crate::{Error, Report, ReportField};
 use geneva_dynamics::Parameters;
@@ -16,7 +16,7 @@ const INTRODUCTION: &str = "Times are in the unit of time of the torque and the 
 /// Most engagements from rest of which profile and average are looked at.
 const MOST_COMPARED: usize = 10_000;
 
-impl Design {
+impl EscapementDesign {
     /// The answer.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! The run from rest, a line for each time.
 
-use super::{Design, SETTLED};
+use super::{EscapementDesign, SETTLED};
 use crate::written::{as_typed, rounded};
 use crate::{DataRow, Error};
 use geneva_dynamics::Error as Motion;
@@ -29,7 +29,7 @@ fn row(printed: &Printed) -> DataRow {
     ])
 }
 
-impl Design {
+impl EscapementDesign {
     /// The run from rest, a row for each time: so long, with so much time between the rows, in the unit of time of torque and
     /// inertias. What is missing follows from the rise.
     ///

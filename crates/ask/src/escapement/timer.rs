@@ -3,7 +3,7 @@
 //!
 //! Neither the command's sheet nor its data have these fields. Chapters and figures that a reader moves show them.
 
-use super::{Design, EscapementQuestion, unsteady};
+use super::{EscapementDesign, EscapementQuestion, unsteady};
 use crate::{Error, ReportField, Rounding};
 use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::joints::{self, Joints};
@@ -37,7 +37,7 @@ pub fn rates(parameters: &Parameters) -> Result<Vec<ReportField>, Motion> {
     ])
 }
 
-impl Design {
+impl EscapementDesign {
     /// The further fields of its answer.
     ///
     /// # Errors

@@ -95,7 +95,7 @@ pub enum Drawing {
 
 /// A mechanism at an instant, as its question describes it.
 #[derive(Debug)]
-pub struct Design {
+pub struct QuickReturnDesign {
     /// The lengths, in metres.
     pub linkage: QuickReturn,
     /// Where the parts are.
@@ -108,7 +108,7 @@ pub struct Design {
 /// Crank radii from the lever's pivot below which rounding would show in the lever's acceleration.
 const NEAREST: f64 = 1e-3;
 
-impl Design {
+impl QuickReturnDesign {
     /// The mechanism that a question describes.
     ///
     /// # Errors

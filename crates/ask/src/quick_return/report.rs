@@ -1,6 +1,6 @@
 //! The report on a mechanism at an instant, and which way everything points and turns.
 
-use super::Design;
+use super::QuickReturnDesign;
 use super::instant::{Instant, NOT_TOLD, Stroke};
 use super::vector::Vector;
 use crate::written::as_typed;
@@ -41,7 +41,7 @@ struct Seen {
     lever_acceleration: f64,
 }
 
-impl Design {
+impl QuickReturnDesign {
     /// The answer.
     ///
     /// Angles and directions are counter-clockwise from the direction lever's pivot → crank's axis, which is that of x;

@@ -18,7 +18,7 @@ use std::sync::OnceLock;
 
 /// A wheel, and what its question says about it.
 #[derive(Debug)]
-pub struct Design {
+pub struct WheelDesign {
     /// The question.
     pub question: WheelQuestion,
     /// The wheel; its lengths are in crank radii.
@@ -38,7 +38,7 @@ pub struct Design {
     centre_tolerance: OnceLock<Option<CentreTolerance>>,
 }
 
-impl Design {
+impl WheelDesign {
     /// The wheel that a question describes.
     ///
     /// # Errors

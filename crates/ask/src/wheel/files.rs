@@ -1,6 +1,6 @@
 //! Files from which a wheel is made.
 
-use super::design::Design;
+use super::design::WheelDesign;
 use super::kind::WheelKind;
 use crate::Error;
 use crate::written::as_typed;
@@ -15,7 +15,7 @@ const OF_CENTRE_DISTANCE: f64 = 1e-4;
 /// has use for.
 const MOST_CORNERS: f64 = 200_000.0;
 
-impl Design {
+impl WheelDesign {
     /// Outlines of all parts side by side, in millimetres, with true arcs.
     ///
     /// # Errors
@@ -119,7 +119,7 @@ mod tests {
                 thickness: Some(thickness),
                 ..WheelQuestion::default()
             };
-            let design = Design::new(question).expect("a wheel");
+            let design = WheelDesign::new(question).expect("a wheel");
             let sizes = design.sizes.expect("sizes");
             let triangles = design.stl().expect("meshes").matches("facet normal").count();
             // Four for each corner of a face: two on its wall, one on either side.

@@ -1,7 +1,7 @@
 //! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
 use super::WheelQuestion;
-use super::design::{Design, too_large};
+use super::design::{WheelDesign, too_large};
 use crate::written::{as_typed, rounded_down};
 use crate::{DataRow, Error, Item, ReportField};
 use geneva_dynamics::wheel_loads::Load;
@@ -25,7 +25,7 @@ struct Instant {
 
 impl Instant {
     /// The wheel at this crank angle in degrees, counted from the middle of the first index, in any turn.
-    fn new(design: &Design, degrees: f64) -> Result<Self, Error> {
+    fn new(design: &WheelDesign, degrees: f64) -> Result<Self, Error> {
         let wheel = design.wheel.indexing();
         let turns = libm::round(degrees / 360.0);
         let crank = (degrees - 360.0 * turns).to_radians();
@@ -42,13 +42,13 @@ impl Instant {
     }
 
     /// Wheel angle in degrees from the middle of the first index.
-    fn wheel_angle(&self, design: &Design) -> f64 {
+    fn wheel_angle(&self, design: &WheelDesign) -> f64 {
         let step = 360.0 / f64::from(design.wheel.indexing().stations());
         self.motion.stations as f64 * step + self.motion.angle.to_degrees()
     }
 
     /// Everything reported about it. What has no line is only in the data.
-    fn fields(&self, design: &Design) -> Fields {
+    fn fields(&self, design: &WheelDesign) -> Fields {
         let (motion, pin, load) = (&self.motion, self.pin, self.load);
         let speed = design.speed();
         let is_engaged = motion.phase == Phase::Advance;
@@ -129,13 +129,13 @@ fn within(most: f64, angle: f64) -> f64 {
 }
 
 /// The wheel at one crank angle, as one of a list.
-pub(super) fn item(design: &Design, degrees: f64) -> Result<Item, Error> {
+pub(super) fn item(design: &WheelDesign, degrees: f64) -> Result<Item, Error> {
     let instant = Instant::new(design, degrees)?;
     let fields = instant.fields(design).into_lines(instant.pin.is_none());
     Ok(Item { heading: "At a crank angle", fields, row: instant.fields(design).into_row() })
 }
 
-impl Design {
+impl WheelDesign {
     /// The crank angles in degrees at which to report the motion.
     pub(super) fn angles(&self) -> Result<Vec<f64>, Error> {
         let WheelQuestion { at, at_wheel, .. } = &self.question;

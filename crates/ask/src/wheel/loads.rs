@@ -1,13 +1,13 @@
 //! The loads of a wheel, as they are reported.
 
-use super::design::Design;
+use super::design::WheelDesign;
 use crate::written::degrees;
 use crate::{Error, ReportField, Rounding};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
 use geneva_kinematics::indexing::Indexing;
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
-pub fn fields(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
+pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let loads = design.loads(wheel)?;
     let kind = design.wheel.kind();
     let [torque, moment, crank] = match &loads {

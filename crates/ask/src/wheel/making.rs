@@ -2,7 +2,7 @@
 //!
 //! Neither the command's sheet nor its data have these fields. Chapters show them.
 
-use super::design::Design;
+use super::design::WheelDesign;
 use crate::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_at_yield};
 use geneva_kinematics::cam::modified_sine_peak;
@@ -15,7 +15,7 @@ const POISSON: f64 = 0.3;
 const MICROMETRES: f64 = 1e6;
 const GIGAPASCAL: f64 = 1e9;
 
-impl Design {
+impl WheelDesign {
     /// The further fields of its answer. What the question gives too little for is missing.
     ///
     /// # Errors

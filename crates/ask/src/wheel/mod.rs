@@ -11,7 +11,7 @@ mod report;
 mod speeds;
 mod times;
 
-pub use design::Design;
+pub use design::WheelDesign;
 pub use kind::{AnyWheel, WheelKind};
 pub use speeds::speeds;
 pub use times::{Times, proposals};

@@ -3,7 +3,7 @@
 //! Ratios of length are to the crank radius; those of velocity, acceleration and jerk to the driver's angular speed, its
 //! square and its cube; fractions are of the driver's turn. What needs something that was not given is missing.
 
-use super::design::{Design, too_large};
+use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
 use super::{loads, parts};
@@ -11,7 +11,7 @@ use crate::written::{as_typed, count, degrees, number};
 use crate::{Error, Report, ReportField};
 use geneva_kinematics::indexing::Indexing;
 
-impl Design {
+impl WheelDesign {
     /// The answer, with the motion at the angles of the question.
     ///
     /// # Errors
@@ -53,7 +53,7 @@ impl Design {
     }
 }
 
-fn given(design: &Design) -> Vec<ReportField> {
+fn given(design: &WheelDesign) -> Vec<ReportField> {
     let wheel = design.wheel.indexing();
     vec![
         ReportField::new("type", design.wheel.kind().name()),
@@ -64,7 +64,7 @@ fn given(design: &Design) -> Vec<ReportField> {
     ]
 }
 
-fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<ReportField> {
+fn geometry(design: &WheelDesign, indexing: &(impl Indexing + ?Sized)) -> Vec<ReportField> {
     let wheel = &design.wheel;
     // Of an external wheel the length that was given comes back as it was given.
     let of_parts = design.sizes.map(|sizes| [sizes.centre_distance, sizes.wheel_radius]);
@@ -91,7 +91,7 @@ fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<ReportF
     ]
 }
 
-fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
+fn cycle(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let times = design.times(wheel)?;
     Ok(vec![
         ReportField::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
@@ -105,7 +105,7 @@ fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Report
     ])
 }
 
-fn motion(design: &Design) -> Vec<ReportField> {
+fn motion(design: &WheelDesign) -> Vec<ReportField> {
     let (wheel, speed, kind) = (design.wheel.indexing(), design.speed(), design.wheel.kind());
     let (velocity, entry) = (wheel.peak_velocity(), wheel.entry_acceleration());
     let (acceleration, jerk) = (wheel.acceleration_peak(), wheel.jerk_peak());
@@ -142,7 +142,7 @@ fn motion(design: &Design) -> Vec<ReportField> {
     ]
 }
 
-fn title(design: &Design) -> String {
+fn title(design: &WheelDesign) -> String {
     let wheel = design.wheel.indexing();
     let name = match design.wheel.kind() {
         WheelKind::External => "External",
@@ -163,7 +163,7 @@ fn short_length(length: f64) -> String {
 }
 
 /// Which options would add to the report.
-fn missing(design: &Design) -> String {
+fn missing(design: &WheelDesign) -> String {
     let sizes = if design.wheel.kind() == WheelKind::Spherical {
         "--crank-radius MM or --wheel-radius MM"
     } else {

@@ -76,7 +76,7 @@ mod tests {
     use super::*;
     use crate::asked::{question, value};
     use geneva_ask::ReportField;
-    use geneva_ask::wheel::{Design, WheelQuestion};
+    use geneva_ask::wheel::{WheelDesign, WheelQuestion};
     use geneva_kinematics::indexing::Indexing;
     use geneva_kinematics::wheel::{EntryContact, Play};
     use geneva_live::Arguments;
@@ -184,7 +184,7 @@ mod tests {
         let question = design("worked-best").expect("fits").question;
         let force = |crank_radius| {
             let question = WheelQuestion { crank_radius: Some(crank_radius), ..question.clone() };
-            let answer = Design::new(question).and_then(|design| design.answer()).expect("loaded");
+            let answer = WheelDesign::new(question).and_then(|design| design.answer()).expect("loaded");
             answer.field("peak_pin_force_n").and_then(ReportField::number).expect("a force")
         };
         let best = question.crank_radius.expect("a size");
