@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::escapement::{Drawing, EscapementDesign, EscapementQuestion, Further, Units};
+use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion, Further, Units};
 
 /// Options of `geneva escapement`.
 #[derive(Args, Debug)]
@@ -111,9 +111,9 @@ pub fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::Result<
         }
         Format::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
-                FigureName::Mechanism => Drawing::Mechanism,
-                FigureName::NormalForce => Drawing::NormalForce,
-                FigureName::Run => Drawing::Run,
+                FigureName::Mechanism => EscapementDrawing::Mechanism,
+                FigureName::NormalForce => EscapementDrawing::NormalForce,
+                FigureName::Run => EscapementDrawing::Run,
             };
             Ok(design.drawing(drawing)?.standalone())
         }

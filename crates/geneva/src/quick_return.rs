@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::quick_return::{Drawing, LinkageAngle, QuickReturnDesign, QuickReturnQuestion};
+use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnDrawing, QuickReturnQuestion};
 use geneva_kinematics::quick_return::Branch;
 
 /// Options of `geneva quick-return`.
@@ -104,9 +104,9 @@ pub fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result
         Format::Fields => fields::table(&answer),
         Format::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
-                FigureName::Mechanism => Drawing::Mechanism,
-                FigureName::Velocity => Drawing::Velocity,
-                FigureName::Acceleration => Drawing::Acceleration,
+                FigureName::Mechanism => QuickReturnDrawing::Mechanism,
+                FigureName::Velocity => QuickReturnDrawing::Velocity,
+                FigureName::Acceleration => QuickReturnDrawing::Acceleration,
             };
             Ok(design.drawing(drawing).standalone())
         }

@@ -20,7 +20,7 @@ use geneva_kinematics::Mechanism;
 
 /// The drawings of an escapement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawing {
+pub enum EscapementDrawing {
     /// The mechanism, to scale.
     Mechanism,
     /// Normal force and friction torque over one engagement of the steady state.
@@ -64,13 +64,13 @@ impl EscapementDesign {
     /// # Errors
     ///
     /// A drawing of a steady state that there is not.
-    pub fn drawing(&self, drawing: Drawing) -> Result<Figure, Error> {
+    pub fn drawing(&self, drawing: EscapementDrawing) -> Result<Figure, Error> {
         Ok(match drawing {
-            Drawing::Mechanism => {
+            EscapementDrawing::Mechanism => {
                 let escapement = self.parameters.mechanism();
                 mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?
             }
-            Drawing::NormalForce => {
+            EscapementDrawing::NormalForce => {
                 if self.reset_deg != own_reset(self.parameters.mechanism()) {
                     return Err(refused!(
                         "--reset-deg {}: --figure normal-force shows an engagement of a real mechanism; leave --reset-deg out",
@@ -79,7 +79,7 @@ impl EscapementDesign {
                 }
                 normal_force(&self.parameters, self.steady_state()?.entry_speed)?
             }
-            Drawing::Run => {
+            EscapementDrawing::Run => {
                 self.steady_state()?;
                 speeds(&self.engagement, "")?
             }

@@ -84,7 +84,7 @@ impl LinkageAngle {
 
 /// The drawings of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawing {
+pub enum QuickReturnDrawing {
     /// The mechanism.
     Mechanism,
     /// The velocity diagram.
@@ -129,11 +129,11 @@ impl QuickReturnDesign {
     }
 
     /// One of its drawings.
-    pub fn drawing(&self, drawing: Drawing) -> Figure {
+    pub fn drawing(&self, drawing: QuickReturnDrawing) -> Figure {
         let draw = match drawing {
-            Drawing::Mechanism => mechanism,
-            Drawing::Velocity => velocity_diagram,
-            Drawing::Acceleration => acceleration_diagram,
+            QuickReturnDrawing::Mechanism => mechanism,
+            QuickReturnDrawing::Velocity => velocity_diagram,
+            QuickReturnDrawing::Acceleration => acceleration_diagram,
         };
         draw(&self.linkage, &self.position, &self.drive, "m")
     }

@@ -8,7 +8,7 @@ use crate::computed::making;
 use crate::rows::{NONE, example, question};
 use crate::{live, lookup};
 use anyhow::Context;
-use geneva_ask::escapement::{Drawing, EscapementDesign, EscapementQuestion};
+use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion};
 use geneva_case1973::{Hypothesis, weakest};
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
@@ -64,7 +64,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("escapement-normal-force", || {
         let question = question(example()?);
         let (_, arguments) = question.split_once(' ').context("a question with arguments")?;
-        Ok(EscapementDesign::new(EscapementQuestion::parse(arguments)?)?.drawing(Drawing::NormalForce)?)
+        Ok(EscapementDesign::new(EscapementQuestion::parse(arguments)?)?.drawing(EscapementDrawing::NormalForce)?)
     }),
     ("escapement-existence", || Ok(escapement::existence(&designs()?))),
     ("integrator-order", || Ok(escapement::order())),
