@@ -4,7 +4,7 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, Format, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion, Further, Units};
+use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion, Further, UnitSystem};
 
 /// Options of `geneva escapement`.
 #[derive(Args, Debug)]
@@ -82,8 +82,8 @@ pub enum FigureName {
 impl EscapementArguments {
     fn question(&self) -> EscapementQuestion {
         let units = |name| match name {
-            UnitsName::InLbS => Units::InLbS,
-            UnitsName::Si => Units::Si,
+            UnitsName::InLbS => UnitSystem::InLbS,
+            UnitsName::Si => UnitSystem::Si,
         };
         EscapementQuestion {
             slots: self.slots,

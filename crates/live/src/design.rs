@@ -3,7 +3,7 @@
 use crate::answer::{self, Answer, Number};
 use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
 use geneva_ask::Error;
-use geneva_ask::wheel::{Effort, WheelDesign, WheelQuestion};
+use geneva_ask::wheel::{SearchEffort, WheelDesign, WheelQuestion};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{Contact, Nearest, Sizes, Warning};
@@ -134,7 +134,7 @@ fn design(settings: &Settings) -> Result<WheelDesign, String> {
         pin_material: Some(MATERIALS[0]),
         wheel_material: Some(wall),
         centre_error: settings.value("error")?,
-        effort: Effort { clearance: 40_000, tolerance: 12_000 },
+        effort: SearchEffort { clearance: 40_000, tolerance: 12_000 },
         ..WheelQuestion::default()
     };
     WheelDesign::new(question).map_err(words)

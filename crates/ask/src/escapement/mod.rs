@@ -6,7 +6,7 @@ mod report;
 mod run;
 mod timer;
 
-pub use question::{EscapementQuestion, Further, Units};
+pub use question::{EscapementQuestion, Further, UnitSystem};
 pub use timer::rates;
 
 use crate::Error;

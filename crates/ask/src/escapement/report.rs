@@ -2,7 +2,7 @@
 //!
 //! Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 
-use super::{EscapementDesign, SETTLED, Units, own_reset, rise, unsteady};
+use super::{EscapementDesign, SETTLED, UnitSystem, own_reset, rise, unsteady};
 use crate::written::{angle, as_typed, count, number};
 use crate::{Error, Report, ReportField};
 use geneva_dynamics::Parameters;
@@ -58,7 +58,7 @@ impl EscapementDesign {
     }
 }
 
-fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units>) -> Vec<ReportField> {
+fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<UnitSystem>) -> Vec<ReportField> {
     let (mechanism, inertias, torque) = (parameters.mechanism(), parameters.inertias(), parameters.torque());
     let own = own_reset(mechanism);
     let reset_angle = if reset_deg == own {
@@ -82,7 +82,7 @@ fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units
             .line("half-angle", "crank angle where a pin leaves its slot; it enters as far before the line of centres"),
         ReportField::in_unit("reset_deg", reset_deg, "°").line("reset angle", reset_angle),
     ];
-    if let Some(unit) = units.map(Units::torque_n_m) {
+    if let Some(unit) = units.map(UnitSystem::torque_n_m) {
         fields.extend([
             ReportField::in_unit("torque_n_m", torque * unit, "N m").line("torque", "of the spring, in SI units"),
             ReportField::in_unit("driver_inertia_kg_m2", inertias.driver() * unit, "kg m²").line("driver inertia", ""),

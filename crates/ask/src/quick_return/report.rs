@@ -1,7 +1,7 @@
 //! The report on a mechanism at an instant, and which way everything points and turns.
 
 use super::QuickReturnDesign;
-use super::instant::{Instant, NOT_TOLD, Stroke};
+use super::instant::{LeverInstant, NOT_TOLD, Stroke};
 use super::vector::Vector;
 use crate::written::as_typed;
 use crate::{Error, Report, ReportField};
@@ -31,7 +31,7 @@ use Way::{Across, Along, Is};
 
 /// The instant, with the motion of the lever.
 struct Seen {
-    instant: Instant,
+    instant: LeverInstant,
     rpm: f64,
     /// Direction of the lever, in degrees.
     lever_deg: f64,
@@ -55,7 +55,7 @@ impl QuickReturnDesign {
         let beyond = || refused!("{BEYOND}");
         let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
         let seen = Seen {
-            instant: Instant::of(linkage, position),
+            instant: LeverInstant::new(linkage, position),
             rpm: *rpm,
             lever_deg: unsigned_zero(position.lever.degrees()),
             lever_speed: unsigned_zero(motion.velocities.follower_speed),
@@ -229,7 +229,7 @@ impl Seen {
     }
 }
 
-fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<ReportField> {
+fn strokes(strokes: &Strokes, instant: &LeverInstant) -> Vec<ReportField> {
     let time_ratio = (strokes.fast > 0.0).then(|| strokes.time_ratio());
     let swing = ReportField::in_unit("swing_limit_deg", strokes.swing_limit.map(f64::to_degrees), "°");
     let swing = match strokes.swing_limit {

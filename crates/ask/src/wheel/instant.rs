@@ -14,7 +14,7 @@ const HALF_TURN: i32 = 180;
 const MOST_INSTANTS: usize = 10_000;
 
 /// The wheel at one crank angle.
-struct Instant {
+struct WheelState {
     /// Crank angle in degrees.
     degrees: f64,
     motion: Motion,
@@ -23,7 +23,7 @@ struct Instant {
     load: Option<Load>,
 }
 
-impl Instant {
+impl WheelState {
     /// The wheel at this crank angle in degrees, counted from the middle of the first index, in any turn.
     fn new(design: &WheelDesign, degrees: f64) -> Result<Self, Error> {
         let wheel = design.wheel.indexing();
@@ -130,7 +130,7 @@ fn within(most: f64, angle: f64) -> f64 {
 
 /// The wheel at one crank angle, as one of a list.
 pub(super) fn item(design: &WheelDesign, degrees: f64) -> Result<Item, Error> {
-    let instant = Instant::new(design, degrees)?;
+    let instant = WheelState::new(design, degrees)?;
     let fields = instant.fields(design).into_lines(instant.pin.is_none());
     Ok(Item { heading: "At a crank angle", fields, row: instant.fields(design).into_row() })
 }
@@ -169,7 +169,7 @@ impl WheelDesign {
     pub fn cycle(&self) -> Result<Vec<DataRow>, Error> {
         let angles = self.angles()?;
         let angles = if angles.is_empty() { (-HALF_TURN..=HALF_TURN).map(f64::from).collect() } else { angles };
-        let rows = angles.into_iter().map(|degrees| Ok(Instant::new(self, degrees)?.fields(self).into_row()));
+        let rows = angles.into_iter().map(|degrees| Ok(WheelState::new(self, degrees)?.fields(self).into_row()));
         let rows = rows.collect::<Result<Vec<_>, Error>>()?;
         let is_finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
         if is_finite { Ok(rows) } else { Err(too_large()) }

@@ -74,7 +74,7 @@ pub struct WheelQuestion {
     /// Degrees of the crank before a pin enters, for the backlash there; it has no name at the command line.
     pub before_entry: Option<f64>,
     /// How long clearances are looked for.
-    pub effort: Effort,
+    pub effort: SearchEffort,
 }
 
 /// An argument of a question about a wheel, as it is typed at the command line.
@@ -301,14 +301,14 @@ pub const ARGUMENTS: [Argument; 21] = [
 /// Crank angles at which clearances are looked for at most. Where the play is so small against the parts that more are needed,
 /// the numbers are missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
+pub struct SearchEffort {
     /// For the least clearance.
     pub clearance: u32,
     /// For each of the clearances that give the tolerance of the axes.
     pub tolerance: u32,
 }
 
-impl Default for Effort {
+impl Default for SearchEffort {
     /// A few seconds at most.
     fn default() -> Self {
         Self { clearance: 4_000_000, tolerance: 400_000 }
