@@ -18,7 +18,7 @@ pub struct ReportField {
     /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
     pub line: Option<SheetLine>,
     /// Whether a figure that a reader moves lists it although the figure has no place of its own for it.
-    pub is_on_pages: bool,
+    pub is_visible_in_live_figure: bool,
 }
 
 /// The line of a field on a sheet: its name, and what its number means.
@@ -65,7 +65,7 @@ impl ReportField {
     /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
     pub fn in_unit(key: &'static str, value: impl Into<FieldValue>, unit: &'static str) -> Self {
         let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
-        Self { key, value: value.into(), unit, rounding, line: None, is_on_pages: false }
+        Self { key, value: value.into(), unit, rounding, line: None, is_visible_in_live_figure: false }
     }
 
     /// The field with its line: a name, and what the number means. What is missing has none.
@@ -74,7 +74,7 @@ impl ReportField {
     }
 
     /// The field with its line under another that says the same in another unit.
-    pub fn also(self) -> Self {
+    pub fn in_other_unit(self) -> Self {
         self.line("", "")
     }
 
@@ -88,7 +88,7 @@ impl ReportField {
     }
 
     /// The field with another number on its line: the size of what is signed or has a direction, which stands beside it.
-    pub fn of_size(mut self, size: f64, direction: String) -> Self {
+    pub fn with_size(mut self, size: f64, direction: String) -> Self {
         if let Some(line) = &mut self.line {
             line.shows = SheetNumber::Size(size, direction);
         }
@@ -110,8 +110,8 @@ impl ReportField {
     }
 
     /// The field also on pages: a figure that a reader moves lists it under its name.
-    pub fn on_pages(self) -> Self {
-        Self { is_on_pages: true, ..self }
+    pub fn visible_in_live_figure(self) -> Self {
+        Self { is_visible_in_live_figure: true, ..self }
     }
 
     /// The field with its own rounding.

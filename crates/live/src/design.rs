@@ -185,7 +185,7 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let design = design(settings)?;
     let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
-    let mut fields = design.shown(&sizes.wheel).map_err(words)?;
+    let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
     let blow = design.blow(sizes);
     let is_met = blow.number().is_some();
     // With the axes apart the backlash is another.
@@ -211,7 +211,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     };
     let further: Vec<Quantity> = fields
         .iter()
-        .filter(|field| field.is_on_pages && field.number().is_some())
+        .filter(|field| field.is_visible_in_live_figure && field.number().is_some())
         .filter_map(|field| Some(Quantity::field(field.key, field.line.as_ref()?.name, field.key)))
         .collect();
     let numbers: Vec<Number> = LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();

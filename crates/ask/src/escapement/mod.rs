@@ -154,7 +154,7 @@ pub fn no_reset(asked_deg: f64, limit: f64) -> Error {
 /// The more the speed, the nearer to the line of centres is the switch, and the more an engagement contracts: below the
 /// steady speed it contracts by no more than there. So the multiplier of the steady state tells how many engagements
 /// are needed at least, and a rise that is too long for certain is not tried.
-pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Motion> {
+pub fn engagements_until_steady(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Motion> {
     let enough = (1.0 - SETTLED) * (1.0 - SETTLED);
     let least = libm::log(1.0 - enough) / libm::log(steady.multiplier);
     // A little is left to rounding.

@@ -2,7 +2,7 @@
 //!
 //! Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 
-use super::{EscapementDesign, SETTLED, UnitSystem, own_reset, rise, unsteady};
+use super::{EscapementDesign, SETTLED, UnitSystem, engagements_until_steady, own_reset, unsteady};
 use crate::written::{angle, as_typed, count, number};
 use crate::{Error, Report, ReportField};
 use geneva_dynamics::Parameters;
@@ -26,7 +26,7 @@ impl EscapementDesign {
         let (parameters, engagement, reset_deg) = (&self.parameters, &self.engagement, self.reset_deg);
         let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
         let state = self.steady_state()?;
-        let rise = rise(engagement, &state).map_err(|error| unsteady(&self.question, error))?;
+        let rise = engagements_until_steady(engagement, &state).map_err(|error| unsteady(&self.question, error))?;
         let answer = Report {
             title: format!(
                 "Geneva escapement: {}, {}, friction {}, torque {}, inertias: driver {}, follower {}",

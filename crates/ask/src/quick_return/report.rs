@@ -157,7 +157,7 @@ impl Seen {
             field("pin_velocity_m_s", "pin", &pin, Is(&on_circle), NOT_TOLD),
             field("lever_point_velocity_m_s", "lever's point", &lever, Across, "the lever is at rest"),
             field("sliding_velocity_m_s", "sliding", &sliding, Along, instant.no_sliding()),
-            lever_speed.line("lever, angular", self.lever_speed_in_words()).of_size(speed, String::new()),
+            lever_speed.line("lever, angular", self.lever_speed_in_words()).with_size(speed, String::new()),
         ];
         let still = if instant.lever_at_rest { "the lever is at rest" } else { "the pin does not slide" };
         let (constant, straight) = ("the crank turns at constant speed", "the slot is straight");
@@ -179,7 +179,7 @@ impl Seen {
             field("coriolis_acceleration_m_s2", "Coriolis", &coriolis, Across, still),
             lever_acceleration
                 .line("lever, angular", self.lever_acceleration_in_words(&lever_tangential))
-                .of_size(angular, String::new()),
+                .with_size(angular, String::new()),
         ];
         (speeds, accelerations)
     }
@@ -190,7 +190,7 @@ impl Seen {
         let Some(degrees) = vector.direction_deg else {
             return ReportField::in_unit(key, vector, unit)
                 .line(name, format!("zero: {why_zero}"))
-                .of_size(0.0, String::new());
+                .with_size(0.0, String::new());
         };
         // Seen from the lever's direction, between −180° and 180°.
         let turned = degrees - self.lever_deg;
@@ -203,7 +203,7 @@ impl Seen {
         };
         ReportField::in_unit(key, vector, unit)
             .line(name, way)
-            .of_size(vector.magnitude, format!("at {:>7}°", direction(degrees)))
+            .with_size(vector.magnitude, format!("at {:>7}°", direction(degrees)))
     }
 
     /// The sense of the lever's angular velocity, in words.

@@ -79,9 +79,10 @@ impl WheelState {
             ],
             time: ReportField::in_unit("time_s", time, "s"),
             rates: vec![
-                ReportField::in_unit("wheel_speed_rad_s", rated(motion.velocity, 1), "rad/s").also(),
-                ReportField::in_unit("wheel_acceleration_rad_s2", rated(motion.acceleration, 2), "rad/s²").also(),
-                ReportField::in_unit("wheel_jerk_rad_s3", rated(motion.jerk, 3), "rad/s³").also(),
+                ReportField::in_unit("wheel_speed_rad_s", rated(motion.velocity, 1), "rad/s").in_other_unit(),
+                ReportField::in_unit("wheel_acceleration_rad_s2", rated(motion.acceleration, 2), "rad/s²")
+                    .in_other_unit(),
+                ReportField::in_unit("wheel_jerk_rad_s3", rated(motion.jerk, 3), "rad/s³").in_other_unit(),
             ],
             load: vec![
                 ReportField::in_unit("wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")

@@ -44,7 +44,7 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
             .line("friction torque", "on the wheel; no other friction is included"),
         ReportField::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
             .line("entry wheel torque", "as a pin enters: it comes all at once")
-            .on_pages(),
+            .visible_in_live_figure(),
         ReportField::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
         ReportField::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),

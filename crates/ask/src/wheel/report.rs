@@ -43,7 +43,7 @@ impl WheelDesign {
     /// # Errors
     ///
     /// Speeds and inertias that no wheel has.
-    pub fn shown(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
+    pub fn live_fields(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
         let mut fields = geometry(self, wheel);
         fields.extend(parts::parts(self));
         fields.extend(parts::tolerances(self)?);
@@ -81,13 +81,13 @@ fn geometry(design: &WheelDesign, indexing: &(impl Indexing + ?Sized)) -> Vec<Re
             .line("engagement half-angle", "crank angle where a pin enters and leaves"),
         ReportField::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
             .line("centre distance", "wheel's axis to driver's axis"),
-        ReportField::in_unit("centre_distance_mm", centres, "mm").also(),
+        ReportField::in_unit("centre_distance_mm", centres, "mm").in_other_unit(),
         ReportField::in_unit("wheel_radius_ratio", wheel.wheel_radius_ratio(), "× crank radius")
             .line("wheel radius", "wheel's axis to a pin's centre as it enters"),
-        ReportField::in_unit("wheel_radius_mm", radius, "mm").also(),
+        ReportField::in_unit("wheel_radius_mm", radius, "mm").in_other_unit(),
         ReportField::in_unit("slot_length_ratio", wheel.slot_length_ratio(), "× crank radius")
             .line("least slot length", slot),
-        ReportField::in_unit("slot_length_mm", lengths(wheel.slot_length_ratio()), "mm").also(),
+        ReportField::in_unit("slot_length_mm", lengths(wheel.slot_length_ratio()), "mm").in_other_unit(),
     ]
 }
 
@@ -122,9 +122,10 @@ fn motion(design: &WheelDesign) -> Vec<ReportField> {
     let jerk_at = place(jerk.angle);
     vec![
         ReportField::in_unit("peak_velocity_ratio", velocity, "× driver speed").line("peak velocity", place(0.0)),
-        ReportField::in_unit("peak_speed_rad_s", speed.map(|speed| speed * velocity), "rad/s").also(),
+        ReportField::in_unit("peak_speed_rad_s", speed.map(|speed| speed * velocity), "rad/s").in_other_unit(),
         ReportField::in_unit("entry_acceleration_ratio", entry, "× driver speed²").line("entry acceleration", at_entry),
-        ReportField::in_unit("entry_acceleration_rad_s2", speed.map(|speed| speed * speed * entry), "rad/s²").also(),
+        ReportField::in_unit("entry_acceleration_rad_s2", speed.map(|speed| speed * speed * entry), "rad/s²")
+            .in_other_unit(),
         ReportField::in_unit("peak_acceleration_ratio", acceleration.ratio, "× driver speed²")
             .line("peak acceleration", place(acceleration.angle)),
         ReportField::in_unit(
@@ -132,13 +133,13 @@ fn motion(design: &WheelDesign) -> Vec<ReportField> {
             speed.map(|speed| speed * speed * acceleration.ratio),
             "rad/s²",
         )
-        .also(),
+        .in_other_unit(),
         // Of the peak of deceleration; that of acceleration is as far before the middle.
         ReportField::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
         ReportField::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
             .line("peak jerk", format!("{jerk_at}; not counting the jumps at the ends")),
         ReportField::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³")
-            .also(),
+            .in_other_unit(),
     ]
 }
 

@@ -3,7 +3,7 @@
 use super::grid::Cell;
 
 use crate::fields::DataRow;
-use geneva_ask::escapement::{engagement, rise};
+use geneva_ask::escapement::{engagement, engagements_until_steady};
 use geneva_dynamics::steady::SteadyState;
 use geneva_dynamics::{Error, Inertias, Parameters};
 
@@ -84,6 +84,6 @@ fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
     if !numbers.into_iter().all(f64::is_finite) {
         return Err(Status::TooSharp);
     }
-    let rise = rise(&engagement, &steady).map_err(unsteady)?;
+    let rise = engagements_until_steady(&engagement, &steady).map_err(unsteady)?;
     Ok((steady, rise.map(|(_, time)| time)))
 }
