@@ -6,10 +6,10 @@
 //! turns per minute into radians per second.
 //!
 //! ```
-//! use geneva_ask::wheel::{Design, Question};
+//! use geneva_ask::wheel::{WheelDesign, WheelQuestion};
 //!
-//! let question = Question::parse("--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002")?;
-//! let answer = Design::new(question)?.answer()?;
+//! let question = WheelQuestion::parse("--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002")?;
+//! let answer = WheelDesign::new(question)?.answer()?;
 //! let force = answer.field("peak_pin_force_n").expect("a key of the answer");
 //! assert!(force.unit == "N" && force.number().is_some_and(|newtons| newtons > 0.0));
 //! # Ok::<(), geneva_ask::Error>(())
@@ -70,9 +70,11 @@ pub enum Error {
 pub fn answer(question: &str) -> Result<Report, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
-        "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.answer(),
-        "quick-return" => quick_return::Design::new(&quick_return::Question::parse(arguments)?)?.answer(),
-        "escapement" => escapement::Design::new(escapement::Question::parse(arguments)?)?.answer(),
+        "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.answer(),
+        "quick-return" => {
+            quick_return::QuickReturnDesign::new(&quick_return::QuickReturnQuestion::parse(arguments)?)?.answer()
+        }
+        "escapement" => escapement::EscapementDesign::new(escapement::EscapementQuestion::parse(arguments)?)?.answer(),
         "runaway" => compared::runaway(arguments),
         "governor" => compared::governor(arguments),
         other => Err(refused!("no mechanism {other}; there are wheel, quick-return, escapement, runaway and governor")),
@@ -88,8 +90,8 @@ pub fn answer(question: &str) -> Result<Report, Error> {
 pub fn further(question: &str) -> Result<Vec<ReportField>, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
-        "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.further(),
-        "escapement" => escapement::Design::new(escapement::Question::parse(arguments)?)?.further(),
+        "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.further(),
+        "escapement" => escapement::EscapementDesign::new(escapement::EscapementQuestion::parse(arguments)?)?.further(),
         _ => Ok(Vec::new()),
     }
 }

@@ -1,7 +1,7 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{self, Answer, Number};
-use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
+use crate::answer::{self, Answer, Number, Quantity};
+use crate::control::{Control, File, Kind, Live, Preset, Settings};
 use geneva_ask::Error;
 use geneva_ask::wheel::{SearchEffort, WheelDesign, WheelQuestion};
 use geneva_dynamics::line_contact::MATERIALS;

@@ -1,7 +1,7 @@
 //! The escapement from rest to its steady motion.
 
-use crate::answer::{Answer, Number, shown};
-use crate::control::{Control, Live, Preset, Quantity, Settings};
+use crate::answer::{Answer, Number, Quantity, shown};
+use crate::control::{Control, Live, Preset, Settings};
 use geneva_ask::escapement::rates;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;

@@ -1,8 +1,8 @@
 //! The runs of 1973 with the program set otherwise: printed numbers against computed ones.
 
-use crate::answer::{Answer, Number, Progress};
+use crate::answer::{Answer, Number, Progress, Quantity};
 use crate::arguments::number;
-use crate::control::{Control, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Live, Preset, Settings};
 use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_figures::runs::{ComparedCells, one_agreement};

@@ -1,7 +1,7 @@
 //! The vector diagrams of the quick-return mechanism.
 
-use crate::answer::{Answer, Number, shown};
-use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, Side, TURNS};
+use crate::answer::{Answer, Number, Quantity, shown};
+use crate::control::{Control, Drag, Live, Preset, Settings, Side, TURNS};
 use geneva_ask::Error;
 use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnQuestion, lever_motion};
 use geneva_figures::{quick_return, with_minus_sign};

@@ -1,7 +1,7 @@
 //! The wheel, at the right distance of its axes or another.
 
-use crate::answer::{Answer, Number, shown};
-use crate::control::{Control, Drag, Live, Preset, Quantity, Settings};
+use crate::answer::{Answer, Number, Quantity, shown};
+use crate::control::{Control, Drag, Live, Preset, Settings};
 use geneva_figures::stations;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Misplaced, Wheel};
