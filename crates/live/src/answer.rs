@@ -6,13 +6,13 @@ use geneva_figures::{Figure, with_minus_sign};
 
 /// A drawing and its numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub struct LiveReply {
     /// The drawing with its words and its series.
     pub figure: Figure,
     /// What is told beside it.
-    pub numbers: Vec<Number>,
+    pub numbers: Vec<LiveNumber>,
     /// What is told, too, that isn't one of the figure's own quantities.
-    pub further: Vec<Quantity>,
+    pub further: Vec<LiveQuantity>,
     /// Where controls stand that follow the others.
     pub followers: Vec<(&'static str, f64)>,
     /// What is to be said of the setting, if anything.
@@ -23,7 +23,7 @@ pub struct Answer {
 
 /// A number with its text.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Number {
+pub struct LiveNumber {
     /// Its name among the figure's quantities.
     pub name: &'static str,
     /// All its digits, in the unit of the text.
@@ -34,7 +34,7 @@ pub struct Number {
 
 /// A number that is told.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Quantity {
+pub struct LiveQuantity {
     /// Its name in the answer.
     pub name: &'static str,
     /// What it is called.
@@ -43,7 +43,7 @@ pub struct Quantity {
     pub key: Option<&'static str>,
 }
 
-impl Quantity {
+impl LiveQuantity {
     /// A number that the figure finds itself.
     pub const fn new(name: &'static str, label: &'static str) -> Self {
         Self { name, label, key: None }
@@ -64,9 +64,9 @@ pub struct Progress {
     pub all: usize,
 }
 
-impl Answer {
+impl LiveReply {
     /// A drawing and its numbers.
-    pub fn new(figure: Figure, numbers: impl IntoIterator<Item = Number>) -> Self {
+    pub fn new(figure: Figure, numbers: impl IntoIterator<Item = LiveNumber>) -> Self {
         let (numbers, further, followers) = (numbers.into_iter().collect(), Vec::new(), Vec::new());
         Self { figure, numbers, further, followers, message: None, progress: None }
     }
@@ -74,7 +74,7 @@ impl Answer {
     /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
     /// list of `name` and `value`; `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`.
     pub fn to_json(&self) -> String {
-        let number = |Number { name, value, text }: &Number| {
+        let number = |LiveNumber { name, value, text }: &LiveNumber| {
             let value = if value.is_finite() { format!("{value:?}") } else { "null".to_owned() };
             format!("{{\"name\":{},\"value\":{value},\"text\":{}}}", string(name), string(text))
         };
@@ -121,7 +121,7 @@ pub fn shown(value: f64) -> f64 {
     (value * 1e4).round() / 1e4 + 0.0
 }
 
-impl Number {
+impl LiveNumber {
     /// A number to so many digits after the point, with its unit.
     pub fn new(name: &'static str, value: f64, digits: usize, unit: &str) -> Self {
         // What rounds to zero has no sign.
@@ -140,7 +140,7 @@ impl Number {
     }
 
     /// The number of an answer's field, rounded as the field says, with its unit.
-    pub fn of(name: &'static str, field: &ReportField) -> Option<Self> {
+    pub fn from_field(name: &'static str, field: &ReportField) -> Option<Self> {
         let value = field.number()?;
         Some(match field.rounding {
             Rounding::Significant(digits) => Self::significant(name, value, digits, field.unit),
@@ -159,13 +159,13 @@ mod tests {
 
     #[test]
     fn numbers_are_read_with_a_true_minus_and_no_negative_zero() {
-        assert_eq!(Number::new("a", -1.25, 1, "rad/s").text, "−1.2 rad/s");
-        assert_eq!(Number::new("a", -0.04, 1, "°").text, "0.0°");
-        assert_eq!(Number::new("a", -0.0, 0, "").value.to_bits(), 0);
-        assert_eq!(Number::significant("a", 0.012_345, 3, "").text, "0.0123");
-        assert_eq!(Number::significant("a", 1234.5, 3, "ms").text, "1234 ms");
-        let most =
-            Number::of("a", &ReportField::in_unit("a", 0.0349, "mm").rounded(Rounding::Limit(2))).expect("a number");
+        assert_eq!(LiveNumber::new("a", -1.25, 1, "rad/s").text, "−1.2 rad/s");
+        assert_eq!(LiveNumber::new("a", -0.04, 1, "°").text, "0.0°");
+        assert_eq!(LiveNumber::new("a", -0.0, 0, "").value.to_bits(), 0);
+        assert_eq!(LiveNumber::significant("a", 0.012_345, 3, "").text, "0.0123");
+        assert_eq!(LiveNumber::significant("a", 1234.5, 3, "ms").text, "1234 ms");
+        let most = LiveNumber::from_field("a", &ReportField::in_unit("a", 0.0349, "mm").rounded(Rounding::Limit(2)))
+            .expect("a number");
         assert_eq!((most.value, most.text.as_str()), (0.0349, "0.034 mm"));
     }
 }

@@ -1,6 +1,6 @@
 //! What a reader may move in a figure, and what is told.
 
-use crate::answer::{Answer, Quantity};
+use crate::answer::{LiveQuantity, LiveReply};
 use crate::arguments::{Arguments, computable, quoted};
 
 /// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
@@ -22,15 +22,15 @@ pub struct Live {
     /// Arguments that come with the page: data of a source.
     pub given: &'static [&'static str],
     /// What is told beside the drawing, in its order.
-    pub quantities: &'static [Quantity],
+    pub quantities: &'static [LiveQuantity],
     /// What is told apart from it, in its order: what has no room in the drawing.
-    pub others: &'static [Quantity],
+    pub others: &'static [LiveQuantity],
     /// What the pointer moves in the drawing.
     pub drag: Option<Drag>,
     /// What can be taken away.
     pub files: &'static [File],
     /// Draws it.
-    pub draw: fn(&Settings) -> Result<Answer, String>,
+    pub draw: fn(&Settings) -> Result<LiveReply, String>,
 }
 
 /// One thing that may be moved.
@@ -215,7 +215,7 @@ impl Live {
     /// # Errors
     ///
     /// What is wrong with the arguments, and what to give.
-    pub fn answer(&self, arguments: &Arguments) -> Result<Answer, String> {
+    pub fn answer(&self, arguments: &Arguments) -> Result<LiveReply, String> {
         let answer = (self.draw)(&self.settings(arguments)?)?;
         let is_shown = |text: &str| !text.contains("NaN") && !text.contains("inf");
         if answer.numbers.iter().all(|number| is_shown(&number.text)) && !answer.figure.svg.contains("NaN") {

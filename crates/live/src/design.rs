@@ -1,6 +1,6 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{self, Answer, Number, Quantity};
+use crate::answer::{self, LiveNumber, LiveQuantity, LiveReply};
 use crate::control::{Control, File, Kind, Live, Preset, Settings};
 use geneva_ask::Error;
 use geneva_ask::wheel::{SearchEffort, WheelDesign, WheelQuestion};
@@ -51,44 +51,52 @@ pub const LIVE: Live = Live {
     ],
     given: &[],
     quantities: &[
-        Quantity::field("centres", "centre distance", "centre_distance_mm"),
-        Quantity::new("clearance", "least clearance"),
-        Quantity::field("nearer", "axes may be too close together by", "centres_nearer_mm"),
-        Quantity::field("farther", "axes may be too far apart by", "centres_farther_mm"),
-        Quantity::field("index", "indexing time", "indexing_time_s"),
-        Quantity::field("dwell", "dwell time", "dwell_time_s"),
-        Quantity::field("torque", "greatest torque on the wheel", "peak_wheel_torque_nm"),
-        Quantity::field("force", "greatest force of the pin", "peak_pin_force_n"),
-        Quantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
-        Quantity::field("rms", "RMS torque at the crank", "rms_crank_torque_nm"),
-        Quantity::field("power", "greatest power", "peak_power_w"),
-        Quantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
-        Quantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
-        Quantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
-        Quantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
+        LiveQuantity::field("centres", "centre distance", "centre_distance_mm"),
+        LiveQuantity::new("clearance", "least clearance"),
+        LiveQuantity::field("nearer", "axes may be too close together by", "centres_nearer_mm"),
+        LiveQuantity::field("farther", "axes may be too far apart by", "centres_farther_mm"),
+        LiveQuantity::field("index", "indexing time", "indexing_time_s"),
+        LiveQuantity::field("dwell", "dwell time", "dwell_time_s"),
+        LiveQuantity::field("torque", "greatest torque on the wheel", "peak_wheel_torque_nm"),
+        LiveQuantity::field("force", "greatest force of the pin", "peak_pin_force_n"),
+        LiveQuantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
+        LiveQuantity::field("rms", "RMS torque at the crank", "rms_crank_torque_nm"),
+        LiveQuantity::field("power", "greatest power", "peak_power_w"),
+        LiveQuantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
+        LiveQuantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
+        LiveQuantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
+        LiveQuantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
     ],
     others: &[
-        Quantity::new("crank-radius", "crank radius"),
-        Quantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
-        Quantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
-        Quantity::field("together", "inertia of table and wheel together", "inertia_kgm2"),
-        Quantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
-        Quantity::new("where", "the least clearance is"),
-        Quantity::field("held", "mid-dwell backlash holds for", "dwell_backlash_held_fraction"),
-        Quantity::field("before", "greatest backlash is before entry by", "greatest_dwell_backlash_until_entry_deg"),
-        Quantity::field("wheel", "wheel radius, to the pin at entry", "wheel_radius_mm"),
-        Quantity::field("slot", "slot, width × depth", "slot_width_mm"),
-        Quantity::field("disc", "radius of the locking disc", "locking_radius_mm"),
-        Quantity::field("locking-play", "locking play", "play_mm"),
-        Quantity::field("bore-play", "bore play", "bore_play_mm"),
-        Quantity::field("slot-bottom-clearance", "slot bottom clearance", "bottom_clearance_mm"),
-        Quantity::field("locking-arc-radius", "locking arc radius", "locking_arc_radius_mm"),
-        Quantity::field("horn-thickness", "horn thickness", "horn_thickness_mm"),
-        Quantity::field("web-between-slots", "web between slots", "slot_web_mm"),
-        Quantity::field("crescent-radius", "crescent radius", "crescent_radius_mm"),
-        Quantity::field("crescent-centre-from-driver", "crescent centre from the driver's axis", "crescent_centre_mm"),
-        Quantity::field("wheel-bore-diameter", "diameter of the wheel's bore", "wheel_bore_mm"),
-        Quantity::field("driver-bore-diameter", "diameter of the driver's bore", "driver_bore_mm"),
+        LiveQuantity::new("crank-radius", "crank radius"),
+        LiveQuantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
+        LiveQuantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
+        LiveQuantity::field("together", "inertia of table and wheel together", "inertia_kgm2"),
+        LiveQuantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
+        LiveQuantity::new("where", "the least clearance is"),
+        LiveQuantity::field("held", "mid-dwell backlash holds for", "dwell_backlash_held_fraction"),
+        LiveQuantity::field(
+            "before",
+            "greatest backlash is before entry by",
+            "greatest_dwell_backlash_until_entry_deg",
+        ),
+        LiveQuantity::field("wheel", "wheel radius, to the pin at entry", "wheel_radius_mm"),
+        LiveQuantity::field("slot", "slot, width × depth", "slot_width_mm"),
+        LiveQuantity::field("disc", "radius of the locking disc", "locking_radius_mm"),
+        LiveQuantity::field("locking-play", "locking play", "play_mm"),
+        LiveQuantity::field("bore-play", "bore play", "bore_play_mm"),
+        LiveQuantity::field("slot-bottom-clearance", "slot bottom clearance", "bottom_clearance_mm"),
+        LiveQuantity::field("locking-arc-radius", "locking arc radius", "locking_arc_radius_mm"),
+        LiveQuantity::field("horn-thickness", "horn thickness", "horn_thickness_mm"),
+        LiveQuantity::field("web-between-slots", "web between slots", "slot_web_mm"),
+        LiveQuantity::field("crescent-radius", "crescent radius", "crescent_radius_mm"),
+        LiveQuantity::field(
+            "crescent-centre-from-driver",
+            "crescent centre from the driver's axis",
+            "crescent_centre_mm",
+        ),
+        LiveQuantity::field("wheel-bore-diameter", "diameter of the wheel's bore", "wheel_bore_mm"),
+        LiveQuantity::field("driver-bore-diameter", "diameter of the driver's bore", "driver_bore_mm"),
     ],
     drag: None,
     files: &[
@@ -161,7 +169,7 @@ fn decimals(tolerance: f64) -> usize {
 
 /// Names, values and texts of all numbers, a line for each.
 fn numbers_file(settings: &Settings) -> Result<String, String> {
-    let Answer { numbers, followers, further, .. } = draw(settings)?;
+    let LiveReply { numbers, followers, further, .. } = draw(settings)?;
     let label = |name: &str| {
         let all = LIVE.quantities.iter().chain(LIVE.others).chain(&further);
         all.into_iter().find(|of| of.name == name).map_or("", |of| of.label)
@@ -182,7 +190,7 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
     Ok(lines.join("\n") + "\n")
 }
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let design = design(settings)?;
     let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
     let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
@@ -197,24 +205,24 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     fields.retain(|field| is_known(field.key));
     fields.push(blow);
     let clearance = design.clearance().map_err(words)?;
-    let number = |of: &Quantity| match of.key {
-        Some(key) => {
-            Number::of(of.name, fields.iter().find(|field| field.key == key)?).map(|number| worded(number, key, sizes))
-        }
+    let number = |of: &LiveQuantity| match of.key {
+        Some(key) => LiveNumber::from_field(of.name, fields.iter().find(|field| field.key == key)?)
+            .map(|number| worded(number, key, sizes)),
         None => match of.name {
-            "crank-radius" => Some(Number::new("crank-radius", sizes.crank_radius, 3, "mm")),
+            "crank-radius" => Some(LiveNumber::new("crank-radius", sizes.crank_radius, 3, "mm")),
             "clearance" => clearance
-                .map(|(nearest, tolerance)| Number::new("clearance", nearest.distance, decimals(tolerance), "mm")),
+                .map(|(nearest, tolerance)| LiveNumber::new("clearance", nearest.distance, decimals(tolerance), "mm")),
             "where" => clearance.map(|(nearest, _)| place(&nearest)),
             _ => None,
         },
     };
-    let further: Vec<Quantity> = fields
+    let further: Vec<LiveQuantity> = fields
         .iter()
         .filter(|field| field.is_visible_in_live_figure && field.number().is_some())
-        .filter_map(|field| Some(Quantity::field(field.key, field.line.as_ref()?.name, field.key)))
+        .filter_map(|field| Some(LiveQuantity::field(field.key, field.line.as_ref()?.name, field.key)))
         .collect();
-    let numbers: Vec<Number> = LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
+    let numbers: Vec<LiveNumber> =
+        LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
     let followers = vec![
         ("pin", sizes.pin_diameter),
         ("play", sizes.play.slot),
@@ -225,7 +233,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let overlaps = clearance.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
     let message = message(&design.warnings(), error, is_met, overlaps, is_late);
-    Ok(Answer { further, followers, message, ..Answer::new(stations::dimensions_on_a_page(sizes), numbers) })
+    Ok(LiveReply { further, followers, message, ..LiveReply::new(stations::dimensions_on_a_page(sizes), numbers) })
 }
 
 const BACKLASH: &str = "dwell_backlash_deg";
@@ -234,7 +242,7 @@ const GREATEST: &str = "greatest_dwell_backlash_deg";
 const BEFORE: &str = "greatest_dwell_backlash_until_entry_deg";
 
 /// A field's number with the words that the figure puts beside it.
-fn worded(number: Number, key: &str, sizes: &Sizes) -> Number {
+fn worded(number: LiveNumber, key: &str, sizes: &Sizes) -> LiveNumber {
     let text = match key {
         BACKLASH => format!("±{}", number.text),
         HELD => format!("{} of the dwell", number.text),
@@ -242,15 +250,15 @@ fn worded(number: Number, key: &str, sizes: &Sizes) -> Number {
         "slot_width_mm" => format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
         _ => return number,
     };
-    Number { text, ..number }
+    LiveNumber { text, ..number }
 }
 
 /// Where the least clearance is.
-fn place(nearest: &Nearest) -> Number {
-    let at = Number::new("where", nearest.crank_angle.to_degrees().abs(), 1, "°");
+fn place(nearest: &Nearest) -> LiveNumber {
+    let at = LiveNumber::new("where", nearest.crank_angle.to_degrees().abs(), 1, "°");
     let is_at_rest = nearest.contact == Contact::LockingDisc;
     let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
-    Number { text, ..at }
+    LiveNumber { text, ..at }
 }
 
 /// What is to be said of the setting: first what is wrong with it, then the warnings of the command.

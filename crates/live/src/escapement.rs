@@ -1,6 +1,6 @@
 //! The escapement from rest to its steady motion.
 
-use crate::answer::{Answer, Number, Quantity, shown};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
 use crate::control::{Control, Live, Preset, Settings};
 use geneva_ask::escapement::rates;
 use geneva_dynamics::existence::critical_friction;
@@ -36,13 +36,13 @@ pub const LIVE: Live = Live {
     ],
     given: &["follower"],
     quantities: &[
-        Quantity::field("rate", "change of rate with one per cent more friction", "friction_rate_s_a_day"),
-        Quantity::new("entry", "terminal speed, at entry"),
-        Quantity::new("least", "least speed"),
-        Quantity::new("greatest", "greatest speed"),
-        Quantity::new("period", "from pin to pin"),
-        Quantity::new("engagements", "engagements until within 1 % of the terminal speed"),
-        Quantity::new("critical", "may jam from μ ="),
+        LiveQuantity::field("rate", "change of rate with one per cent more friction", "friction_rate_s_a_day"),
+        LiveQuantity::new("entry", "terminal speed, at entry"),
+        LiveQuantity::new("least", "least speed"),
+        LiveQuantity::new("greatest", "greatest speed"),
+        LiveQuantity::new("period", "from pin to pin"),
+        LiveQuantity::new("engagements", "engagements until within 1 % of the terminal speed"),
+        LiveQuantity::new("critical", "may jam from μ ="),
     ],
     others: &[],
     drag: None,
@@ -53,7 +53,7 @@ pub const LIVE: Live = Live {
 /// The mechanisms in the order of the choice.
 const MECHANISMS: [Mechanism; 3] = [Mechanism::SIX_PIN, Mechanism::FOUR_PIN, Mechanism::THREE_PIN];
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let mechanism = MECHANISMS[settings.choice("mechanism")?];
     let follower = settings.arguments().given_number("follower")?;
     let inertias = Inertias::new(settings.value("ratio")? * follower, follower).map_err(|error| error.to_string())?;
@@ -61,7 +61,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         (settings.value("torque")?, settings.value("friction")?, settings.value("share")? / 100.0);
     let words = |error: Error| error.to_string();
     let limit = critical_friction(mechanism, inertias.ratio()).map_err(words)?;
-    let critical = Number::new("critical", limit.friction, 3, "");
+    let critical = LiveNumber::new("critical", limit.friction, 3, "");
     let parameters = match Parameters::new(mechanism, inertias, torque, friction) {
         Err(Error::TooMuchFriction { asked, limit, angle }) => {
             // Where it jams, and why.
@@ -76,7 +76,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
                 "The escapement with its driver at the angle where it may jam: with so much friction, its equation of \
                            motion has no single solution there."
                     .to_owned();
-            return Ok(Answer { message, ..Answer::new(Figure { caption, ..figure }, [critical]) });
+            return Ok(LiveReply { message, ..LiveReply::new(Figure { caption, ..figure }, [critical]) });
         }
         other => other.map_err(words)?,
     };
@@ -90,24 +90,24 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         shown(1e6 * follower)
     );
     let engagements = match engagement.engagements_to_settle_within(REACHED, MOST_ENGAGEMENTS) {
-        Err(Error::TooMany { .. }) => Number {
+        Err(Error::TooMany { .. }) => LiveNumber {
             text: format!("more than {MOST_ENGAGEMENTS}"),
-            ..Number::new("engagements", MOST_ENGAGEMENTS as f64, 0, "")
+            ..LiveNumber::new("engagements", MOST_ENGAGEMENTS as f64, 0, "")
         },
-        settled => Number::new("engagements", settled.map_err(words)?.0 as f64, 0, ""),
+        settled => LiveNumber::new("engagements", settled.map_err(words)?.0 as f64, 0, ""),
     };
     let rates = rates(&parameters).map_err(words)?;
     let rate = rates.iter().find(|field| field.key == "friction_rate_s_a_day");
-    let rate = rate.and_then(|field| Number::of("rate", field)).ok_or("the friction has no rate")?;
-    let speed = |name, speed| Number::significant(name, speed, 4, "rad/s");
+    let rate = rate.and_then(|field| LiveNumber::from_field("rate", field)).ok_or("the friction has no rate")?;
+    let speed = |name, speed| LiveNumber::significant(name, speed, 4, "rad/s");
     let numbers = [
         rate,
         speed("entry", steady.entry_speed),
         speed("least", steady.minimum.speed),
         speed("greatest", steady.peak.speed),
-        Number::significant("period", 1000.0 * steady.period, 4, "ms"),
+        LiveNumber::significant("period", 1000.0 * steady.period, 4, "ms"),
         engagements,
         critical,
     ];
-    Ok(Answer::new(figure, numbers))
+    Ok(LiveReply::new(figure, numbers))
 }

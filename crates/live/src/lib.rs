@@ -19,7 +19,7 @@ mod mistake;
 mod polygon;
 mod wheel;
 
-pub use answer::{Answer, Number, Progress, Quantity, shown};
+pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, shown};
 pub use arguments::Arguments;
 pub use control::{Control, Drag, File, Kind, Live, Preset, Side};
 
@@ -31,7 +31,7 @@ pub fn by_name(name: &str) -> Option<&'static Live> {
     LIVE.into_iter().find(|live| live.name == name)
 }
 
-/// The answer to a question, `name?arguments`, as a JSON object: see [`Answer::to_json`]. The question `name.dxf?arguments`
+/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question `name.dxf?arguments`
 /// asks for the file with that ending, and the answer holds it as `file`. A question that cannot be answered gets `error`:
 /// what is wrong, and what to give.
 pub fn answer(question: &str) -> String {

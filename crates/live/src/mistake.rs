@@ -1,6 +1,6 @@
 //! The runs of 1973 with the program set otherwise: printed numbers against computed ones.
 
-use crate::answer::{Answer, Number, Progress, Quantity};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, Progress};
 use crate::arguments::number;
 use crate::control::{Control, Live, Preset, Settings};
 use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, Reading, Reset, Row, Score, SixPin};
@@ -33,12 +33,12 @@ pub const LIVE: Live = Live {
     ],
     given: &["rows", "inertias", "headed", "duration", "delay", "pi"],
     quantities: &[
-        Quantity::new("agree", "numbers within one unit of the printed ones"),
-        Quantity::new("six-pins", "with six pins"),
-        Quantity::new("four-pins", "with four pins"),
-        Quantity::new("three-pins", "with three pins"),
-        Quantity::new("normal", "ln L, normal errors"),
-        Quantity::new("exponential", "ln L, exponential errors"),
+        LiveQuantity::new("agree", "numbers within one unit of the printed ones"),
+        LiveQuantity::new("six-pins", "with six pins"),
+        LiveQuantity::new("four-pins", "with four pins"),
+        LiveQuantity::new("three-pins", "with three pins"),
+        LiveQuantity::new("normal", "ln L, normal errors"),
+        LiveQuantity::new("exponential", "ln L, exponential errors"),
     ],
     others: &[],
     drag: None,
@@ -46,7 +46,7 @@ pub const LIVE: Live = Live {
     draw,
 };
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let rows = rows(settings)?;
     let hypothesis = hypothesis(settings)?;
     let (results, done) = match hypothesis.lag {
@@ -63,7 +63,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let counted = |name, mechanisms: &[Mechanism]| {
         let count = score.within_one_of(mechanisms);
         let all = score.cells().filter(|cell| mechanisms.contains(&cell.mechanism)).count();
-        Number { name, value: count as f64, text: format!("{count} of {all}") }
+        LiveNumber { name, value: count as f64, text: format!("{count} of {all}") }
     };
     let mut numbers = vec![
         counted("agree", &Mechanism::ALL),
@@ -74,12 +74,12 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let progress = (done < rows.len()).then_some(Progress { done, all: rows.len() });
     if progress.is_none() {
         for (name, log) in ["normal", "exponential"].into_iter().zip(score.likelihoods()) {
-            let number = Number::new(name, log, 1, "");
+            let number = LiveNumber::new(name, log, 1, "");
             let text = if log.is_finite() { number.text } else { "impossible".to_owned() };
-            numbers.push(Number { text, ..number });
+            numbers.push(LiveNumber { text, ..number });
         }
     }
-    Ok(Answer { progress, ..Answer::new(figure, numbers) })
+    Ok(LiveReply { progress, ..LiveReply::new(figure, numbers) })
 }
 
 /// A number without needless zeros.

@@ -1,6 +1,6 @@
 //! The vector diagrams of the quick-return mechanism.
 
-use crate::answer::{Answer, Number, Quantity, shown};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
 use crate::control::{Control, Drag, Live, Preset, Settings, Side, TURNS};
 use geneva_ask::Error;
 use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnQuestion, lever_motion};
@@ -47,12 +47,12 @@ pub const LIVE: Live = Live {
     ],
     given: &[],
     quantities: &[
-        Quantity::new("gap", "gap of the acceleration polygon"),
-        Quantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
-        Quantity::field("lever-acceleration", "lever's angular acceleration φ̈", "lever_acceleration_rad_s2"),
-        Quantity::new("closed", "φ̈ if you close it with this factor"),
-        Quantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
-        Quantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
+        LiveQuantity::new("gap", "gap of the acceleration polygon"),
+        LiveQuantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
+        LiveQuantity::field("lever-acceleration", "lever's angular acceleration φ̈", "lever_acceleration_rad_s2"),
+        LiveQuantity::new("closed", "φ̈ if you close it with this factor"),
+        LiveQuantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
+        LiveQuantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
     ],
     others: &[],
     drag: Some(Drag { control: "crank", at_right: -180.0, sense: 1.0 }),
@@ -83,7 +83,7 @@ fn design(settings: &Settings) -> Result<QuickReturnDesign, String> {
     })
 }
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let QuickReturnDesign { linkage, position, drive, .. } = &design(settings)?;
     let factor = settings.value("factor")?;
     let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive)
@@ -96,7 +96,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let (turning, right) = (motion.velocities.follower_speed, motion.accelerations.follower_acceleration);
     // What is missing of the Coriolis term across the lever, the lever's tangential acceleration gets.
     let closed = right + (2.0 - factor) * turning * sliding / position.pin_distance;
-    let closed = Number::significant("closed", closed, 4, "rad/s²");
+    let closed = LiveNumber::significant("closed", closed, 4, "rad/s²");
     // A lever that turns round and round has only one point on its ray.
     let is_near = linkage.ratio() > 1.0 && position.branch() == Branch::Near;
     let (far, branch) = if is_near { ("near", 1.0) } else { ("far", 0.0) };
@@ -109,28 +109,28 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         shown(linkage.ground()),
         shown(linkage.crank()),
         with_minus_sign(&shown(settings.value("rpm")?).to_string()),
-        Number::new("lever", lever, 1, "°").text,
+        LiveNumber::new("lever", lever, 1, "°").text,
     );
     let of_lever = ["lever-speed", "lever-acceleration"].into_iter().zip(lever_motion(&motion));
-    let numbers = [Number::significant("gap", gap, 4, "m/s²")]
+    let numbers = [LiveNumber::significant("gap", gap, 4, "m/s²")]
         .into_iter()
-        .chain(of_lever.filter_map(|(name, field)| Number::of(name, &field)))
+        .chain(of_lever.filter_map(|(name, field)| LiveNumber::from_field(name, &field)))
         .chain([
             closed,
-            Number::significant("sliding", sliding, 4, "m/s"),
-            Number::significant("coriolis", coriolis, 4, "m/s²"),
+            LiveNumber::significant("sliding", sliding, 4, "m/s"),
+            LiveNumber::significant("coriolis", coriolis, 4, "m/s²"),
         ]);
     let theta = if theta > 0.0 { theta - 180.0 } else { theta + 180.0 };
     let followers = vec![("crank", theta), ("lever", lever), ("branch", branch)];
-    Ok(Answer { followers, ..Answer::new(figure, numbers) })
+    Ok(LiveReply { followers, ..LiveReply::new(figure, numbers) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::LIVE;
-    use crate::{Answer, Arguments};
+    use crate::{Arguments, LiveReply};
 
-    fn answer(query: &str) -> Result<Answer, String> {
+    fn answer(query: &str) -> Result<LiveReply, String> {
         LIVE.answer(&Arguments::parse(query).expect("a query"))
     }
 
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn either_angle_gives_the_other_and_the_point_of_the_pin() {
         for query in ["lever=18", "lever=18&branch=1", "lever=-7&rpm=-20", "lever=140&radius=0.5"] {
-            let Answer { figure, followers, .. } = answer(query).expect("an answer");
+            let LiveReply { figure, followers, .. } = answer(query).expect("an answer");
             let crank = followers.iter().find(|(name, _)| *name == "crank").expect("told").1;
             let rpm = query.split('&').find(|pair| pair.starts_with("rpm")).unwrap_or("rpm=60");
             let radius = query.split('&').find(|pair| pair.starts_with("radius")).unwrap_or("radius=0.1");

@@ -1,6 +1,6 @@
 //! The wheel, at the right distance of its axes or another.
 
-use crate::answer::{Answer, Number, Quantity, shown};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
 use crate::control::{Control, Drag, Live, Preset, Settings};
 use geneva_figures::stations;
 use geneva_kinematics::KinematicsError;
@@ -25,13 +25,13 @@ pub const LIVE: Live = Live {
     ],
     given: &[],
     quantities: &[
-        Quantity::new("blow", "blow: jump of the velocity ratio at entry"),
-        Quantity::new("velocity", "velocity ratio"),
-        Quantity::new("acceleration", "acceleration ratio"),
-        Quantity::new("jerk", "jerk ratio"),
-        Quantity::new("sliding", "sliding over pin speed, inwards"),
-        Quantity::new("angle", "wheel angle φ"),
-        Quantity::new("index", "turn of the wheel for each pin"),
+        LiveQuantity::new("blow", "blow: jump of the velocity ratio at entry"),
+        LiveQuantity::new("velocity", "velocity ratio"),
+        LiveQuantity::new("acceleration", "acceleration ratio"),
+        LiveQuantity::new("jerk", "jerk ratio"),
+        LiveQuantity::new("sliding", "sliding over pin speed, inwards"),
+        LiveQuantity::new("angle", "wheel angle φ"),
+        LiveQuantity::new("index", "turn of the wheel for each pin"),
     ],
     others: &[],
     drag: Some(Drag { control: "crank", at_right: 180.0, sense: -1.0 }),
@@ -39,7 +39,7 @@ pub const LIVE: Live = Live {
     draw,
 };
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let wheel =
         Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
     let (error, crank) = (settings.value("error")? / 100.0, settings.value("crank")?.to_radians());
@@ -57,15 +57,15 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     // As in the chapter on the pin, towards the wheel's axis.
     let sliding = misplaced.sliding_ratio(crank).map_err(|error| error.to_string())?;
     let numbers = [
-        Number::new("blow", misplaced.entry_velocity_ratio(), 4, ""),
-        Number::new("velocity", motion.velocity, 4, ""),
-        Number::new("acceleration", motion.acceleration, 4, ""),
-        Number::new("jerk", motion.jerk, 3, ""),
-        Number::new("angle", motion.angle.to_degrees(), 2, "°"),
-        Number::new("index", misplaced.index_angle().to_degrees(), 2, "°"),
+        LiveNumber::new("blow", misplaced.entry_velocity_ratio(), 4, ""),
+        LiveNumber::new("velocity", motion.velocity, 4, ""),
+        LiveNumber::new("acceleration", motion.acceleration, 4, ""),
+        LiveNumber::new("jerk", motion.jerk, 3, ""),
+        LiveNumber::new("angle", motion.angle.to_degrees(), 2, "°"),
+        LiveNumber::new("index", misplaced.index_angle().to_degrees(), 2, "°"),
     ];
-    let sliding = sliding.map(|outwards| Number::new("sliding", -outwards, 4, ""));
-    Ok(Answer::new(figure, numbers.into_iter().chain(sliding)))
+    let sliding = sliding.map(|outwards| LiveNumber::new("sliding", -outwards, 4, ""));
+    Ok(LiveReply::new(figure, numbers.into_iter().chain(sliding)))
 }
 
 #[cfg(test)]

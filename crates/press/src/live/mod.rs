@@ -13,7 +13,7 @@ use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::quick_return::Instant as Lever;
-use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, Side, shown};
+use geneva_live::{Arguments, Control, Kind, LIVE, Live, LiveQuantity, LiveReply, Side, shown};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
@@ -88,7 +88,7 @@ pub fn moved(name: &str) -> anyhow::Result<Moved> {
     Ok(Moved { figure: answer.figure, html, attributes: attributes(live)? })
 }
 
-fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
+fn html(live: &Live, answer: &LiveReply) -> anyhow::Result<String> {
     let given = given(live.name)?;
     let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given, answer)).collect();
     let presets = live.presets.iter().map(|preset| {
@@ -126,9 +126,13 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
 }
 
 /// Quantities with their numbers; a label leads to the claim that says the same of one setting, if there is one.
-fn numbers<'a>(live: &Live, quantities: impl Iterator<Item = &'a Quantity>, answer: &Answer) -> anyhow::Result<String> {
+fn numbers<'a>(
+    live: &Live,
+    quantities: impl Iterator<Item = &'a LiveQuantity>,
+    answer: &LiveReply,
+) -> anyhow::Result<String> {
     let claims = beside(live.name)?.claims;
-    let entry = |quantity: &Quantity| {
+    let entry = |quantity: &LiveQuantity| {
         let claim = claims.iter().find(|(of, _)| *of == quantity.name);
         let label = escape(quantity.label);
         let label = match claim {
@@ -158,7 +162,7 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
 }
 
 /// One control with its label, its number and its unit.
-fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> String {
+fn row(live: &Live, control: &Control, given: &Arguments, answer: &LiveReply) -> String {
     let Control { name, label, unit, least, most, step, range: [lowest, highest], .. } = control;
     let id = format!("live-{}-{name}", live.name);
     let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
@@ -211,7 +215,7 @@ fn given(name: &str) -> anyhow::Result<Arguments> {
 }
 
 /// The answer where all controls stand as at first.
-fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
+fn at_first(live: &'static Live) -> anyhow::Result<LiveReply> {
     let given = given(live.name)?;
     loop {
         let answer = live.answer(&given).map_err(|message| anyhow!("{}: {message}", live.name))?;
