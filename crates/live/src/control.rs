@@ -26,9 +26,9 @@ pub struct Live {
     /// What is told apart from it, in its order: what has no room in the drawing.
     pub others: &'static [LiveQuantity],
     /// What the pointer moves in the drawing.
-    pub drag: Option<Drag>,
+    pub drag: Option<PointerDrag>,
     /// What can be taken away.
-    pub files: &'static [File],
+    pub files: &'static [LiveFile],
     /// Draws it.
     pub draw: fn(&Settings) -> Result<LiveReply, String>,
 }
@@ -53,9 +53,9 @@ pub struct Control {
     /// Where it stands at first, unless the page gives another value or it follows the others.
     pub preset: f64,
     /// How it is moved.
-    pub kind: Kind,
+    pub kind: ControlKind,
     /// On which of two sides it is, if those of one side follow from those of the other.
-    pub side: Option<Side>,
+    pub side: Option<ControlSide>,
 }
 
 impl Control {
@@ -68,7 +68,18 @@ impl Control {
         step: f64,
         preset: f64,
     ) -> Self {
-        Self { name, label, unit, least, most, range: [least, most], step, preset, kind: Kind::Slider, side: None }
+        Self {
+            name,
+            label,
+            unit,
+            least,
+            most,
+            range: [least, most],
+            step,
+            preset,
+            kind: ControlKind::Slider,
+            side: None,
+        }
     }
 
     /// The control with a wider range for numbers that are typed, in its unit.
@@ -84,16 +95,16 @@ impl Control {
         ends: [f64; 2],
         step: f64,
     ) -> Self {
-        Self { kind: Kind::Follower, ..Self::slider(name, label, unit, ends, step, ends[0]) }
+        Self { kind: ControlKind::Follower, ..Self::slider(name, label, unit, ends, step, ends[0]) }
     }
 
     /// The control with a button that moves it by itself: by so much in a second, over and over.
     pub const fn playing(self, rate: f64) -> Self {
-        Self { kind: Kind::Player(rate), ..self }
+        Self { kind: ControlKind::Player(rate), ..self }
     }
 
     /// The control on one of the two sides, of which the reader moves one and the answer tells the other.
-    pub const fn on_side(self, side: Side) -> Self {
+    pub const fn on_side(self, side: ControlSide) -> Self {
         Self { side: Some(side), ..self }
     }
 
@@ -105,7 +116,7 @@ impl Control {
         preset: usize,
     ) -> Self {
         let most = (choices.len() - 1) as f64;
-        let kind = Kind::Choice(choices);
+        let kind = ControlKind::Choice(choices);
         Self {
             name,
             label,
@@ -133,7 +144,7 @@ impl Control {
 
     /// What is wrong with a text that is no value of the control: the text, and what the control may be.
     fn refusal(&self, text: &str) -> String {
-        if let Kind::Choice(choices) = self.kind {
+        if let ControlKind::Choice(choices) = self.kind {
             let choices = choices.iter().enumerate().map(|(number, choice)| format!("{number} ({choice})"));
             let choices = choices.collect::<Vec<_>>().join(", ");
             return format!("{} `{}`: none of the choices; give one of {choices}", self.name, quoted(text.trim()));
@@ -151,7 +162,7 @@ impl Control {
 
 /// How a value is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum ControlKind {
     /// By a slider and a box for the number.
     Slider,
     /// By a slider and a box, and by itself: by so much in a second, over and over.
@@ -164,7 +175,7 @@ pub enum Kind {
 
 /// Two ways to say the same, such as by the crank's angle or by the lever's: what is moved last counts, and the rest follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum ControlSide {
     /// What counts at first.
     First,
     /// What follows at first.
@@ -182,7 +193,7 @@ pub struct Preset {
 
 /// An angle of the drawing that the pointer sets: that of the pointer about the circle of the pins.
 #[derive(Clone, Copy, Debug)]
-pub struct Drag {
+pub struct PointerDrag {
     /// Which control.
     pub control: &'static str,
     /// Its value in degrees where the pointer is at the right of the circle's centre.
@@ -193,7 +204,7 @@ pub struct Drag {
 
 /// A file that is made of a setting.
 #[derive(Debug)]
-pub struct File {
+pub struct LiveFile {
     /// Its ending.
     pub name: &'static str,
     /// What it is.
@@ -274,7 +285,7 @@ impl Settings<'_> {
             Ok(value as u32)
         } else {
             let control = self.control(name)?;
-            if matches!(control.kind, Kind::Choice(_)) {
+            if matches!(control.kind, ControlKind::Choice(_)) {
                 return Err(control.refusal(&value.to_string()));
             }
             let [least, most] = control.range;

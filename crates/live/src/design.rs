@@ -1,7 +1,7 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
 use crate::answer::{self, LiveNumber, LiveQuantity, LiveReply};
-use crate::control::{Control, File, Kind, Live, Preset, Settings};
+use crate::control::{Control, ControlKind, Live, LiveFile, Preset, Settings};
 use geneva_ask::Error;
 use geneva_ask::wheel::{SearchEffort, WheelDesign, WheelQuestion};
 use geneva_dynamics::line_contact::MATERIALS;
@@ -100,12 +100,12 @@ pub const LIVE: Live = Live {
     ],
     drag: None,
     files: &[
-        File {
+        LiveFile {
             name: "dxf",
             label: "Drawing for the machine (DXF)",
             make: |settings| design(settings)?.dxf().map_err(words),
         },
-        File {
+        LiveFile {
             name: "svg",
             label: "Drawing with sizes (SVG)",
             make: |settings| {
@@ -113,7 +113,7 @@ pub const LIVE: Live = Live {
                 Ok(stations::dimensions(design.sizes.as_ref().ok_or(NO_SIZES)?).standalone())
             },
         },
-        File { name: "csv", label: "These numbers (CSV)", make: numbers_file },
+        LiveFile { name: "csv", label: "These numbers (CSV)", make: numbers_file },
     ],
     draw,
 };
@@ -181,7 +181,7 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
             None => settings.value(control.name)?,
         };
         let text = match control.kind {
-            Kind::Choice(choices) => choices.get(value as usize).copied().unwrap_or_default().to_owned(),
+            ControlKind::Choice(choices) => choices.get(value as usize).copied().unwrap_or_default().to_owned(),
             _ => format!("{value} {}", control.unit),
         };
         lines.push(format!("\"{}\",{value:?},\"{}\"", control.label, text.trim_end()));

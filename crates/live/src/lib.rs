@@ -21,7 +21,7 @@ mod wheel;
 
 pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, shown};
 pub use arguments::Arguments;
-pub use control::{Control, Drag, File, Kind, Live, Preset, Side};
+pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset};
 
 /// All figures that a reader moves, in the order of the book.
 pub const LIVE: [&Live; 5] = [&wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];

@@ -1,7 +1,7 @@
 //! The vector diagrams of the quick-return mechanism.
 
 use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
-use crate::control::{Control, Drag, Live, Preset, Settings, Side, TURNS};
+use crate::control::{Control, ControlSide, Live, PointerDrag, Preset, Settings, TURNS};
 use geneva_ask::Error;
 use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnQuestion, lever_motion};
 use geneva_figures::{quick_return, with_minus_sign};
@@ -30,10 +30,12 @@ pub const LIVE: Live = Live {
         Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0)
             .typed(TURNS)
             .playing(30.0)
-            .on_side(Side::First),
-        Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0).typed(TURNS).on_side(Side::Second),
+            .on_side(ControlSide::First),
+        Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0)
+            .typed(TURNS)
+            .on_side(ControlSide::Second),
         Control::choice("branch", "pin on the lever's ray", &["at the far point", "at the near point"], 0)
-            .on_side(Side::Second),
+            .on_side(ControlSide::Second),
         Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).typed(LENGTHS),
         Control::slider("radius", "crank radius R", "m", [0.05, 1.0], 0.005, 0.1).typed(LENGTHS),
         Control::slider("rpm", "speed of the crank", "rpm", [-300.0, 300.0], 1.0, 60.0).typed([-1e6, 1e6]),
@@ -55,7 +57,7 @@ pub const LIVE: Live = Live {
         LiveQuantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
     ],
     others: &[],
-    drag: Some(Drag { control: "crank", at_right: -180.0, sense: 1.0 }),
+    drag: Some(PointerDrag { control: "crank", at_right: -180.0, sense: 1.0 }),
     files: &[],
     draw,
 };

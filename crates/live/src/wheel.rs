@@ -1,7 +1,7 @@
 //! The wheel, at the right distance of its axes or another.
 
 use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
-use crate::control::{Control, Drag, Live, Preset, Settings};
+use crate::control::{Control, Live, PointerDrag, Preset, Settings};
 use geneva_figures::stations;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Misplaced, Wheel};
@@ -34,7 +34,7 @@ pub const LIVE: Live = Live {
         LiveQuantity::new("index", "turn of the wheel for each pin"),
     ],
     others: &[],
-    drag: Some(Drag { control: "crank", at_right: 180.0, sense: -1.0 }),
+    drag: Some(PointerDrag { control: "crank", at_right: 180.0, sense: -1.0 }),
     files: &[],
     draw,
 };

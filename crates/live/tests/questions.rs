@@ -167,7 +167,7 @@ fn a_value_that_is_none_is_refused_with_the_range_or_the_choices_of_its_control(
         for control in live.controls {
             let [least, most] = control.range;
             let range = match control.kind {
-                geneva_live::Kind::Choice(choices) => format!("0 ({})", choices[0]),
+                geneva_live::ControlKind::Choice(choices) => format!("0 ({})", choices[0]),
                 _ => format!("{least} to {most}"),
             };
             for value in ["x", "nan", "1e300", "5e-324", "-5.9e13"] {

@@ -13,7 +13,7 @@ use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::quick_return::Instant as Lever;
-use geneva_live::{Arguments, Control, Kind, LIVE, Live, LiveQuantity, LiveReply, Side, shown};
+use geneva_live::{Arguments, Control, ControlKind, ControlSide, LIVE, Live, LiveQuantity, LiveReply, shown};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
@@ -101,7 +101,7 @@ fn html(live: &Live, answer: &LiveReply) -> anyhow::Result<String> {
     let others = numbers(live, live.others.iter().chain(&answer.further), answer)?;
     let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
     let no_file = if live.files.is_empty() { "" } else { " and no files" };
-    let plays = live.controls.iter().any(|control| matches!(control.kind, Kind::Player(_)));
+    let plays = live.controls.iter().any(|control| matches!(control.kind, ControlKind::Player(_)));
     let play = if plays {
         "<button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One step \
          back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button>"
@@ -169,13 +169,13 @@ fn row(live: &Live, control: &Control, given: &Arguments, answer: &LiveReply) ->
     let at_first = follower.unwrap_or(control.preset).to_string();
     let value = given.text(name).map_or(at_first, str::to_owned);
     let side = match control.side {
-        Some(Side::First) => " data-side=\"first\"",
-        Some(Side::Second) => " data-side=\"second\"",
+        Some(ControlSide::First) => " data-side=\"first\"",
+        Some(ControlSide::Second) => " data-side=\"second\"",
         None => "",
     };
     let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
     match control.kind {
-        Kind::Choice(choices) => {
+        ControlKind::Choice(choices) => {
             let option = |(number, words): (usize, &&str)| {
                 let chosen = if number.to_string() == value { " selected" } else { "" };
                 format!("<option value=\"{number}\"{chosen}>{}</option>", escape(words))
@@ -183,10 +183,10 @@ fn row(live: &Live, control: &Control, given: &Arguments, answer: &LiveReply) ->
             let options: String = choices.iter().enumerate().map(option).collect();
             format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\"{side}>{options}</select>")
         }
-        Kind::Slider | Kind::Player(_) | Kind::Follower => {
+        ControlKind::Slider | ControlKind::Player(_) | ControlKind::Follower => {
             let play = match control.kind {
-                Kind::Player(rate) => format!(" data-play=\"{rate}\""),
-                Kind::Follower => " data-follows".to_owned(),
+                ControlKind::Player(rate) => format!(" data-play=\"{rate}\""),
+                ControlKind::Follower => " data-follows".to_owned(),
                 _ => String::new(),
             };
             let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
