@@ -1,7 +1,7 @@
 //! What a reader may move in a figure, and what is told.
 
 use crate::answer::{LiveQuantity, LiveReply};
-use crate::arguments::{Arguments, computable, quoted};
+use crate::arguments::{LiveArguments, computable, quoted};
 
 /// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
 pub(crate) const TURNS: [f64; 2] = [-1e6, 1e6];
@@ -217,7 +217,7 @@ pub struct LiveFile {
 #[derive(Clone, Debug)]
 pub struct Settings<'a> {
     live: &'a Live,
-    arguments: &'a Arguments,
+    arguments: &'a LiveArguments,
 }
 
 impl Live {
@@ -226,7 +226,7 @@ impl Live {
     /// # Errors
     ///
     /// What is wrong with the arguments, and what to give.
-    pub fn answer(&self, arguments: &Arguments) -> Result<LiveReply, String> {
+    pub fn answer(&self, arguments: &LiveArguments) -> Result<LiveReply, String> {
         let answer = (self.draw)(&self.settings(arguments)?)?;
         let is_shown = |text: &str| !text.contains("NaN") && !text.contains("inf");
         if answer.numbers.iter().all(|number| is_shown(&number.text)) && !answer.figure.svg.contains("NaN") {
@@ -241,7 +241,7 @@ impl Live {
     /// # Errors
     ///
     /// As for [`answer`](Self::answer), and for an ending of none of its files.
-    pub fn file(&self, ending: &str, arguments: &Arguments) -> Result<String, String> {
+    pub fn file(&self, ending: &str, arguments: &LiveArguments) -> Result<String, String> {
         let file = self.files.iter().find(|file| file.name == ending);
         let file = file.ok_or_else(|| {
             let endings: Vec<_> = self.files.iter().map(|file| file.name).collect();
@@ -255,7 +255,7 @@ impl Live {
         (file.make)(&self.settings(arguments)?)
     }
 
-    fn settings<'a>(&'a self, arguments: &'a Arguments) -> Result<Settings<'a>, String> {
+    fn settings<'a>(&'a self, arguments: &'a LiveArguments) -> Result<Settings<'a>, String> {
         let names = || self.controls.iter().map(|control| control.name).chain(self.given.iter().copied());
         if let Some(unknown) = arguments.names().find(|name| names().all(|known| known != *name)) {
             let names = names().collect::<Vec<_>>().join(", ");
@@ -299,7 +299,7 @@ impl Settings<'_> {
     }
 
     /// What came with the page.
-    pub fn arguments(&self) -> &Arguments {
+    pub fn arguments(&self) -> &LiveArguments {
         self.arguments
     }
 

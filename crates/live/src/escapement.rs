@@ -55,7 +55,7 @@ const MECHANISMS: [Mechanism; 3] = [Mechanism::SIX_PIN, Mechanism::FOUR_PIN, Mec
 
 fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let mechanism = MECHANISMS[settings.choice("mechanism")?];
-    let follower = settings.arguments().given_number("follower")?;
+    let follower = settings.arguments().required_number("follower")?;
     let inertias = Inertias::new(settings.value("ratio")? * follower, follower).map_err(|error| error.to_string())?;
     let (torque, friction, share) =
         (settings.value("torque")?, settings.value("friction")?, settings.value("share")? / 100.0);

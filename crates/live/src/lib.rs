@@ -20,7 +20,7 @@ mod polygon;
 mod wheel;
 
 pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, shown};
-pub use arguments::Arguments;
+pub use arguments::LiveArguments;
 pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset};
 
 /// All figures that a reader moves, in the order of the book.
@@ -49,7 +49,7 @@ fn asked(question: &str) -> Result<String, String> {
         return Err(format!("the question has {} bytes: give {MOST_BYTES} at most", question.len()));
     }
     let (name, arguments) = question.split_once('?').unwrap_or((question, ""));
-    let arguments = Arguments::parse(arguments)?;
+    let arguments = LiveArguments::parse(arguments)?;
     let (name, ending) = name.split_once('.').map_or((name, None), |(name, ending)| (name, Some(ending)));
     let live = by_name(name).ok_or_else(|| {
         let names: Vec<_> = LIVE.iter().map(|live| live.name).collect();

@@ -95,7 +95,7 @@ fn rows(settings: &Settings) -> Result<Vec<Row>, String> {
     let given = settings.arguments();
     let inertias = |name: &'static str| -> Result<Vec<Vec<f64>>, String> {
         let line = |line: &str| line.split(',').map(|text| number(name, text)).collect();
-        given.given(name)?.split(';').map(line).collect()
+        given.required(name)?.split(';').map(line).collect()
     };
     let (drawn, headed) = (inertias("inertias")?, inertias("headed")?);
     let listing = listing(settings)?;
@@ -117,14 +117,14 @@ fn rows(settings: &Settings) -> Result<Vec<Row>, String> {
         }
         Ok(row)
     };
-    given.given("rows")?.split(';').map(row).collect()
+    given.required("rows")?.split(';').map(row).collect()
 }
 
 /// What is set of the program, and what the page gives of it.
 fn listing(settings: &Settings) -> Result<Listing, String> {
     let given = settings.arguments();
     let (interval, phase) = (settings.value("interval")? / 1000.0, settings.value("phase")?);
-    let duration = given.given_number("duration")?;
+    let duration = given.required_number("duration")?;
     if !(interval >= 1e-5 && interval <= duration) {
         return Err(format!("interval {} ms: give 0.01 to {} ms", 1000.0 * interval, 1000.0 * duration));
     }
@@ -138,7 +138,7 @@ fn listing(settings: &Settings) -> Result<Listing, String> {
         );
     }
     let reset = settings.value("reset")?.to_radians();
-    let (pi, delay) = (given.given_number("pi")?, given.given_number("delay")?);
+    let (pi, delay) = (given.required_number("pi")?, given.required_number("delay")?);
     Ok(Listing { reset, pi, first_line: phase * interval, interval, duration, delay })
 }
 

@@ -130,10 +130,10 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
 #[cfg(test)]
 mod tests {
     use super::LIVE;
-    use crate::{Arguments, LiveReply};
+    use crate::{LiveArguments, LiveReply};
 
     fn answer(query: &str) -> Result<LiveReply, String> {
-        LIVE.answer(&Arguments::parse(query).expect("a query"))
+        LIVE.answer(&LiveArguments::parse(query).expect("a query"))
     }
 
     /// The texts of some numbers, and the caption.

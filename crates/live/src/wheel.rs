@@ -71,10 +71,10 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
 #[cfg(test)]
 mod tests {
     use super::LIVE;
-    use crate::Arguments;
+    use crate::LiveArguments;
 
     fn sliding(crank: &str) -> Option<f64> {
-        let arguments = Arguments::of([("crank", crank.to_owned())]);
+        let arguments = LiveArguments::from_pairs([("crank", crank.to_owned())]);
         let answer = LIVE.answer(&arguments).expect("an answer");
         answer.numbers.iter().find(|number| number.name == "sliding").map(|number| number.value)
     }

@@ -79,7 +79,7 @@ mod tests {
     use geneva_ask::wheel::{WheelDesign, WheelQuestion};
     use geneva_kinematics::indexing::Indexing;
     use geneva_kinematics::wheel::{EntryContact, Play};
-    use geneva_live::Arguments;
+    use geneva_live::LiveArguments;
 
     #[track_caller]
     fn asked(name: &str, key: &str) -> f64 {
@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn the_worked_design_is_the_figure_as_it_stands_at_first() {
         let live = geneva_live::by_name("design").expect("a figure");
-        let answer = live.answer(&Arguments::default()).expect("an answer");
+        let answer = live.answer(&LiveArguments::default()).expect("an answer");
         assert!(answer.figure.svg == stations::dimensions_on_a_page(&sizes().expect("fits")).svg, "another drawing");
         let shown = |name: &str| answer.numbers.iter().find(|number| number.name == name).expect("shown").value;
         for of in live.quantities {

@@ -13,13 +13,13 @@ use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::quick_return::Instant as Lever;
-use geneva_live::{Arguments, Control, ControlKind, ControlSide, LIVE, Live, LiveQuantity, LiveReply, shown};
+use geneva_live::{Control, ControlKind, ControlSide, LIVE, Live, LiveArguments, LiveQuantity, LiveReply, shown};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
 struct Beside {
     name: &'static str,
-    given: fn() -> anyhow::Result<Arguments>,
+    given: fn() -> anyhow::Result<LiveArguments>,
     /// Quantities, and the claim that says the same of one setting.
     claims: &'static [(&'static str, &'static str)],
 }
@@ -27,7 +27,7 @@ struct Beside {
 const BESIDE: &[Beside] = &[
     Beside {
         name: "wheel",
-        given: || Ok(Arguments::default()),
+        given: || Ok(LiveArguments::default()),
         claims: &[
             ("blow", "jazar.tangent-entry"),
             ("velocity", "jazar.eq-5.31"),
@@ -39,7 +39,7 @@ const BESIDE: &[Beside] = &[
     },
     Beside {
         name: "design",
-        given: || Ok(Arguments::default()),
+        given: || Ok(LiveArguments::default()),
         claims: &[("centres", "jazar.centre-distance-ratio"), ("index", "jazar.duration")],
     },
     Beside {
@@ -162,7 +162,7 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
 }
 
 /// One control with its label, its number and its unit.
-fn row(live: &Live, control: &Control, given: &Arguments, answer: &LiveReply) -> String {
+fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply) -> String {
     let Control { name, label, unit, least, most, step, range: [lowest, highest], .. } = control;
     let id = format!("live-{}-{name}", live.name);
     let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
@@ -210,7 +210,7 @@ fn beside(name: &str) -> anyhow::Result<&'static Beside> {
 }
 
 /// What the page gives a figure: data of a source, and where controls stand at first.
-fn given(name: &str) -> anyhow::Result<Arguments> {
+fn given(name: &str) -> anyhow::Result<LiveArguments> {
     (beside(name)?.given)()
 }
 
@@ -226,20 +226,20 @@ fn at_first(live: &'static Live) -> anyhow::Result<LiveReply> {
 }
 
 /// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
-fn lever() -> anyhow::Result<Arguments> {
+fn lever() -> anyhow::Result<LiveArguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
     let rpm = geneva_ledger::printed_value("quick-return.driver-speed").context("a speed without a number")?;
     let numbers = [("ground", at.linkage.ground()), ("radius", at.linkage.crank()), ("rpm", rpm)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    Ok(Arguments::of(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))
+    Ok(LiveArguments::from_pairs(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))
 }
 
 /// The run that stands for all, its ratio of inertias to three digits.
-fn example() -> anyhow::Result<Arguments> {
+fn example() -> anyhow::Result<LiveArguments> {
     let row = crate::rows::example()?;
     let of = |key| crate::rows::number(row, key);
-    Ok(Arguments::of([
+    Ok(LiveArguments::from_pairs([
         ("follower", of("follower_inertia")?.to_string()),
         ("ratio", format!("{:.3}", of("inertia_ratio")?)),
         ("friction", of("friction")?.to_string()),
@@ -248,7 +248,7 @@ fn example() -> anyhow::Result<Arguments> {
 }
 
 /// The tables of Appendix E, the inertias of the runs, and the cards of the program.
-fn runs() -> anyhow::Result<Arguments> {
+fn runs() -> anyhow::Result<LiveArguments> {
     let row =
         |row: &Row| format!("{},{}", row.mechanism.slots(), Column::ALL.map(|column| row.printed(column)).join(","));
     let of = |hypothesis: &Hypothesis, mechanism: Mechanism| {
@@ -260,7 +260,7 @@ fn runs() -> anyhow::Result<Arguments> {
         Mechanism::ALL.into_iter().map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).collect::<Option<Vec<_>>>();
     let none = "a table without rows";
     let Listing { pi, interval, duration, delay, .. } = listing();
-    Ok(Arguments::of([
+    Ok(LiveArguments::from_pairs([
         ("rows", rows().iter().map(row).collect::<Vec<_>>().join(";")),
         ("inertias", drawn.context(none)?.join(";")),
         ("headed", of(&headed, Mechanism::SIX_PIN).context(none)?),
