@@ -79,7 +79,7 @@ impl LiveReply {
             format!("{{\"name\":{},\"value\":{value},\"text\":{}}}", string(name), string(text))
         };
         let follower =
-            |(name, value): &(&str, f64)| format!("{{\"name\":{},\"value\":{}}}", string(name), shown(*value));
+            |(name, value): &(&str, f64)| format!("{{\"name\":{},\"value\":{}}}", string(name), round_for_box(*value));
         let progress = self
             .progress
             .map_or("null".to_owned(), |Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}"));
@@ -117,7 +117,7 @@ fn string(text: &str) -> String {
 }
 
 /// The value of a control, to as many decimals as a box has room for. A zero has no sign.
-pub fn shown(value: f64) -> f64 {
+pub fn round_for_box(value: f64) -> f64 {
     (value * 1e4).round() / 1e4 + 0.0
 }
 

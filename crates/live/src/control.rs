@@ -83,7 +83,7 @@ impl Control {
     }
 
     /// The control with a wider range for numbers that are typed, in its unit.
-    pub const fn typed(self, range: [f64; 2]) -> Self {
+    pub const fn with_typed_range(self, range: [f64; 2]) -> Self {
         Self { range, ..self }
     }
 
@@ -273,7 +273,7 @@ impl Settings<'_> {
     }
 
     /// The value of a control that may follow others, in its unit; none until it is moved, or with an empty value.
-    pub fn moved(&self, name: &str) -> Result<Option<f64>, String> {
+    pub fn value_if_moved(&self, name: &str) -> Result<Option<f64>, String> {
         let control = self.control(name)?;
         self.arguments.text(name).filter(|text| !text.is_empty()).map(|text| control.read(text)).transpose()
     }

@@ -16,20 +16,26 @@ pub const LIVE: Live = Live {
            grows fourfold. With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm, and the \
            pin knocks less hard. At 0.06 mm it meets a corner of its slot.",
     controls: &[
-        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
-        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
-        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0).typed([0.1, 10_000.0]),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).with_typed_range([3.0, 100.0]),
+        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).with_typed_range([1.0, 50.0]),
+        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0).with_typed_range([0.1, 10_000.0]),
         Control::choice("size", "this size is the", &["crank radius", "centre distance"], 0),
-        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).typed([0.001, 10_000.0]),
-        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
-        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).typed([0.001, 100_000.0]),
-        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002).typed([0.0, 1e6]),
-        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1).typed([0.0, 1e6]),
-        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0]),
+        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).with_typed_range([0.001, 10_000.0]),
+        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01)
+            .with_typed_range([0.0, 1000.0]),
+        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0)
+            .with_typed_range([0.001, 100_000.0]),
+        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002)
+            .with_typed_range([0.0, 1e6]),
+        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1)
+            .with_typed_range([0.0, 1e6]),
+        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0)
+            .with_typed_range([-10_000.0, 10_000.0]),
         Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
-            .typed([0.001, 10_000.0]),
-        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).typed([0.0, 1000.0]),
-        Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0).typed([0.001, 10_000.0]),
+            .with_typed_range([0.001, 10_000.0]),
+        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).with_typed_range([0.0, 1000.0]),
+        Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0)
+            .with_typed_range([0.001, 10_000.0]),
         Control::choice("material", "the wheel is made of", &OF, 3),
     ],
     presets: &[
@@ -130,10 +136,10 @@ fn design(settings: &Settings) -> Result<WheelDesign, String> {
         pins: Some(settings.count("pins")?),
         crank_radius: Some(size).filter(|_| is_crank),
         centre_distance: Some(size).filter(|_| !is_crank),
-        pin_diameter: settings.moved("pin")?,
-        play: settings.moved("play")?,
-        bore_play: settings.moved("bore-play")?,
-        wheel_shaft: settings.moved("wheel-shaft")?,
+        pin_diameter: settings.value_if_moved("pin")?,
+        play: settings.value_if_moved("play")?,
+        bore_play: settings.value_if_moved("bore-play")?,
+        wheel_shaft: settings.value_if_moved("wheel-shaft")?,
         rpm: Some(settings.value("speed")?),
         inertia: Some(settings.value("inertia")?),
         friction_torque: Some(settings.value("friction")?),
@@ -177,7 +183,7 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
     let mut lines = vec!["quantity,value,text".to_owned()];
     for control in LIVE.controls {
         let value = match followers.iter().find(|(name, _)| *name == control.name) {
-            Some((_, value)) => answer::shown(*value),
+            Some((_, value)) => answer::round_for_box(*value),
             None => settings.value(control.name)?,
         };
         let text = match control.kind {

@@ -1,6 +1,6 @@
 //! The escapement from rest to its steady motion.
 
-use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, round_for_box};
 use crate::control::{Control, Live, Preset, Settings};
 use geneva_ask::escapement::rates;
 use geneva_dynamics::existence::critical_friction;
@@ -24,10 +24,10 @@ pub const LIVE: Live = Live {
     controls: &[
         Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
-        Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).typed([0.0, 10.0]),
+        Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).with_typed_range([0.0, 10.0]),
         Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1)
-            .typed([0.001, 1000.0]),
-        Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3).typed([0.001, 1e6]),
+            .with_typed_range([0.001, 1000.0]),
+        Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3).with_typed_range([0.001, 1e6]),
     ],
     presets: &[
         Preset { name: "hardly any friction", arguments: "friction=0.02" },
@@ -69,7 +69,7 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
             let message = Some(format!(
                 "friction μ {}: from {limit:.4} on, the equation of motion has no single solution {:.1}° from the line of \
                  centres, where the drawing shows it. Give less friction, or a driver with more inertia.",
-                shown(asked),
+                round_for_box(asked),
                 angle.to_degrees()
             ));
             let caption =
@@ -86,8 +86,8 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     // The speeds depend on these two as well.
     figure.caption += &format!(
         " The torque is {}\u{a0}in\u{a0}lb, and the follower's moment of inertia is always {}\u{a0}·\u{a0}10⁻⁶\u{a0}in\u{a0}lb\u{a0}s².",
-        shown(torque),
-        shown(1e6 * follower)
+        round_for_box(torque),
+        round_for_box(1e6 * follower)
     );
     let engagements = match engagement.engagements_to_settle_within(REACHED, MOST_ENGAGEMENTS) {
         Err(Error::TooMany { .. }) => LiveNumber {

@@ -19,7 +19,7 @@ mod mistake;
 mod polygon;
 mod wheel;
 
-pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, shown};
+pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
 pub use arguments::LiveArguments;
 pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset};
 

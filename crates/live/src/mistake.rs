@@ -19,11 +19,14 @@ pub const LIVE: Live = Live {
            six pins to the other. Only at 90° do nearly all marks for four pins stay on the line. Back at 90°, set \
            the sign of friction to “at once, as in the mechanism”: slightly fewer numbers agree.",
     controls: &[
-        Control::slider("reset", "reset angle", "°", [60.0, 120.0], 0.5, 90.0).typed([30.0, 170.0]).playing(6.0),
+        Control::slider("reset", "reset angle", "°", [60.0, 120.0], 0.5, 90.0)
+            .with_typed_range([30.0, 170.0])
+            .playing(6.0),
         Control::choice("own", "for", &["all three mechanisms", "none: each its own angle"], 0),
         Control::choice("six", "inertias with six pins", &["as in the table", "as in Fig. 11"], 1),
-        Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5).typed([0.01, 200.0]),
-        Control::slider("phase", "first line after", "intervals", [0.0, 0.95], 0.05, 0.0).typed([0.0, 0.999]),
+        Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5).with_typed_range([0.01, 200.0]),
+        Control::slider("phase", "first line after", "intervals", [0.0, 0.95], 0.05, 0.0)
+            .with_typed_range([0.0, 0.999]),
         Control::choice("late", "sign of friction", &["at once, as in the mechanism", "late, as in the program"], 1),
     ],
     presets: &[

@@ -1,6 +1,6 @@
 //! The vector diagrams of the quick-return mechanism.
 
-use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, round_for_box};
 use crate::control::{Control, ControlSide, Live, PointerDrag, Preset, Settings, TURNS};
 use geneva_ask::Error;
 use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnQuestion, lever_motion};
@@ -28,18 +28,18 @@ pub const LIVE: Live = Live {
            one of the two angles.",
     controls: &[
         Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0)
-            .typed(TURNS)
+            .with_typed_range(TURNS)
             .playing(30.0)
             .on_side(ControlSide::First),
         Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0)
-            .typed(TURNS)
+            .with_typed_range(TURNS)
             .on_side(ControlSide::Second),
         Control::choice("branch", "pin on the lever's ray", &["at the far point", "at the near point"], 0)
             .on_side(ControlSide::Second),
-        Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).typed(LENGTHS),
-        Control::slider("radius", "crank radius R", "m", [0.05, 1.0], 0.005, 0.1).typed(LENGTHS),
-        Control::slider("rpm", "speed of the crank", "rpm", [-300.0, 300.0], 1.0, 60.0).typed([-1e6, 1e6]),
-        Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
+        Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).with_typed_range(LENGTHS),
+        Control::slider("radius", "crank radius R", "m", [0.05, 1.0], 0.005, 0.1).with_typed_range(LENGTHS),
+        Control::slider("rpm", "speed of the crank", "rpm", [-300.0, 300.0], 1.0, 60.0).with_typed_range([-1e6, 1e6]),
+        Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).with_typed_range([-10.0, 10.0]),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },
@@ -69,9 +69,9 @@ fn design(settings: &Settings) -> Result<QuickReturnDesign, String> {
     if rpm == 0.0 {
         return Err("the crank must turn, or nothing moves: give −1e6 to 1e6 rpm, but not 0".to_owned());
     }
-    let angle = settings.moved("crank")?;
-    let branch = if settings.moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
-    let lever = settings.moved("lever")?;
+    let angle = settings.value_if_moved("crank")?;
+    let branch = if settings.value_if_moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
+    let lever = settings.value_if_moved("lever")?;
     let theta = angle.unwrap_or(LIVE.controls[0].preset);
     let place = lever.map_or(LinkageAngle::Crank(theta + 180.0), |lever| LinkageAngle::Lever(lever, branch));
     QuickReturnDesign::new(&QuickReturnQuestion { ground, crank, place, rpm }).map_err(|error| match (error, place) {
@@ -108,9 +108,9 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     }
     figure.caption += &format!(
         " Shown: axes {}\u{a0}m apart, a crank of {}\u{a0}m at {}\u{a0}rpm, and the lever at φ = {}, with the pin at the {far} point.",
-        shown(linkage.ground()),
-        shown(linkage.crank()),
-        with_minus_sign(&shown(settings.value("rpm")?).to_string()),
+        round_for_box(linkage.ground()),
+        round_for_box(linkage.crank()),
+        with_minus_sign(&round_for_box(settings.value("rpm")?).to_string()),
         LiveNumber::new("lever", lever, 1, "°").text,
     );
     let of_lever = ["lever-speed", "lever-acceleration"].into_iter().zip(lever_motion(&motion));

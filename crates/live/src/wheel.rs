@@ -1,6 +1,6 @@
 //! The wheel, at the right distance of its axes or another.
 
-use crate::answer::{LiveNumber, LiveQuantity, LiveReply, shown};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, round_for_box};
 use crate::control::{Control, Live, PointerDrag, Preset, Settings};
 use geneva_figures::stations;
 use geneva_kinematics::KinematicsError;
@@ -13,9 +13,10 @@ pub const LIVE: Live = Live {
            a blow. At the right distance the blow is gone.",
     controls: &[
         Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -30.0).playing(45.0),
-        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 4.0).typed([3.0, 100.0]),
-        Control::slider("pins", "pins", "", [1.0, 6.0], 1.0, 1.0).typed([1.0, 50.0]),
-        Control::slider("error", "centre distance wrong by", "%", [-5.0, 5.0], 0.1, 0.0).typed([-50.0, 50.0]),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 4.0).with_typed_range([3.0, 100.0]),
+        Control::slider("pins", "pins", "", [1.0, 6.0], 1.0, 1.0).with_typed_range([1.0, 50.0]),
+        Control::slider("error", "centre distance wrong by", "%", [-5.0, 5.0], 0.1, 0.0)
+            .with_typed_range([-50.0, 50.0]),
     ],
     presets: &[
         Preset { name: "four slots", arguments: "stations=4&pins=1&error=0&crank=-30" },
@@ -46,7 +47,7 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let misplaced = Misplaced::new(&wheel, error).map_err(|error| match error {
         KinematicsError::Misplaced { asked, least, most } => format!(
             "centre distance wrong by {} %: the pin meets its slot from {:.2} % to {:.2} %; give a number between them",
-            shown(100.0 * asked),
+            round_for_box(100.0 * asked),
             100.0 * least,
             100.0 * most
         ),

@@ -13,7 +13,9 @@ use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_ledger::quick_return::Instant as Lever;
-use geneva_live::{Control, ControlKind, ControlSide, LIVE, Live, LiveArguments, LiveQuantity, LiveReply, shown};
+use geneva_live::{
+    Control, ControlKind, ControlSide, LIVE, Live, LiveArguments, LiveQuantity, LiveReply, round_for_box,
+};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
@@ -165,7 +167,7 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
 fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply) -> String {
     let Control { name, label, unit, least, most, step, range: [lowest, highest], .. } = control;
     let id = format!("live-{}-{name}", live.name);
-    let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
+    let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| round_for_box(*value));
     let at_first = follower.unwrap_or(control.preset).to_string();
     let value = given.text(name).map_or(at_first, str::to_owned);
     let side = match control.side {
