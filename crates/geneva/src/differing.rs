@@ -1,6 +1,6 @@
 //! The error beside an answer when a claim no longer matches the record.
 
-use crate::output::{Streams, TextLayout, count};
+use crate::output::{OutputStreams, TextLayout, count};
 use clap::builder::styling::AnsiColor;
 use geneva_ledger::Judged;
 
@@ -8,10 +8,10 @@ use geneva_ledger::Judged;
 const MOST: usize = 10;
 
 /// Names on standard error the claims that no longer match the record, if there are any.
-pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn Streams) {
+pub fn write_stderr<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn OutputStreams) {
     let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.holds()).collect();
     if !differing.is_empty() {
-        streams.tell(&page(&differing));
+        streams.write_stderr(&page(&differing));
     }
 }
 

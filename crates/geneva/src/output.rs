@@ -1,6 +1,6 @@
 //! Printing: streams, colours, exit codes, lines of a readable length, and drawings without a page.
 
-use crate::Answer;
+use crate::CommandOutput;
 use crate::destination::{Destination, STANDARD_OUTPUT, UNWRITABLE};
 use crate::printable::{chain, escaped_lines};
 use crate::version;
@@ -52,25 +52,25 @@ impl From<Outcome> for ExitCode {
 }
 
 /// Where the words of a command go.
-pub trait Streams {
+pub trait OutputStreams {
     /// Takes text for standard output.
     fn print(&mut self, text: &str) -> anyhow::Result<()>;
 
     /// Takes text for standard error.
-    fn tell(&mut self, text: &str);
+    fn write_stderr(&mut self, text: &str);
 
     /// How the text for standard output is laid out.
     fn layout(&self) -> TextLayout;
 }
 
 /// The streams of this process.
-pub struct Own;
+pub struct ProcessStreams;
 
 // A standard output that is closed (`>&-`) cannot be told from one that nobody wants to see: the runtime opens /dev/null in
 // its place before `main`, for reading and writing, and so do others who give a program /dev/null, such as Python's
 // `subprocess.DEVNULL`. So it counts as /dev/null.
 
-impl Streams for Own {
+impl OutputStreams for ProcessStreams {
     /// Writes text without its colours unless a terminal shows them and `NO_COLOR` is not set.
     ///
     /// A reader that has seen enough and closes the pipe is no error.
@@ -82,7 +82,7 @@ impl Streams for Own {
         }
     }
 
-    fn tell(&mut self, text: &str) {
+    fn write_stderr(&mut self, text: &str) {
         let text = TextLayout::of_errors().map_or(Cow::Borrowed(text), |layout| layout.folded(text).into());
         // Nobody is left to be told if this fails.
         let _ = anstream::stderr().lock().write_all(text.as_bytes());
@@ -93,13 +93,13 @@ impl Streams for Own {
     }
 }
 
-impl Streams for Answer {
+impl OutputStreams for CommandOutput {
     fn print(&mut self, text: &str) -> anyhow::Result<()> {
         self.stdout += &strip_str(text).to_string();
         Ok(())
     }
 
-    fn tell(&mut self, text: &str) {
+    fn write_stderr(&mut self, text: &str) {
         self.stderr += &strip_str(text).to_string();
     }
 
@@ -109,12 +109,12 @@ impl Streams for Answer {
 }
 
 /// How the text of an answer is laid out that goes where it was asked for: to standard output, or to a file.
-pub fn layout_for(asked: &str, streams: &dyn Streams) -> TextLayout {
+pub fn layout_for(asked: &str, streams: &dyn OutputStreams) -> TextLayout {
     if asked == STANDARD_OUTPUT { streams.layout() } else { TextLayout::default() }
 }
 
 /// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
-pub fn write(text: &str, asked: &str, streams: &mut dyn Streams) -> anyhow::Result<()> {
+pub fn write(text: &str, asked: &str, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     if asked == STANDARD_OUTPUT {
         return streams.print(text);
     }
@@ -127,20 +127,20 @@ pub fn write(text: &str, asked: &str, streams: &mut dyn Streams) -> anyhow::Resu
 }
 
 /// Writes an error and its causes to standard error.
-pub fn complain(error: &anyhow::Error, streams: &mut dyn Streams) {
+pub fn complain(error: &anyhow::Error, streams: &mut dyn OutputStreams) {
     let red = AnsiColor::Red.on_default().bold();
-    streams.tell(&format!("{red}error:{red:#} {}\n", escaped_lines(&chain(error))));
+    streams.write_stderr(&format!("{red}error:{red:#} {}\n", escaped_lines(&chain(error))));
 }
 
 /// Answers what asks for help or for the version, and says what is wrong with a command line.
-pub fn explain(error: &clap::Error, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+pub fn explain(error: &clap::Error, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     if error.kind() == ErrorKind::DisplayVersion {
         streams.print(&streams.layout().folded(&version::page()))?;
         return Ok(Outcome::AsRecorded);
     }
     let text = error.render().ansi().to_string();
     if error.use_stderr() {
-        streams.tell(&text);
+        streams.write_stderr(&text);
         return Ok(Outcome::Failed);
     }
     streams.print(&streams.layout().folded(&text))?;

@@ -1,7 +1,7 @@
 //! mdBook's protocol for preprocessors: a question, or a book in and a book out. Nothing else is printed.
 
 use crate::book::TESTED;
-use crate::output::{Outcome, Streams};
+use crate::output::{Outcome, OutputStreams};
 use crate::printable::chain;
 use anyhow::{anyhow, ensure};
 use clap::{Args, Subcommand};
@@ -32,7 +32,7 @@ pub enum Question {
 }
 
 /// Answers the question, or processes the book on standard input.
-pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+pub fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     if let Some(Question::Supports { renderer }) = call.question {
         return Ok(Outcome::as_recorded_if(Geneva.supports_renderer(&renderer)?));
     }
@@ -52,7 +52,7 @@ pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Resu
         // the project, by mdBook's library, and mdBook gets chapters in which nothing is left to be tested.
         building::test(context.root.parent().unwrap_or(&context.root), Geneva)?;
         book.for_each_chapter_mut(|chapter| chapter.content.clear());
-        streams.tell(TESTED);
+        streams.write_stderr(TESTED);
     }
     streams.print(&serde_json::to_string(&book)?)?;
     Ok(Outcome::AsRecorded)
