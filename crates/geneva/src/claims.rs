@@ -2,7 +2,7 @@
 
 use crate::fields;
 use crate::output::{TextLayout, count, cut, heading, style};
-use crate::typed::{self, Format, Output, formats};
+use crate::typed::{self, Output, OutputFormat, formats};
 use clap::Args;
 use geneva_ledger::{Decimal, Judged, Verdict, Work, claims, in_full, verdict, verdicts, verdicts_of};
 use geneva_press::records;
@@ -18,11 +18,11 @@ pub struct ClaimsArguments {
     pub verdict: Option<Verdict>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A readable table"),
-        (Format::Json, "An array of objects, with everything known about each claim"),
-        (Format::Csv, "The data of the JSON, one row per claim"),
+        (OutputFormat::Text, "A readable table"),
+        (OutputFormat::Json, "An array of objects, with everything known about each claim"),
+        (OutputFormat::Csv, "The data of the JSON, one row per claim"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -33,8 +33,8 @@ pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<Stri
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
     let rows: Vec<_> = derived(wanted).into_iter().filter(of_verdict).collect();
     match wanted.format {
-        Format::Json => fields::json(&rows.into_iter().map(records::claim).collect::<Vec<_>>()),
-        Format::Csv => fields::csv(
+        OutputFormat::Json => fields::json(&rows.into_iter().map(records::claim).collect::<Vec<_>>()),
+        OutputFormat::Csv => fields::csv(
             claims().first().and_then(|claim| verdict(claim.id)).map(records::claim).as_ref(),
             rows.into_iter().map(records::claim),
         ),

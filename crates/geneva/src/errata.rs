@@ -3,7 +3,7 @@
 use crate::claims::with_unit;
 use crate::fields;
 use crate::output::{TextLayout, count, field, heading};
-use crate::typed::{self, Format, Output, formats};
+use crate::typed::{self, Output, OutputFormat, formats};
 use clap::Args;
 use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips, slips_in, verdicts, verdicts_of};
 use geneva_press::records;
@@ -23,12 +23,12 @@ pub struct ErrataArguments {
     pub all: bool,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "Readable paragraphs"),
-        (Format::Json, "An array of objects"),
-        (Format::Csv, "The data of the JSON, one row per mistake"),
-        (Format::Markdown, "A list by source"),
+        (OutputFormat::Text, "Readable paragraphs"),
+        (OutputFormat::Json, "An array of objects"),
+        (OutputFormat::Csv, "The data of the JSON, one row per mistake"),
+        (OutputFormat::Markdown, "A list by source"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -47,13 +47,13 @@ pub fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<Stri
     let first = all.first().cloned();
     let slips: Vec<_> = all.into_iter().filter(|places| of_source(places) && of_consequence(places)).collect();
     match wanted.format {
-        Format::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
-        Format::Csv => {
+        OutputFormat::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
+        OutputFormat::Csv => {
             // A source without mistakes has the header of the others.
             let header = first.or_else(|| geneva_ledger::slips().first().cloned());
             fields::csv(header.as_ref().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
-        Format::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(Work::DOCUMENTS, slice::from_ref))),
+        OutputFormat::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(Work::DOCUMENTS, slice::from_ref))),
         _ => Ok(text(&slips, layout)),
     }
 }

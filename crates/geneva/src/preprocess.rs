@@ -17,12 +17,12 @@ const TESTS: &str = "test";
 pub struct PreprocessArguments {
     /// A question instead of a book.
     #[command(subcommand)]
-    pub question: Option<Question>,
+    pub question: Option<PreprocessorQuestion>,
 }
 
 /// Questions that mdBook asks before it passes a book.
 #[derive(Debug, Subcommand)]
-pub enum Question {
+pub enum PreprocessorQuestion {
     /// Exit with 0: every renderer gets an answer, if only in words
     Supports {
         /// mdBook's name for the renderer
@@ -33,7 +33,7 @@ pub enum Question {
 
 /// Answers the question, or processes the book on standard input.
 pub fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
-    if let Some(Question::Supports { renderer }) = call.question {
+    if let Some(PreprocessorQuestion::Supports { renderer }) = call.question {
         return Ok(Outcome::as_recorded_if(Geneva.supports_renderer(&renderer)?));
     }
     ensure!(

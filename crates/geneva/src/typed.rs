@@ -165,7 +165,7 @@ pub struct Output {
 
 /// Output formats. A word means the same to every command that knows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum OutputFormat {
     /// Readable text.
     Text,
     /// Text as a line printer wrote it.
@@ -188,7 +188,7 @@ pub enum Format {
     Markdown,
 }
 
-impl Format {
+impl OutputFormat {
     /// Its name at the command line.
     pub fn name(self) -> &'static str {
         match self {
@@ -217,10 +217,10 @@ impl Format {
 }
 
 /// The formats of a command, each with its help. A command without a series says what to use instead of CSV.
-pub fn formats(known: &'static [(Format, &'static str)]) -> impl TypedValueParser<Value = Format> {
-    let has_series = known.iter().any(|(format, _)| *format == Format::Csv);
+pub fn formats(known: &'static [(OutputFormat, &'static str)]) -> impl TypedValueParser<Value = OutputFormat> {
+    let has_series = known.iter().any(|(format, _)| *format == OutputFormat::Csv);
     let names = known.iter().map(|(format, told)| PossibleValue::new(format.name()).help(*told));
-    let refused = (!has_series).then(|| PossibleValue::new(Format::Csv.name()).hide(true));
+    let refused = (!has_series).then(|| PossibleValue::new(OutputFormat::Csv.name()).hide(true));
     PossibleValuesParser::new(names.chain(refused)).try_map(move |name| {
         let format = known.iter().map(|(format, _)| *format).find(|format| format.name() == name);
         format.ok_or(

@@ -5,7 +5,7 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, Format, Output, as_typed, formats};
+use crate::typed::{self, Output, OutputFormat, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
@@ -19,7 +19,7 @@ use geneva_dynamics::line_contact::{MATERIALS, Material};
 pub struct WheelArguments {
     /// What is asked of the wheel.
     #[command(flatten)]
-    pub asked: Asked,
+    pub asked: WheelOptions,
     /// Time that one index should take, in seconds; give it with --dwell-time, and instead of --rpm, to get the wheels that
     /// come nearest. With --stations it is the longest that you allow, and you get the pins and speeds that fulfil both
     #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "dwell_time")]
@@ -29,16 +29,16 @@ pub struct WheelArguments {
     pub dwell_time: Option<f64>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A readable sheet, which says where everything is measured from"),
-        (Format::Json, "An object with all digits; null for values that need an option you didn't give"),
-        (Format::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
-        (Format::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
-        (Format::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
-        (Format::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
-        (Format::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
-        (Format::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
+        (OutputFormat::Text, "A readable sheet, which says where everything is measured from"),
+        (OutputFormat::Json, "An object with all digits; null for values that need an option you didn't give"),
+        (OutputFormat::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
+        (OutputFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
+        (OutputFormat::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
+        (OutputFormat::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
+        (OutputFormat::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
+        (OutputFormat::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -46,9 +46,9 @@ pub struct WheelArguments {
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
 #[derive(Clone, Debug)]
-pub struct Asked(WheelQuestion);
+pub struct WheelOptions(WheelQuestion);
 
-impl Args for Asked {
+impl Args for WheelOptions {
     fn augment_args(command: Command) -> Command {
         command.args(ARGUMENTS.iter().map(option))
     }
@@ -58,7 +58,7 @@ impl Args for Asked {
     }
 }
 
-impl FromArgMatches for Asked {
+impl FromArgMatches for WheelOptions {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
         let mut asked = Self(WheelQuestion::default());
         asked.update_from_arg_matches(matches)?;
@@ -138,27 +138,27 @@ pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<Strin
             None => proposals(times, question.kind),
         };
         return match format {
-            Format::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
-            Format::Json => fields::json(&answer),
+            OutputFormat::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
+            OutputFormat::Json => fields::json(&answer),
             _ => Ok(fields::sheet(&answer, layout)),
         };
     }
     let design = WheelDesign::new(question)?;
-    if matches!(format, Format::Dxf | Format::Scad | Format::Stl) {
+    if matches!(format, OutputFormat::Dxf | OutputFormat::Scad | OutputFormat::Stl) {
         design.is_made_from(format.name())?;
     }
     refused(&design.question, format)?;
     Ok(match format {
-        Format::Svg => design.drawing().standalone(),
-        Format::Dxf => design.dxf()?,
-        Format::Scad => design.scad()?,
-        Format::Stl => design.stl()?,
-        Format::Csv => {
+        OutputFormat::Svg => design.drawing().standalone(),
+        OutputFormat::Dxf => design.dxf()?,
+        OutputFormat::Scad => design.scad()?,
+        OutputFormat::Stl => design.stl()?,
+        OutputFormat::Csv => {
             let rows = design.cycle()?;
             fields::csv(rows.first(), rows.iter().cloned())?
         }
-        Format::Json => fields::json(&design.answer()?)?,
-        Format::Fields => fields::table(&design.answer()?)?,
+        OutputFormat::Json => fields::json(&design.answer()?)?,
+        OutputFormat::Fields => fields::table(&design.answer()?)?,
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
@@ -172,7 +172,7 @@ fn none_of(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &st
 }
 
 /// Refuses options that have no effect beside the wanted times.
-fn beside_times(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
+fn beside_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
     none_of(
         wanted,
         |argument| argument.name != "stations",
@@ -186,7 +186,7 @@ fn beside_times(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
             material.name
         );
     }
-    if format == Format::Fields {
+    if format == OutputFormat::Fields {
         bail!(
             "--format fields is for one wheel, but --index-time and --dwell-time propose several; choose --format csv, which has \
              a row for each"
@@ -203,7 +203,7 @@ fn beside_times(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
 }
 
 /// Refuses options that have no effect for this one wheel.
-fn refused(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
+fn refused(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
@@ -222,7 +222,7 @@ fn refused(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
             none_of(wanted, acts_on(ActsOn::Size), &why)?;
         }
     }
-    if format == Format::Fields {
+    if format == OutputFormat::Fields {
         let why =
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
         none_of(wanted, is(&["at", "at-wheel"]), why)?;
@@ -240,7 +240,7 @@ fn refused(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
                    for the pressure";
         none_of(wanted, is(&["thickness"]), why)?;
     }
-    if matches!(format, Format::Svg | Format::Dxf) {
+    if matches!(format, OutputFormat::Svg | OutputFormat::Dxf) {
         let why = format!(
             "on --format {}, whose drawing is flat; leave it out, or choose --format scad or stl",
             format.name()
@@ -260,7 +260,7 @@ fn refused(wanted: &WheelQuestion, format: Format) -> anyhow::Result<()> {
         "because only external wheels have parts in mm; leave it out, or choose --type external"
     } else if !gives_numbers(format) {
         "on a file of shapes, which has no loads; leave it out, or choose --format text or json"
-    } else if format == Format::Csv {
+    } else if format == OutputFormat::Csv {
         "on --format csv, which has no pressures; leave it out, or choose --format text or json"
     } else if !has_load || !is_sized {
         "without a load; add --crank-radius MM, --rpm R and --inertia KGM2"
@@ -283,8 +283,8 @@ fn is(names: &[&str]) -> impl Fn(&Argument) -> bool {
 }
 
 /// Whether a format gives numbers, and not shapes.
-fn gives_numbers(format: Format) -> bool {
-    matches!(format, Format::Text | Format::Json | Format::Csv | Format::Fields)
+fn gives_numbers(format: OutputFormat) -> bool {
+    matches!(format, OutputFormat::Text | OutputFormat::Json | OutputFormat::Csv | OutputFormat::Fields)
 }
 
 #[cfg(test)]
@@ -304,7 +304,7 @@ mod tests {
         );
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
-        let Asked(asked) = Asked::from_arg_matches(&command.get_matches_from(line)).expect("options");
+        let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
         assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(words).expect("arguments")));
     }
 }

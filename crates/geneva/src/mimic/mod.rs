@@ -9,7 +9,7 @@ use crate::output::{TextLayout, count};
 use crate::printable::{shown, shown_path};
 use crate::progress;
 use crate::threads::Threads;
-use crate::typed::{self, Format, Output, as_typed, formats};
+use crate::typed::{self, Output, OutputFormat, as_typed, formats};
 use anyhow::{Error, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_case1973::Hypothesis;
@@ -132,12 +132,12 @@ pub struct RunArguments {
     pub delay_keeps: DelayKeeps,
     /// Output format
     #[arg(long, default_value = "print", value_parser = formats(&[
-        (Format::Print, "Tables and character plots, as the line printer wrote them"),
-        (Format::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
-        (Format::Csv, "One row per printed point, with the number of its run"),
-        (Format::Svg, "The first plot of the first run as a drawing; without PLO, all OUT columns against the first"),
+        (OutputFormat::Print, "Tables and character plots, as the line printer wrote them"),
+        (OutputFormat::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
+        (OutputFormat::Csv, "One row per printed point, with the number of its run"),
+        (OutputFormat::Svg, "The first plot of the first run as a drawing; without PLO, all OUT columns against the first"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -359,9 +359,9 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
     };
     let _step = progress::step("writing the numbers");
     match wanted.format {
-        Format::Json => report::json(&all),
-        Format::Csv => report::csv(&all),
-        Format::Svg => report::svg(&name, &all),
+        OutputFormat::Json => report::json(&all),
+        OutputFormat::Csv => report::csv(&all),
+        OutputFormat::Svg => report::svg(&name, &all),
         _ => report::print_outs(&name, &all),
     }
 }

@@ -1,6 +1,6 @@
 //! One row: an escapement, and its motion or why it has none.
 
-use super::grid::Cell;
+use super::grid::SweepCell;
 
 use crate::fields::DataRow;
 use geneva_ask::escapement::{engagement, engagements_until_steady};
@@ -39,7 +39,7 @@ impl Status {
 }
 
 /// The row of an escapement. What there is no number for is missing, and the status says why.
-pub fn row(cell: &Cell) -> (DataRow, Status) {
+pub fn row(cell: &SweepCell) -> (DataRow, Status) {
     let (steady, rise_time, status) = match motion(cell) {
         Ok((steady, Some(rise))) => (Some(steady), Some(rise), Status::Ok),
         Ok((steady, None)) => (Some(steady), None, Status::LongRise),
@@ -66,7 +66,7 @@ pub fn row(cell: &Cell) -> (DataRow, Status) {
 }
 
 /// The steady state, and the time that the rise to it takes unless that is too long.
-fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
+fn motion(cell: &SweepCell) -> Result<(SteadyState, Option<f64>), Status> {
     let driver = cell.inertia_ratio * cell.follower_inertia;
     let inertias = Inertias::new(driver, cell.follower_inertia).map_err(|_| Status::TooSharp)?;
     let parameters =
