@@ -1,7 +1,7 @@
 //! The list of claims.
 
 use crate::fields;
-use crate::output::{TextLayout, count, cut, heading, style};
+use crate::output::{TextLayout, count, heading, style, truncate_to_width};
 use crate::typed::{self, Output, OutputFormat, formats};
 use clap::Args;
 use geneva_ledger::{Decimal, Judged, Verdict, Work, claims, in_full, verdict, verdicts, verdicts_of};
@@ -11,10 +11,10 @@ use geneva_press::records;
 #[derive(Args, Debug)]
 pub struct ClaimsArguments {
     /// List only the claims of this source
-    #[arg(long, value_parser = typed::named(Work::ALL, Work::slug, Work::citation))]
+    #[arg(long, value_parser = typed::value_named(Work::ALL, Work::slug, Work::citation))]
     pub source: Option<Work>,
     /// List only the claims with this verdict
-    #[arg(long, value_parser = typed::named(Verdict::ALL, Verdict::slug, Verdict::meaning))]
+    #[arg(long, value_parser = typed::value_named(Verdict::ALL, Verdict::slug, Verdict::meaning))]
     pub verdict: Option<Verdict>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
@@ -31,7 +31,7 @@ pub struct ClaimsArguments {
 /// The claims that are wanted, in the format that is wanted.
 pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
-    let rows: Vec<_> = derived(wanted).into_iter().filter(of_verdict).collect();
+    let rows: Vec<_> = wanted_verdicts(wanted).into_iter().filter(of_verdict).collect();
     match wanted.format {
         OutputFormat::Json => fields::json(&rows.into_iter().map(records::claim).collect::<Vec<_>>()),
         OutputFormat::Csv => fields::csv(
@@ -43,7 +43,7 @@ pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<Stri
 }
 
 /// The verdicts on the claims of the source that is wanted, or on all.
-pub fn derived(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
+pub fn wanted_verdicts(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
 }
 
@@ -85,9 +85,11 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
             page += &layout.folded(&format!("{}, {}\n", claim.work, claim.locator));
         }
         let what = match self::computed(judged) {
-            Some(number) => format!("{}  {number:>computed$}", cut(&with_unit(&in_full(claim), claim.unit), printed)),
+            Some(number) => {
+                format!("{}  {number:>computed$}", truncate_to_width(&with_unit(&in_full(claim), claim.unit), printed))
+            }
             // A form has nothing to set beside it.
-            None => cut(&with_unit(&in_full(claim), claim.unit), middle),
+            None => truncate_to_width(&with_unit(&in_full(claim), claim.unit), middle),
         };
         let mark = if judged.holds() { ' ' } else { DIFFERS };
         let id = format!("{:<before_verdict$}", claim.id);

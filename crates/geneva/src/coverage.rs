@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 pub struct CoverageArguments {
     /// Show only this source
-    #[arg(long, value_parser = typed::named(Work::DOCUMENTS, Work::slug, Work::citation))]
+    #[arg(long, value_parser = typed::value_named(Work::DOCUMENTS, Work::slug, Work::citation))]
     pub source: Option<Work>,
     /// Compare the numbers on each line, in digits and in words, with those in FILE, your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]

@@ -13,10 +13,10 @@ use std::slice;
 #[derive(Args, Debug)]
 pub struct ErrataArguments {
     /// List only the mistakes in this source [default: all sources but wild]
-    #[arg(long, value_parser = typed::named(Work::ALL, Work::slug, Work::citation))]
+    #[arg(long, value_parser = typed::value_named(Work::ALL, Work::slug, Work::citation))]
     pub source: Option<Work>,
     /// List only the mistakes with this consequence
-    #[arg(long, value_parser = typed::named(Consequence::ALL, Consequence::slug, Consequence::meaning), conflicts_with = "all")]
+    #[arg(long, value_parser = typed::value_named(Consequence::ALL, Consequence::slug, Consequence::meaning), conflicts_with = "all")]
     pub consequence: Option<Consequence>,
     /// Also list what the copy we had has lost or changed; we don't know whether the original has it too
     #[arg(long)]
@@ -59,7 +59,7 @@ pub fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<Stri
 }
 
 /// The verdicts on the claims of the source that is wanted, or on all.
-pub fn derived(wanted: &ErrataArguments) -> Vec<&'static Judged> {
+pub fn wanted_verdicts(wanted: &ErrataArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
 }
 

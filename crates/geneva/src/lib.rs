@@ -270,13 +270,13 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
         None => verify_and_build(streams),
         Some(Command::Claims(wanted)) => {
             let layout = output::layout_for(&wanted.to.output, streams);
-            output::write(&claims::page(&wanted, layout)?, &wanted.to.output, streams)?;
-            Ok(as_recorded(claims::derived(&wanted), streams))
+            output::write_output(&claims::page(&wanted, layout)?, &wanted.to.output, streams)?;
+            Ok(as_recorded(claims::wanted_verdicts(&wanted), streams))
         }
         Some(Command::Errata(wanted)) => {
             let layout = output::layout_for(&wanted.to.output, streams);
-            output::write(&errata::page(&wanted, layout)?, &wanted.to.output, streams)?;
-            Ok(as_recorded(errata::derived(&wanted), streams))
+            output::write_output(&errata::page(&wanted, layout)?, &wanted.to.output, streams)?;
+            Ok(as_recorded(errata::wanted_verdicts(&wanted), streams))
         }
         Some(Command::Coverage(wanted)) => {
             let (page, outcome) = coverage::page(&wanted, streams.layout())?;
@@ -287,7 +287,7 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
         Some(Command::QuickReturn(wanted)) => say(|layout| quick_return::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Escapement(wanted)) => say(|layout| escapement::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Sweep(wanted)) => {
-            if let Some(told) = sweep::written(&wanted)? {
+            if let Some(told) = sweep::write_sweep(&wanted)? {
                 streams.print(&streams.layout().folded(&told))?;
             }
             Ok(Outcome::AsRecorded)
@@ -312,7 +312,7 @@ fn say(
     streams: &mut dyn OutputStreams,
 ) -> anyhow::Result<Outcome> {
     let page = page(output::layout_for(&to.output, streams))?;
-    output::write(&page, &to.output, streams)?;
+    output::write_output(&page, &to.output, streams)?;
     Ok(Outcome::AsRecorded)
 }
 

@@ -114,7 +114,7 @@ pub fn layout_for(asked: &str, streams: &dyn OutputStreams) -> TextLayout {
 }
 
 /// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
-pub fn write(text: &str, asked: &str, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
+pub fn write_output(text: &str, asked: &str, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     if asked == STANDARD_OUTPUT {
         return streams.print(text);
     }
@@ -170,7 +170,7 @@ pub fn field(name: &str, text: &str, layout: TextLayout) -> String {
 }
 
 /// `text` in `width` columns, cut with an ellipsis if it is longer.
-pub fn cut(text: &str, width: usize) -> String {
+pub fn truncate_to_width(text: &str, width: usize) -> String {
     if columns(text) <= width {
         return format!("{text}{}", " ".repeat(width - columns(text)));
     }
@@ -184,8 +184,8 @@ mod tests {
 
     #[test]
     fn what_is_cut_says_so() {
-        assert_eq!(cut("β = 42°", 7), "β = 42°");
-        assert_eq!(cut("β = 42°", 5), "β = …");
-        assert_eq!(cut("β", 3), "β  ");
+        assert_eq!(truncate_to_width("β = 42°", 7), "β = 42°");
+        assert_eq!(truncate_to_width("β = 42°", 5), "β = …");
+        assert_eq!(truncate_to_width("β", 3), "β  ");
     }
 }

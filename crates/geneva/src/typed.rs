@@ -123,7 +123,7 @@ pub fn number(text: &str) -> Option<f64> {
 }
 
 /// One of the values in a list, by its name; help says what each means.
-pub fn named<T: Copy + Send + Sync + 'static>(
+pub fn value_named<T: Copy + Send + Sync + 'static>(
     all: &'static [T],
     slug: fn(T) -> &'static str,
     meaning: fn(T) -> &'static str,

@@ -102,7 +102,7 @@ fn option(argument: &Argument) -> Arg {
             .required_unless_present_any(["index_time", "dwell_time"]),
         ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
         ArgumentSlot::Kind(_) => {
-            option.value_parser(typed::named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
+            option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
         }
         ArgumentSlot::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
@@ -131,7 +131,7 @@ fn materials() -> impl TypedValueParser<Value = Material> {
 pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
     let (format, question) = (wanted.format, wanted.asked.0.clone());
     if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
-        beside_times(&question, format)?;
+        reject_with_times(&question, format)?;
         let times = Times { index, dwell };
         let answer = match question.stations {
             Some(stations) => speeds(times, stations, question.kind)?,
@@ -145,9 +145,9 @@ pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<Strin
     }
     let design = WheelDesign::new(question)?;
     if matches!(format, OutputFormat::Dxf | OutputFormat::Scad | OutputFormat::Stl) {
-        design.is_made_from(format.name())?;
+        design.require_external(format.name())?;
     }
-    refused(&design.question, format)?;
+    reject_without_effect(&design.question, format)?;
     Ok(match format {
         OutputFormat::Svg => design.drawing().standalone(),
         OutputFormat::Dxf => design.dxf()?,
@@ -164,7 +164,7 @@ pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<Strin
 }
 
 /// Refuses the first of these options that was given; `why` ends the sentence "… has no effect".
-fn none_of(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
+fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
     match wanted.numbers().into_iter().find(|(argument, _)| refused(argument)) {
         Some((Argument { name, .. }, value)) => bail!("--{name} {} has no effect {why}", as_typed(value)),
         None => Ok(()),
@@ -172,8 +172,8 @@ fn none_of(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &st
 }
 
 /// Refuses options that have no effect beside the wanted times.
-fn beside_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
-    none_of(
+fn reject_with_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
+    reject_any(
         wanted,
         |argument| argument.name != "stations",
         "with --index-time and --dwell-time, which propose wheels and their speeds; leave it out now, and give it with the \
@@ -203,56 +203,56 @@ fn beside_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<
 }
 
 /// Refuses options that have no effect for this one wheel.
-fn refused(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
+fn reject_without_effect(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
-        none_of(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_any(wanted, acts_on(ActsOn::Parts), why)?;
     }
     if !gives_numbers(format) {
         let name = format.name();
         let why = format!(
             "on --format {name}, a file of shapes without motion or loads; leave it out, or choose --format text, json or csv"
         );
-        none_of(wanted, acts_on(ActsOn::Motion), &why)?;
+        reject_any(wanted, acts_on(ActsOn::Motion), &why)?;
         if !is_external {
             let why = format!(
                 "on --format {name}, whose drawing is not to scale; leave it out, or choose --format text, json or csv"
             );
-            none_of(wanted, acts_on(ActsOn::Size), &why)?;
+            reject_any(wanted, acts_on(ActsOn::Size), &why)?;
         }
     }
     if format == OutputFormat::Fields {
         let why =
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
-        none_of(wanted, is(&["at", "at-wheel"]), why)?;
+        reject_any(wanted, is_named(&["at", "at-wheel"]), why)?;
     }
     let is_sized = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM";
-        none_of(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_any(wanted, acts_on(ActsOn::Parts), why)?;
     }
     if wanted.thickness.is_none() {
-        none_of(wanted, is(&["density"]), "without a thickness; add --thickness MM")?;
+        reject_any(wanted, is_named(&["density"]), "without a thickness; add --thickness MM")?;
     }
     if gives_numbers(format) && wanted.density.is_none() && wanted.pin_material.is_none() {
         let why = "without a density or materials; add --density KGM3 for the mass, or --pin-material and --wheel-material \
                    for the pressure";
-        none_of(wanted, is(&["thickness"]), why)?;
+        reject_any(wanted, is_named(&["thickness"]), why)?;
     }
     if matches!(format, OutputFormat::Svg | OutputFormat::Dxf) {
         let why = format!(
             "on --format {}, whose drawing is flat; leave it out, or choose --format scad or stl",
             format.name()
         );
-        none_of(wanted, is(&["thickness"]), &why)?;
+        reject_any(wanted, is_named(&["thickness"]), &why)?;
     }
     if wanted.rpm.is_none() {
-        none_of(wanted, is(&["inertia", "friction-torque"]), "without a speed; add --rpm R")?;
+        reject_any(wanted, is_named(&["inertia", "friction-torque"]), "without a speed; add --rpm R")?;
     }
     if wanted.inertia.is_none() && wanted.density.is_none() {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
-        none_of(wanted, is(&["friction-torque"]), why)?;
+        reject_any(wanted, is_named(&["friction-torque"]), why)?;
     }
     let Some(material) = wanted.pin_material else { return Ok(()) };
     let has_load = wanted.rpm.is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
@@ -278,7 +278,7 @@ fn acts_on(what: ActsOn) -> impl Fn(&Argument) -> bool {
 }
 
 /// Whether an argument has one of these names.
-fn is(names: &[&str]) -> impl Fn(&Argument) -> bool {
+fn is_named(names: &[&str]) -> impl Fn(&Argument) -> bool {
     move |argument| names.contains(&argument.name)
 }
 

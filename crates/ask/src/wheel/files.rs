@@ -59,7 +59,7 @@ impl WheelDesign {
     /// # Errors
     ///
     /// What to choose instead.
-    pub fn is_made_from(&self, ending: &str) -> Result<(), Error> {
+    pub fn require_external(&self, ending: &str) -> Result<(), Error> {
         if self.wheel.kind() == WheelKind::External {
             return Ok(());
         }
@@ -71,7 +71,7 @@ impl WheelDesign {
     }
 
     fn parts(&self, ending: &str) -> Result<&Sizes, Error> {
-        self.is_made_from(ending)?;
+        self.require_external(ending)?;
         self.sizes.as_ref().ok_or_else(|| {
             refused!(
                 "--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM"

@@ -220,11 +220,11 @@ pub fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
             if deck.has_data() {
                 deck.data_sets().map_err(|faults| anyhow!("{name}\n{faults}"))?;
             }
-            Ok(report::checked(&name, &deck, &program, layout))
+            Ok(report::check_report(&name, &deck, &program, layout))
         }
         Action::Sort { deck, .. } => {
             let (name, deck) = read(deck)?;
-            Ok(report::sorted(&deck, &program(&name, &deck)?, layout))
+            Ok(report::statements_in_order(&deck, &program(&name, &deck)?, layout))
         }
         Action::Run(wanted) => run(wanted),
         Action::Decks { name: None, .. } => Ok(listed::decks(layout)),

@@ -62,18 +62,18 @@ const BLOCK: usize = 16;
 const HELD: usize = 128;
 
 /// Computes and writes the rows; returns a summary if they are in a file.
-pub fn written(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
+pub fn write_sweep(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
     let grid = SweepGrid::new(wanted)?;
     let pool = Threads::new(wanted.threads)?.pool()?;
     let mut destination = Destination::new(&wanted.to.output)?;
-    let Some(tally) = pool.install(|| write(&grid, &mut destination))? else { return Ok(None) };
+    let Some(tally) = pool.install(|| write_blocks(&grid, &mut destination))? else { return Ok(None) };
     let file = destination.finish()?;
     let rows = count(grid.rows(), "row");
     Ok(file.map(|file| format!("{}: {rows}, {}\n", shown_path(&file), tally.words())))
 }
 
 /// All rows, in order; how many of which status, unless the reader has seen enough.
-fn write(grid: &SweepGrid, destination: &mut Destination) -> anyhow::Result<Option<Tally>> {
+fn write_blocks(grid: &SweepGrid, destination: &mut Destination) -> anyhow::Result<Option<Tally>> {
     let rows = grid.rows();
     // Rows that scroll over a terminal show by themselves how far they have come.
     let bar =
