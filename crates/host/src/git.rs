@@ -61,7 +61,7 @@ pub struct Blob {
 impl Repository {
     /// The repository that a file or folder belongs to: the nearest folder above it, or itself, that has a `.git`.
     /// None if there is no such folder or the path leads nowhere.
-    pub fn around(path: &Path) -> Option<Self> {
+    pub fn containing(path: &Path) -> Option<Self> {
         let path = std::fs::canonicalize(path).ok()?;
         let top = path.ancestors().find(|folder| is_repository(&folder.join(".git")))?;
         Some(Self { top: top.to_owned() })

@@ -46,7 +46,7 @@ impl Since {
             if !argument.exists() {
                 continue;
             }
-            let repository = Repository::around(argument).ok_or_else(|| {
+            let repository = Repository::containing(argument).ok_or_else(|| {
                 format!("{name} is in no repository of git; give --since files of one, or leave it out")
             })?;
             let commit = match by_top.get(repository.top()) {
