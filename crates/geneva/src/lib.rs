@@ -40,7 +40,7 @@ mod workspace;
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
 use output::{Outcome, OutputStreams, ProcessStreams, TextLayout};
-use printable::{escaped, shown};
+use printable::{escape_and_shorten, escaped};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -355,7 +355,7 @@ fn parse(line: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Er
         let long: Vec<_> = error
             .context()
             .filter_map(|(kind, value)| match value {
-                ContextValue::String(typed) => Some((kind, shown(typed))),
+                ContextValue::String(typed) => Some((kind, escape_and_shorten(typed))),
                 _ => None,
             })
             .filter(|(_, shown)| shown.ends_with('…'))

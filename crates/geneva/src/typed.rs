@@ -4,7 +4,7 @@
 //! The parser of an option returns a number that the option may have. If one number is possible only with another, the
 //! command says so.
 
-use crate::printable::shown;
+use crate::printable::escape_and_shorten;
 use anyhow::bail;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -49,7 +49,10 @@ pub fn zero_or_more(text: &str) -> Result<f64, String> {
         format!("not a number; give zero, or a number up to {most:e}, with a decimal point, not a comma")
     })?;
     if value < 0.0 || value.is_nan() {
-        return Err(format!("{} is not zero or more; give zero, or a number up to {most:e}", shown(text.trim())));
+        return Err(format!(
+            "{} is not zero or more; give zero, or a number up to {most:e}",
+            escape_and_shorten(text.trim())
+        ));
     }
     if value == 0.0 { Ok(value) } else { computable(text, value) }
 }
@@ -86,7 +89,7 @@ pub fn finite_degrees(text: &str) -> Result<f64, String> {
     } else {
         Err(format!(
             "{} is not a usable angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}",
-            shown(text.trim())
+            escape_and_shorten(text.trim())
         ))
     }
 }
@@ -140,7 +143,10 @@ fn above_zero(text: &str, what: &str) -> Result<f64, String> {
             "not a number; give a {what} above zero, from {least:e} to {most:e}, with a decimal point, not a comma"
         )),
         Some(value) if value > 0.0 => computable(text, value),
-        Some(_) => Err(format!("{} is not above zero; give a {what} from {least:e} to {most:e}", shown(text.trim()))),
+        Some(_) => Err(format!(
+            "{} is not above zero; give a {what} from {least:e} to {most:e}",
+            escape_and_shorten(text.trim())
+        )),
     }
 }
 
@@ -151,7 +157,7 @@ fn computable(text: &str, value: f64) -> Result<f64, String> {
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
     Err(format!(
         "{} is too large or too small to compute with; give a number between {least:e} and {most:e}",
-        shown(text.trim())
+        escape_and_shorten(text.trim())
     ))
 }
 

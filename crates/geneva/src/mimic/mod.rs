@@ -6,7 +6,7 @@ mod report;
 use crate::destination::apart_from;
 use crate::input::{MOST_BYTES, STANDARD_INPUT};
 use crate::output::{TextLayout, count};
-use crate::printable::{shown, shown_path};
+use crate::printable::{escape_and_shorten, shown_path};
 use crate::progress;
 use crate::threads::Threads;
 use crate::typed::{self, Output, OutputFormat, as_typed, formats};
@@ -207,7 +207,10 @@ fn tolerance(text: &str) -> Result<f64, String> {
     if value < 1.0 {
         return Ok(value);
     }
-    Err(format!("{} must be below 1; give a fraction of each integral's size, such as 5e-6", shown(text.trim())))
+    Err(format!(
+        "{} must be below 1; give a fraction of each integral's size, such as 5e-6",
+        escape_and_shorten(text.trim())
+    ))
 }
 
 /// The answer to the action that is wanted.
@@ -232,7 +235,7 @@ pub fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
             let known = DECKS.map(|(name, _)| name);
             anyhow!(
                 "'{}' is not a deck of this project{}; give one of {}",
-                shown(name),
+                escape_and_shorten(name),
                 nearest(name, known),
                 known.join(", ")
             )
@@ -314,7 +317,7 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
             is_parameter || deck.set(set, *value),
             "--set {}={}: no CON or PAR card of {name} lists this name, and no single card without a control variable \
              defines it{}; give another name",
-            shown(set),
+            escape_and_shorten(set),
             as_typed(*value),
             nearest(set, deck.parameters().into_iter().chain(deck.results()))
         );
