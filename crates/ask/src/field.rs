@@ -1,6 +1,6 @@
 //! The fields of an answer: values under keys, with units, names and meanings; and rows of values, which are data without them.
 
-use crate::written::{angle, no_greater, number, to_digits};
+use crate::number_format::{angle, no_greater, number, to_digits};
 use serde::ser::{Serialize, Serializer};
 use std::borrow::Cow;
 

@@ -20,12 +20,12 @@ macro_rules! refused {
     ($($words:tt)*) => { $crate::Error::Argument(format!($($words)*)) };
 }
 
-mod compared;
 pub mod escapement;
 mod field;
+pub mod number_format;
 pub mod quick_return;
+mod timekeepers;
 pub mod wheel;
-pub mod written;
 
 pub use field::{DataRow, FieldValue, Item, Report, ReportField, Rounding, SheetLine, SheetNumber};
 
@@ -75,8 +75,8 @@ pub fn answer(question: &str) -> Result<Report, Error> {
             quick_return::QuickReturnDesign::new(&quick_return::QuickReturnQuestion::parse(arguments)?)?.answer()
         }
         "escapement" => escapement::EscapementDesign::new(escapement::EscapementQuestion::parse(arguments)?)?.answer(),
-        "runaway" => compared::runaway(arguments),
-        "governor" => compared::governor(arguments),
+        "runaway" => timekeepers::runaway(arguments),
+        "governor" => timekeepers::governor(arguments),
         other => Err(refused!("no mechanism {other}; there are wheel, quick-return, escapement, runaway and governor")),
     }
 }
@@ -113,7 +113,7 @@ fn number<T: FromStr>(name: &str, text: &str) -> Result<T, Error> {
 
 /// Arguments as they are typed, in brackets behind an error; nothing if there are none.
 fn typed(arguments: &[(&str, Option<f64>)]) -> String {
-    let value = |value: &Option<f64>| value.map_or_else(|| "MM".to_owned(), written::as_typed);
+    let value = |value: &Option<f64>| value.map_or_else(|| "MM".to_owned(), number_format::as_typed);
     let all: Vec<_> = arguments.iter().map(|(name, of)| format!("--{name} {}", value(of))).collect();
     if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
 }

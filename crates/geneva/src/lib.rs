@@ -333,7 +333,7 @@ fn as_recorded<'a>(
     streams: &mut dyn OutputStreams,
 ) -> Outcome {
     let verdicts: Vec<_> = verdicts.into_iter().collect();
-    differing::tell(verdicts.iter().copied(), streams);
+    differing::report_differing(verdicts.iter().copied(), streams);
     Outcome::as_recorded_if(verdicts.into_iter().all(geneva_ledger::Judged::holds))
 }
 

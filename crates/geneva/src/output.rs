@@ -14,7 +14,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-pub use geneva_ask::written::count;
+pub use geneva_ask::number_format::count;
 pub use geneva_host::layout::TextLayout;
 
 /// What a command found.

@@ -13,7 +13,7 @@ use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-pub use geneva_ask::written::{as_typed, rounded};
+pub use geneva_ask::number_format::{as_typed, rounded};
 
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;

@@ -1,6 +1,6 @@
 //! What a figure answers.
 
-use geneva_ask::written::no_greater;
+use geneva_ask::number_format::no_greater;
 use geneva_ask::{ReportField, Rounding};
 use geneva_figures::{Figure, with_minus_sign};
 

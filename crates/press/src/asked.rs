@@ -3,8 +3,8 @@
 use crate::lookup::{claim, unknown};
 use crate::numbers::{fixed, significant};
 use anyhow::Context;
-use geneva_ask::wheel::{Design, Question};
-use geneva_ask::written::no_greater;
+use geneva_ask::number_format::no_greater;
+use geneva_ask::wheel::{WheelDesign, WheelQuestion};
 use geneva_ask::{Report, ReportField, Rounding};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -93,10 +93,10 @@ pub fn question(name: &str) -> anyhow::Result<String> {
 }
 
 /// The wheel of the question of this name.
-pub fn design(name: &str) -> anyhow::Result<Design> {
+pub fn design(name: &str) -> anyhow::Result<WheelDesign> {
     let question = question(name)?;
     let arguments = question.strip_prefix("wheel ").with_context(|| format!("`{question}` asks no wheel"))?;
-    Ok(Design::new(Question::parse(arguments)?)?)
+    Ok(WheelDesign::new(WheelQuestion::parse(arguments)?)?)
 }
 
 /// The field with this key of the answer to a question as it is typed behind `geneva`, or of its further fields. Each question is

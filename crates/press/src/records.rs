@@ -334,7 +334,7 @@ pub fn slip(places: &Places) -> DataRow {
 mod tests {
     use super::*;
     use geneva_ledger::claims;
-    use serde_json::FieldValue as Json;
+    use serde_json::Value as Json;
 
     /// The paths of all keys below a value.
     fn keys(value: &Json, before: &str, found: &mut BTreeSet<String>) {

@@ -10,7 +10,7 @@ pub use question::{EscapementQuestion, Further, UnitSystem};
 pub use timer::rates;
 
 use crate::Error;
-use crate::written::{as_typed, rounded_up};
+use crate::number_format::{as_typed, rounded_up};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState, TOLERANCE};
 use geneva_dynamics::{Error as Motion, Inertias, Parameters};
 use geneva_figures::Figure;

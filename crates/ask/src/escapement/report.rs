@@ -3,7 +3,7 @@
 //! Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 
 use super::{EscapementDesign, SETTLED, UnitSystem, engagements_until_steady, own_reset, unsteady};
-use crate::written::{angle, as_typed, count, number};
+use crate::number_format::{angle, as_typed, count, number};
 use crate::{Error, Report, ReportField};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::{critical_friction, least_margin};

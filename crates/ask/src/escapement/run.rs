@@ -1,7 +1,7 @@
 //! The run from rest, a line for each time.
 
 use super::{EscapementDesign, SETTLED};
-use crate::written::{as_typed, rounded};
+use crate::number_format::{as_typed, rounded};
 use crate::{DataRow, Error};
 use geneva_dynamics::Error as Motion;
 use geneva_dynamics::steady::{Engagement, MOST_PRINTED, Printed};

@@ -6,7 +6,7 @@ mod vector;
 
 pub use report::lever_motion;
 
-use crate::written::{as_typed, rounded_down};
+use crate::number_format::{as_typed, rounded_down};
 use crate::{Error, number, pairs};
 use geneva_figures::Figure;
 use geneva_figures::quick_return::{acceleration_diagram, mechanism, velocity_diagram};

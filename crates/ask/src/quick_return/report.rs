@@ -3,7 +3,7 @@
 use super::QuickReturnDesign;
 use super::instant::{LeverInstant, NOT_TOLD, Stroke};
 use super::vector::Vector;
-use crate::written::as_typed;
+use crate::number_format::as_typed;
 use crate::{Error, Report, ReportField};
 use geneva_kinematics::quick_return::{Branch, Motion, Position, Strokes};
 

@@ -3,7 +3,7 @@
 use super::WheelQuestion;
 use super::kind::{AnyWheel, WheelKind};
 use crate::Error;
-use crate::written::{as_typed, rounded_up};
+use crate::number_format::{as_typed, rounded_up};
 use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;

@@ -3,7 +3,7 @@
 use super::design::WheelDesign;
 use super::kind::WheelKind;
 use crate::Error;
-use crate::written::as_typed;
+use crate::number_format::as_typed;
 use geneva_kinematics::wheel::{Edge, Face, Sizes};
 use geneva_workshop::{Layout, Solid, dxf, scad, stl};
 

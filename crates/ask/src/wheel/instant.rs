@@ -2,7 +2,7 @@
 
 use super::WheelQuestion;
 use super::design::{WheelDesign, too_large};
-use crate::written::{as_typed, rounded_down};
+use crate::number_format::{as_typed, rounded_down};
 use crate::{DataRow, Error, Item, ReportField};
 use geneva_dynamics::wheel_loads::Load;
 use geneva_kinematics::indexing::{Motion, Phase, PinInSlot};

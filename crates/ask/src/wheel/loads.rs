@@ -1,7 +1,7 @@
 //! The loads of a wheel, as they are reported.
 
 use super::design::WheelDesign;
-use crate::written::degrees;
+use crate::number_format::degrees;
 use crate::{Error, ReportField, Rounding};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
 use geneva_kinematics::indexing::Indexing;

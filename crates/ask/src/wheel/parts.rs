@@ -1,7 +1,7 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
-use crate::written::degrees as degrees_told;
+use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, ReportField, Rounding};
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, SharedTolerance, Sizes, Warning};
 

@@ -7,7 +7,7 @@ use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
 use super::{loads, parts};
-use crate::written::{as_typed, count, degrees, number};
+use crate::number_format::{as_typed, count, degrees, number};
 use crate::{Error, Report, ReportField};
 use geneva_kinematics::indexing::Indexing;
 

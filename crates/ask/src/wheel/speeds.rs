@@ -5,7 +5,7 @@
 
 use super::kind::{AnyWheel, WheelKind};
 use super::times::{SAME, Times};
-use crate::written::{as_typed, count, number};
+use crate::number_format::{as_typed, count, number};
 use crate::{DataRow, Error, Item, Report, ReportField};
 
 /// How many pins a driver has, by what heads it. No wheel has a dwell with more.

@@ -5,7 +5,7 @@
 //! as long as is wanted.
 
 use super::kind::{AnyWheel, WheelKind};
-use crate::written::{as_typed, count, number};
+use crate::number_format::{as_typed, count, number};
 use crate::{DataRow, Item, Report, ReportField};
 
 /// Wanted times, in seconds.

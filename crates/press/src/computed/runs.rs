@@ -5,7 +5,7 @@ use crate::lookup::judged;
 use crate::numbers::{fixed, significant};
 use crate::rows::score;
 use anyhow::Context;
-use geneva_ask::written::no_greater;
+use geneva_ask::number_format::no_greater;
 use geneva_case1973::chance::Shuffled;
 use geneva_case1973::fitted::Freed;
 use geneva_case1973::rise_times::{Group, OF_A_PART, Tried, groups};
