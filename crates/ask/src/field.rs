@@ -17,8 +17,37 @@ pub struct ReportField {
     pub rounding: Rounding,
     /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
     pub line: Option<SheetLine>,
+    /// What the question must give for it to have a value. Only the fields of a wheel say so.
+    pub needs: &'static [Need],
     /// Whether a figure that a reader moves lists it although the figure has no place of its own for it.
     pub is_visible_in_live_figure: bool,
+}
+
+/// What a question about a wheel may leave out, and what a value may need.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// The speed of the driver.
+    Speed,
+    /// A length that gives the size of the wheel; for the parts of a wheel, of an external one.
+    Size,
+    /// A moment of inertia: that of the table, or the wheel's own.
+    Inertia,
+    /// The moment of inertia of the table and all else that turns with the wheel.
+    TableInertia,
+    /// The torque of the friction that brakes the wheel.
+    FrictionTorque,
+    /// The thickness of the wheel.
+    Thickness,
+    /// The density of the wheel.
+    Density,
+    /// The materials of pins and wheel.
+    Materials,
+    /// A driver with more than one pin.
+    SecondPin,
+    /// The coefficient of friction of a pin in its slot.
+    PinFriction,
+    /// A crank angle before a pin enters.
+    BeforeEntry,
 }
 
 /// The line of a field on a sheet: its name, and what its number means.
@@ -65,7 +94,7 @@ impl ReportField {
     /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
     pub fn in_unit(key: &'static str, value: impl Into<FieldValue>, unit: &'static str) -> Self {
         let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
-        Self { key, value: value.into(), unit, rounding, line: None, is_visible_in_live_figure: false }
+        Self { key, value: value.into(), unit, rounding, line: None, needs: &[], is_visible_in_live_figure: false }
     }
 
     /// The field with its line: a name, and what the number means. What is missing has none.
@@ -112,6 +141,16 @@ impl ReportField {
     /// The field also on pages: a figure that a reader moves lists it under its name.
     pub fn visible_in_live_figure(self) -> Self {
         Self { is_visible_in_live_figure: true, ..self }
+    }
+
+    /// The field with what the question must give for it to have a value.
+    pub fn needing(self, needs: &'static [Need]) -> Self {
+        Self { needs, ..self }
+    }
+
+    /// The field with these needs, unless it has its own.
+    pub(crate) fn needing_unless_set(self, needs: &'static [Need]) -> Self {
+        if self.needs.is_empty() { self.needing(needs) } else { self }
     }
 
     /// The field with its own rounding.

@@ -2,9 +2,12 @@
 
 use super::design::WheelDesign;
 use crate::number_format::degrees;
-use crate::{Error, ReportField, Rounding};
+use crate::{Error, Need, ReportField, Rounding};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
 use geneva_kinematics::indexing::Indexing;
+
+/// What a force on the pin needs.
+const FORCE: &[Need] = &[Need::Speed, Need::Inertia, Need::Size];
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
 pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
@@ -35,13 +38,17 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
     let fields = vec![
         ReportField::in_unit("inertia_kgm2", design.inertia, "kg m²")
-            .line("moment of inertia", "of the wheel and everything that turns with it"),
+            .line("moment of inertia", "of the wheel and everything that turns with it")
+            .needing(&[Need::Inertia]),
         ReportField::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
-            .line("", "part of the wheel itself, from its outline, thickness and density"),
+            .line("", "part of the wheel itself, from its outline, thickness and density")
+            .needing(&[Need::Size, Need::Thickness, Need::Density]),
         ReportField::in_unit("table_inertia_kgm2", design.table_inertia(), "kg m²")
-            .line("", "part of the table and all else that turns with the wheel, as given"),
+            .line("", "part of the table and all else that turns with the wheel, as given")
+            .needing(&[Need::Size, Need::Thickness, Need::Density, Need::TableInertia]),
         ReportField::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
-            .line("friction torque", "on the wheel; no other friction is included"),
+            .line("friction torque", "on the wheel; no other friction is included")
+            .needing(&[Need::FrictionTorque]),
         ReportField::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
             .line("entry wheel torque", "as a pin enters: it comes all at once")
             .visible_in_live_figure(),
@@ -49,14 +56,17 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
             .line("peak wheel torque", place(driving(torque))),
         ReportField::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),
         ReportField::in_unit("peak_pin_force_n", driving(moment).and_then(force), "N")
-            .line("peak pin force", place(driving(moment))),
+            .line("peak pin force", place(driving(moment)))
+            .needing(FORCE),
         ReportField::in_unit(
             "peak_pin_force_at_deg",
             at(driving(moment).filter(|_| design.crank_radius.is_some())),
             "°",
-        ),
+        )
+        .needing(FORCE),
         ReportField::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
             .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
+            .needing(&[Need::Speed, Need::Inertia, Need::Size, Need::Thickness, Need::Materials])
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
@@ -72,11 +82,12 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
         ReportField::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
             .line("braking wheel torque", place(braking(torque))),
         ReportField::in_unit("braking_pin_force_n", braking(moment).and_then(force), "N")
-            .line("braking pin force", format!("on the other side of the slot; {}", place(braking(moment)))),
+            .line("braking pin force", format!("on the other side of the slot; {}", place(braking(moment))))
+            .needing(FORCE),
         ReportField::in_unit("braking_crank_torque_nm", braking(crank).map(|peak| peak.value), "N m")
             .line("braking crank torque", place(braking(crank))),
         from,
         ReportField::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
-    Ok(fields)
+    Ok(fields.into_iter().map(|field| field.needing_unless_set(&[Need::Speed, Need::Inertia])).collect())
 }

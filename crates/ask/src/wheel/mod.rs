@@ -382,6 +382,62 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
 #[cfg(test)]
 mod tests {
     use super::{ARGUMENTS, ArgumentSlot, WheelQuestion};
+    use crate::{FieldValue, Need, ReportField, answer, further};
+    use std::collections::BTreeMap;
+
+    /// Every argument that a value may need, by what it gives.
+    const GIVEN: [(&str, Need); 11] = [
+        ("--rpm 60", Need::Speed),
+        ("--crank-radius 25", Need::Size),
+        ("--inertia 0.002", Need::TableInertia),
+        ("--friction-torque 0.0001", Need::FrictionTorque),
+        ("--thickness 10", Need::Thickness),
+        ("--density 7800", Need::Density),
+        ("--pin-material steel", Need::Materials),
+        ("--wheel-material steel", Need::Materials),
+        ("--pins 2", Need::SecondPin),
+        ("--pin-friction 0.15", Need::PinFriction),
+        ("--before-entry 20", Need::BeforeEntry),
+    ];
+
+    /// The fields of the answer and the further ones, by their keys, without what gives these needs.
+    fn fields_without(left_out: &[Need]) -> BTreeMap<&'static str, ReportField> {
+        let arguments = GIVEN.iter().filter(|(_, need)| !left_out.contains(need));
+        let question =
+            arguments.fold("wheel --stations 6".to_owned(), |question, (argument, _)| format!("{question} {argument}"));
+        let (report, further) = (answer(&question).expect(&question), further(&question).expect(&question));
+        report.fields().cloned().chain(further).map(|field| (field.key, field)).collect()
+    }
+
+    #[test]
+    fn a_value_is_missing_just_where_something_that_it_needs_is_not_given() {
+        let all = fields_without(&[]);
+        let mut lost = 0;
+        for left_out in [
+            &[][..],
+            &[Need::Speed],
+            &[Need::Size],
+            &[Need::TableInertia],
+            // Without both there is no inertia at all.
+            &[Need::TableInertia, Need::Density, Need::Inertia],
+            &[Need::FrictionTorque],
+            &[Need::Thickness],
+            &[Need::Density],
+            &[Need::Materials],
+            &[Need::SecondPin],
+            &[Need::PinFriction],
+            &[Need::BeforeEntry],
+        ] {
+            let fields = fields_without(left_out);
+            for (key, field) in &all {
+                let value = fields.get(key).map_or(&FieldValue::Missing, |field| &field.value);
+                let is_given = !field.needs.iter().any(|need| left_out.contains(need));
+                assert_eq!(*value != FieldValue::Missing, is_given, "{key} without {left_out:?}: {value:?}");
+                lost += usize::from(!is_given);
+            }
+        }
+        assert!(lost > 150, "only {lost} values are missing without what they need");
+    }
 
     #[test]
     fn each_argument_sets_the_field_of_its_name() {
