@@ -2,13 +2,13 @@
 
 use crate::{number, object, stdout};
 use geneva_ask::wheel::{WheelDesign, WheelQuestion};
-use geneva_ask::{FieldValue, Report, Rounding, SheetNumber};
+use geneva_ask::{FieldValue, MechanismReport, Rounding, SheetNumber};
 use geneva_live::LiveArguments;
 
 const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --at -20";
 const MATERIALS: &str = " --thickness 10 --density 8860 --pin-material steel --wheel-material phosphor-bronze";
 
-fn answer() -> Report {
+fn answer() -> MechanismReport {
     let question = WheelQuestion::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
     WheelDesign::new(question).and_then(|design| design.answer()).expect("an answer")
 }

@@ -186,7 +186,7 @@ impl ReportField {
 /// What a question gets: a title, what all numbers have in common, sections of fields, a list, and a closing note. A section
 /// without lines has no heading.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Report {
+pub struct MechanismReport {
     /// What the answer is about.
     pub title: String,
     /// What all numbers have in common.
@@ -210,7 +210,7 @@ pub struct Item {
     pub row: DataRow,
 }
 
-impl Report {
+impl MechanismReport {
     /// All fields of the sections.
     pub fn fields(&self) -> impl Iterator<Item = &ReportField> {
         self.sections.iter().flat_map(|(_, fields)| fields)
@@ -234,7 +234,7 @@ impl Report {
     }
 }
 
-impl Serialize for Report {
+impl Serialize for MechanismReport {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let list = self.list.as_ref().map(|(key, items)| {
             (*key, FieldValue::List(items.iter().map(|item| FieldValue::Object(item.row.clone())).collect()))

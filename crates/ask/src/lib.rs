@@ -27,7 +27,7 @@ pub mod quick_return;
 mod timekeepers;
 pub mod wheel;
 
-pub use field::{DataRow, FieldValue, Item, Need, Report, ReportField, Rounding, SheetLine, SheetNumber};
+pub use field::{DataRow, FieldValue, Item, MechanismReport, Need, ReportField, Rounding, SheetLine, SheetNumber};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;
@@ -67,7 +67,7 @@ pub enum Error {
 /// # Errors
 ///
 /// A mechanism that is not asked so, and what is wrong with the arguments.
-pub fn answer(question: &str) -> Result<Report, Error> {
+pub fn answer(question: &str) -> Result<MechanismReport, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
         "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.answer(),

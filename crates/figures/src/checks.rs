@@ -100,7 +100,7 @@ pub fn number(node: &Node<'_, '_>, attribute: &str) -> f64 {
     node.attribute(attribute).expect("there").parse().expect("a number")
 }
 
-/// All that is asked of a figure as a reader is shown it: that it is [`assert_drawn`], that no labels overlap or lie outside,
+/// All that is asked of a figure as a reader is shown it: that it is drawn ([`assert_drawn`]), that no labels overlap or lie outside,
 /// and that it is light.
 #[track_caller]
 pub fn assert_sound(figure: &Figure) {

@@ -112,6 +112,13 @@ pub fn power_of_ten(value: f64) -> String {
     format!("10{}", exponent.chars().map(raised).collect::<String>())
 }
 
+/// The least and the greatest of some numbers; without any, infinity and its negative.
+pub fn extent(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    values
+        .into_iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
+}
+
 /// The smallest of 1, 2, 2.5 and 5 times a power of ten that is not below `least`; 1 if `least` is no positive number.
 pub fn round_step(least: f64) -> f64 {
     if !(least > 0.0 && least.is_finite()) {

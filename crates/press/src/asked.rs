@@ -5,7 +5,7 @@ use crate::numbers::{fixed, significant};
 use anyhow::Context;
 use geneva_ask::number_format::no_greater;
 use geneva_ask::wheel::{WheelDesign, WheelQuestion};
-use geneva_ask::{Report, ReportField, Rounding};
+use geneva_ask::{MechanismReport, ReportField, Rounding};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -102,7 +102,7 @@ pub fn design(name: &str) -> anyhow::Result<WheelDesign> {
 /// The field with this key of the answer to a question as it is typed behind `geneva`, or of its further fields. Each question is
 /// asked once.
 pub fn field(question: &str, key: &str) -> anyhow::Result<ReportField> {
-    static ANSWERS: Asked<Report> = Asked::new(BTreeMap::new());
+    static ANSWERS: Asked<MechanismReport> = Asked::new(BTreeMap::new());
     static FURTHER: Asked<Vec<ReportField>> = Asked::new(BTreeMap::new());
     let answer = once(&ANSWERS, question, geneva_ask::answer)?;
     if let Some(field) = answer.field(key) {

@@ -4,7 +4,7 @@
 
 use super::{EscapementDesign, SETTLED, UnitSystem, engagements_until_steady, own_reset, unsteady};
 use crate::number_format::{angle, as_typed, count, number};
-use crate::{Error, Report, ReportField};
+use crate::{Error, MechanismReport, ReportField};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::{critical_friction, least_margin};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, RiseMeasure, SteadyState};
@@ -22,12 +22,12 @@ impl EscapementDesign {
     /// # Errors
     ///
     /// Why there is no steady state.
-    pub fn answer(&self) -> Result<Report, Error> {
+    pub fn answer(&self) -> Result<MechanismReport, Error> {
         let (parameters, engagement, reset_deg) = (&self.parameters, &self.engagement, self.reset_deg);
         let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
         let state = self.steady_state()?;
         let rise = engagements_until_steady(engagement, &state).map_err(|error| unsteady(&self.question, error))?;
-        let answer = Report {
+        let answer = MechanismReport {
             title: format!(
                 "Geneva escapement: {}, {}, friction {}, torque {}, inertias: driver {}, follower {}",
                 count(mechanism.slots() as usize, "slot"),

@@ -4,7 +4,7 @@ use super::QuickReturnDesign;
 use super::instant::{LeverInstant, NOT_TOLD, Stroke};
 use super::vector::Vector;
 use crate::number_format::as_typed;
-use crate::{Error, Report, ReportField};
+use crate::{Error, MechanismReport, ReportField};
 use geneva_kinematics::quick_return::{Branch, Motion, Position, Strokes};
 
 /// What the numbers are measured from, and what adds up.
@@ -50,7 +50,7 @@ impl QuickReturnDesign {
     /// # Errors
     ///
     /// Lengths, angles or speeds that are too large or too small to compute with.
-    pub fn answer(&self) -> Result<Report, Error> {
+    pub fn answer(&self) -> Result<MechanismReport, Error> {
         let Self { linkage, position, drive, rpm } = self;
         let beyond = || refused!("{BEYOND}");
         let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
@@ -68,7 +68,7 @@ impl QuickReturnDesign {
             ReportField::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
         ];
         let (velocities, accelerations) = seen.motion(&motion);
-        let answer = Report {
+        let answer = MechanismReport {
             title: format!(
                 "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} rpm {}",
                 as_typed(linkage.ground()),

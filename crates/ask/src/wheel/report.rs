@@ -8,7 +8,7 @@ use super::instant::item;
 use super::kind::WheelKind;
 use super::{loads, parts};
 use crate::number_format::{as_typed, count, degrees, number};
-use crate::{Error, Need, Report, ReportField};
+use crate::{Error, MechanismReport, Need, ReportField};
 use geneva_kinematics::indexing::Indexing;
 
 impl WheelDesign {
@@ -17,7 +17,7 @@ impl WheelDesign {
     /// # Errors
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
-    pub fn answer(&self) -> Result<Report, Error> {
+    pub fn answer(&self) -> Result<MechanismReport, Error> {
         let wheel = self.wheel.indexing();
         let sections = vec![
             ("Given", given(self)),
@@ -32,7 +32,7 @@ impl WheelDesign {
         ];
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
-        let answer = Report { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
+        let answer = MechanismReport { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
         if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
     }
 

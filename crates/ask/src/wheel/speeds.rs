@@ -6,7 +6,7 @@
 use super::kind::{AnyWheel, WheelKind};
 use super::times::{SAME, Times};
 use crate::number_format::{as_typed, count, number};
-use crate::{DataRow, Error, Item, Report, ReportField};
+use crate::{DataRow, Error, Item, MechanismReport, ReportField};
 
 /// How many pins a driver has, by what heads it. No wheel has a dwell with more.
 const PINS: [&str; 6] = ["One pin", "Two pins", "Three pins", "Four pins", "Five pins", "Six pins"];
@@ -104,7 +104,7 @@ another, which is slower. This driver comes nearest.";
 /// # Errors
 ///
 /// A number of stations that no wheel has.
-pub fn speeds(times: Times, stations: u32, kind: Option<WheelKind>) -> Result<Report, Error> {
+pub fn speeds(times: Times, stations: u32, kind: Option<WheelKind>) -> Result<MechanismReport, Error> {
     let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut drivers = Vec::new();
     for kind in kinds {
@@ -132,7 +132,7 @@ pub fn speeds(times: Times, stations: u32, kind: Option<WheelKind>) -> Result<Re
             count(stations as usize, "station")
         )
     };
-    Ok(Report {
+    Ok(MechanismReport {
         title: format!(
             "Drivers for {}, an index of at most {most} s and a dwell of at least {least} s",
             count(stations as usize, "station")

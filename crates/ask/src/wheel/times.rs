@@ -6,7 +6,7 @@
 
 use super::kind::{AnyWheel, WheelKind};
 use crate::number_format::{as_typed, count, number};
-use crate::{DataRow, Item, Report, ReportField};
+use crate::{DataRow, Item, MechanismReport, ReportField};
 
 /// Wanted times, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,14 +78,14 @@ only makes the whole cycle faster or slower. These wheels come nearest, each at 
 last as long as you want.";
 
 /// Which wheels come nearest to wanted times: of one kind, or of all.
-pub fn proposals(times: Times, kind: Option<WheelKind>) -> Report {
+pub fn proposals(times: Times, kind: Option<WheelKind>) -> MechanismReport {
     let Times { index, dwell } = times;
     let (cycle, wanted) = (index + dwell, index / (index + dwell));
     let found = nearest(wanted, kind);
     let items = PROPOSED.into_iter().zip(&found);
     let items = items.map(|(heading, of)| Item { heading, fields: lines(of, cycle, wanted), row: row(of, cycle) });
     let is_exact = found.first().is_some_and(|of| (of.motion - wanted).abs() <= SAME);
-    Report {
+    MechanismReport {
         title: format!("Wheels nearest to an index of {} s and a dwell of {} s", as_typed(index), as_typed(dwell)),
         introduction: INTRODUCTION,
         sections: vec![(

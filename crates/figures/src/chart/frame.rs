@@ -25,7 +25,7 @@ impl Frame {
     }
 
     /// Where values of the x axis and of the y axis meet.
-    pub fn at(&self, x: f64, y: f64) -> Pixels {
+    pub fn place(&self, x: f64, y: f64) -> Pixels {
         self.at_share([self.x.share(x), self.left.share(y)])
     }
 
@@ -37,7 +37,7 @@ impl Frame {
 
     /// The places of points, as far as they lie within.
     pub fn inside(&self, points: &[(f64, f64)]) -> Vec<Pixels> {
-        points.iter().map(|(x, y)| self.at(*x, *y)).filter(|at| self.contains(at)).collect()
+        points.iter().map(|(x, y)| self.place(*x, *y)).filter(|at| self.contains(at)).collect()
     }
 
     /// Whether a place is within, or on the edge.
@@ -52,7 +52,7 @@ impl Frame {
         let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
         let mut goes_on = false;
         for pair in points.windows(2) {
-            let [from, to] = [pair[0], pair[1]].map(|(x, y)| self.at(x, y));
+            let [from, to] = [pair[0], pair[1]].map(|(x, y)| self.place(x, y));
             let Some([enter, leave]) = part_within(&from, &to, &self.corners) else {
                 goes_on = false;
                 continue;

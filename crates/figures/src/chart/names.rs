@@ -39,7 +39,7 @@ pub struct Name {
 
 /// Writes the names of a panel, each where it hides least of what has been drawn and written before.
 ///
-/// `elements` keeps clear of all curves and marks, `off_curves` of all but those that have a name on them.
+/// `all` keeps clear of all curves and marks, `off_curves` of all but those that have a name on them.
 pub fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curves: Placing, names: &[Name]) {
     for Name { label, spot } in names {
         match spot {
@@ -84,7 +84,7 @@ fn centred(point: Pixels, cost: f64) -> LabelPosition {
 }
 
 fn within(canvas: &mut Canvas, frame: &Frame, label: &Label, range: &Range<f64>, y: f64) {
-    let [left, right] = [range.start, range.end].map(|x| frame.at(x, y));
+    let [left, right] = [range.start, range.end].map(|x| frame.place(x, y));
     let short = label.first_word();
     if label.width() < right.x - left.x {
         canvas.label(&left.lerp(&right, 0.5), &Pixels::zeros(), 0.0, label);
@@ -132,7 +132,7 @@ fn beside(canvas: &mut Canvas, frame: &Frame, names: &[Name]) {
     let mut beside: Vec<(f64, &Label)> = names
         .iter()
         .filter_map(|name| match name.spot {
-            Spot::Beside(y) => Some((frame.at(frame.x.range.end, y).y, &name.label)),
+            Spot::Beside(y) => Some((frame.place(frame.x.range.end, y).y, &name.label)),
             _ => None,
         })
         .collect();

@@ -267,7 +267,7 @@ impl Panel {
                     }
                 }
                 Layer::Marks { points, .. } => {
-                    let inside = points.iter().filter(|(x, y)| frame.contains(&frame.at(*x, *y)));
+                    let inside = points.iter().filter(|(x, y)| frame.contains(&frame.place(*x, *y)));
                     let marks = inside.map(|point| Circle::new(*point, 1, style));
                     chart.draw_series(marks)?;
                 }
@@ -296,7 +296,7 @@ impl Panel {
     /// Tail and tip of each impulse.
     fn arrows(&self, frame: &Frame) -> Vec<[Pixels; 2]> {
         let Range { start, end } = self.left.range;
-        let arrow = |of: &Impulse| [0.0, if of.upwards { end } else { start }].map(|y| frame.at(of.x, y));
+        let arrow = |of: &Impulse| [0.0, if of.upwards { end } else { start }].map(|y| frame.place(of.x, y));
         self.impulses.iter().map(arrow).collect()
     }
 
@@ -318,12 +318,12 @@ impl Panel {
                 Layer::Area { .. } => {}
                 Layer::Curve { points, .. } if !avoided(points) => {}
                 Layer::Curve { points, stroke } => {
-                    let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.at(*x, *y)).collect();
+                    let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.place(*x, *y)).collect();
                     placing.avoid_all(&super::trace::thin_out(&places), if stroke.width < 1.5 { 0.3 } else { 2.0 });
                 }
                 Layer::Marks { points, marker } => {
                     let room = Vector2::new(1.0, 1.0) * (marker.size / 2.0 + 1.0);
-                    for at in points.iter().map(|(x, y)| frame.at(*x, *y)) {
+                    for at in points.iter().map(|(x, y)| frame.place(*x, *y)) {
                         placing.take([at - room, at + room]);
                     }
                 }

@@ -3,7 +3,7 @@
 use super::engagement::{EngagementState, STEPS, speeds};
 
 use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel, Spot};
-use crate::number::{degrees, describe_parameters, short, without_noise};
+use crate::number::{degrees, describe_parameters, extent, short, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FILL, FOLLOWER, PAPER};
 use crate::{Figure, FigureError, Series, Words};
@@ -94,7 +94,8 @@ fn ends(first: f64, changes: &[Option<f64>], last: f64) -> Vec<f64> {
 /// Both curves, and where the flank changes.
 fn forces(x: &ChartAxis, instants: &[EngagementState], change: Option<f64>) -> Panel {
     let values = || instants.iter().flat_map(|at| [at.normal, at.friction]);
-    let y = ChartAxis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
+    let [least, most] = extent(values().chain([0.0]));
+    let y = ChartAxis::from_zero(least, most, 4.0);
     let y = y.titled(Label::words("moments in torques ").and_symbol("K").and(" of the spring"));
     // Where the words about the change of the flank stand: high above the curves there.
     let aloft = 0.75 * y.range.end;

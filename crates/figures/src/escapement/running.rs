@@ -2,7 +2,7 @@
 
 use super::pose::{EscapementMargins, EscapementPose};
 use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
-use crate::number::{degrees, describe_parameters, format_fixed, significant};
+use crate::number::{degrees, describe_parameters, extent, format_fixed, significant};
 use crate::svg::{Canvas, Label, Shape};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
@@ -115,7 +115,7 @@ fn panels(instants: &[Instant], now: &Instant, starts: &[f64], steady: [f64; 2],
     let ms = |time: f64| 1000.0 * time;
     let most = instants.iter().map(|at| at.line.speed).fold(steady[1], f64::max);
     let forces = || instants.iter().map(|at| at.normal);
-    let [least_force, most_force] = [forces().fold(0.0, f64::min), forces().fold(0.0, f64::max)];
+    let [least_force, most_force] = extent(forces().chain([0.0]));
     let steps = ChartAxis::from_zero(0.0, ms(duration) / 1.04, 4.0);
     let ticks = steps.ticks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
     let x = ChartAxis { range: 0.0..ms(duration), ticks, ..steps };

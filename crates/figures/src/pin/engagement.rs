@@ -2,7 +2,7 @@
 
 use super::instant::PinState;
 use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
-use crate::number::{degrees, short, significant, without_noise};
+use crate::number::{degrees, extent, short, significant, without_noise};
 use crate::svg::Label;
 use crate::theme::{Colour, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
@@ -98,7 +98,7 @@ fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &
         _ => (Label::symbol("v").sub("P/S"), speed_unit, "towards O", RELATIVE),
     };
     let values = || rows.iter().map(|row| row[column]);
-    let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
+    let [least, greatest] = extent(values().chain([0.0]));
     let y = if least == greatest { ChartAxis::symmetric(0.0) } else { ChartAxis::from_zero(least, greatest, STEPS) };
     let title = symbol.and(&format!(" in {unit}, {way} positive")).in_colour(colour);
     let x = x_axis(rows);

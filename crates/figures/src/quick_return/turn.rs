@@ -2,7 +2,7 @@
 
 use super::instant::{LeverState, format_with_unit, lever_acceleration, rate_of};
 use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, MarkShape, Marker, Panel};
-use crate::number::{degrees, short, significant};
+use crate::number::{degrees, extent, short, significant};
 use crate::svg::Label;
 use crate::theme::{FILL, FOLLOWER};
 use crate::{Figure, Series, Words};
@@ -102,7 +102,7 @@ fn panel(rows: &[[f64; 4]], column: usize, instant: &LeverState, drive: &Drive<f
         _ => (lever_acceleration(), "rad/s²", rate, short(rate, 4)),
     };
     let values = || rows.iter().map(|row| row[column]);
-    let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
+    let [least, greatest] = extent(values().chain([0.0]));
     // Angles end on the frame: their ends are known.
     let axis = if column == 1 { ChartAxis::of_angles } else { ChartAxis::from_zero };
     let y = axis(least, greatest, STEPS).titled(symbol.and(&format!(" in {unit}")).in_colour(FOLLOWER));

@@ -1,7 +1,7 @@
 //! What a print-out shows of peaks that are narrower than its interval.
 
 use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, MarkShape, Marker, Panel};
-use crate::number::{format_fixed, format_trimmed, significant};
+use crate::number::{extent, format_fixed, format_trimmed, significant};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
@@ -44,7 +44,7 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
     // The start from rest is left out.
     let shown = peaks.get(1..=SHOWN).ok_or(FigureError::Nothing)?;
     let printed = || peaks.iter().skip(1).map(|peak| peak.printed.1);
-    let (least, most) = (printed().fold(f64::INFINITY, f64::min), printed().fold(0.0, f64::max));
+    let [least, most] = extent(printed());
     let actual = peaks.iter().skip(1).map(|peak| peak.actual.speed).fold(0.0, f64::max);
     let y = |below: f64| ChartAxis::spanning(actual - below * (actual - least), actual + 0.2 * (actual - least), 4.0);
     let label = Label::words;

@@ -24,6 +24,7 @@ pub use reset_angle::{Scan, reset_angle};
 pub use speeds::{first_minimum, speeds};
 
 use crate::error::FigureError;
+use crate::number::extent;
 use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
@@ -104,7 +105,6 @@ impl MechanismRuns {
 
     /// The least and the greatest of a value.
     fn range(&self, value: fn(&PrintedRun) -> f64) -> [f64; 2] {
-        let values = || self.runs.iter().map(value);
-        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+        extent(self.runs.iter().map(value))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{MechanismRuns, PrintedRun};
 use crate::chart::{Chart, ChartAxis, LegendEntry, Panel, of_mechanism};
-use crate::number::{count_word, degrees, format_fixed, significant};
+use crate::number::{count_word, degrees, extent, format_fixed, significant};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::steady::Engagement;
@@ -140,7 +140,7 @@ fn words(group: &MechanismRuns, frictions: usize, means: &[Means<'_>]) -> Words 
     let name = count_word(pins);
     let spread = |under: fn(&Means<'_>) -> f64| {
         let quotients = || means.iter().map(|run| run.printed / under(run));
-        [quotients().fold(f64::INFINITY, f64::min), quotients().fold(0.0, f64::max)].map(|of| significant(of, 3))
+        extent(quotients()).map(|of| significant(of, 3))
     };
     let [low, high] = spread(|means| means.as_run);
     let as_is = if group.own_reset().is_some() {

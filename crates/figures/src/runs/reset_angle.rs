@@ -19,10 +19,14 @@ pub struct Scan {
 /// The counts over the reset angle, a curve for each mechanism, which all have the same angles.
 ///
 /// Series: the reset angle in degrees, and the count of each mechanism in the order given.
+///
+/// # Panics
+///
+/// Without a mechanism or without an angle.
 pub fn reset_angle(scans: &[Scan]) -> Figure {
-    let angles: Vec<f64> = scans.first().map_or_else(Vec::new, |scan| scan.counts.iter().map(|(at, _)| *at).collect());
-    let range = angles.first().copied().unwrap_or(0.0)..angles.last().copied().unwrap_or(1.0);
-    let most = scans.iter().map(|scan| scan.cells).max().unwrap_or(1) as f64;
+    let angles: Vec<f64> = scans[0].counts.iter().map(|(at, _)| *at).collect();
+    let range = angles[0]..angles[angles.len() - 1];
+    let most = scans.iter().map(|scan| scan.cells as f64).fold(0.0, f64::max);
     let x = ChartAxis::new(AxisScale::Linear, range.clone(), tens(range.start, range.end), 0);
     let x = x.titled(Label::words("reset angle of the program, in degrees"));
     let y = ChartAxis::new(AxisScale::Linear, 0.0..1.05 * most, tens(0.0, most), 0);
@@ -54,7 +58,7 @@ pub fn reset_angle(scans: &[Scan]) -> Figure {
     let columns = std::iter::once(("reset".to_owned(), "deg"))
         .chain(scans.iter().map(|scan| (format!("{} pins", scan.mechanism.pins()), "1")));
     let row = |(at, angle): (usize, &f64)| {
-        let counts = scans.iter().map(|scan| scan.counts.get(at).map_or(f64::NAN, |(_, count)| *count as f64));
+        let counts = scans.iter().map(|scan| scan.counts[at].1 as f64);
         std::iter::once(*angle).chain(counts).collect()
     };
     let rows = angles.iter().enumerate().map(row).collect();

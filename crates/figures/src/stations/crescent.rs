@@ -1,6 +1,7 @@
 //! Why a crescent about the wheel's axis bites: how far a horn's tip stays from it, and from the one that is cut instead.
 
 use crate::chart::{Chart, ChartAxis, LineStyle, Panel};
+use crate::number::extent;
 use crate::svg::Label;
 use crate::theme::{DRIVER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -38,7 +39,7 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
         }
     }
     let gaps = || rows.iter().flat_map(|row| [row[1], row[2]]);
-    let (least, most) = (gaps().fold(0.0, f64::min), gaps().fold(0.0, f64::max));
+    let [least, most] = extent(gaps().chain([0.0]));
     let x = ChartAxis::of_angles(0.0, end.to_degrees(), STEPS)
         .titled(Label::words("crank angle ").and_symbol("θ").and(", °"));
     let y = ChartAxis::from_zero(least, most, 4.0).titled(Label::words("gap at the horn’s tip, mm"));

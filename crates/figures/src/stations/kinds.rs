@@ -1,6 +1,7 @@
 //! External, internal and spherical wheels of the same number of stations compared.
 
 use crate::chart::{Chart, ChartAxis, LegendEntry, MarkShape, Marker, Panel};
+use crate::number::extent;
 use crate::svg::Label;
 use crate::theme::{CORIOLIS, Colour, DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
@@ -51,7 +52,7 @@ pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
         let x = ChartAxis::whole(f64::from(first) - 0.7..f64::from(last) + 0.7, marks)
             .titled(Label::words("number of stations ").and_symbol("N"));
         let values = || rows.iter().flat_map(move |(_, kinds)| kinds.iter().map(move |of| of[quantity]));
-        let [least, most] = [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)];
+        let [least, most] = extent(values());
         let y = if quantity == 0 {
             ChartAxis::from_zero(0.0, most, 4.0)
         } else {

@@ -1,7 +1,7 @@
 //! How near the wheel's horns come to the locking disc, with two cuts in it.
 
 use crate::chart::{Chart, ChartAxis, LineStyle, Panel, kind};
-use crate::number::format_fixed;
+use crate::number::{extent, format_fixed};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::indexing::Indexing;
@@ -73,7 +73,7 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
     let x = ChartAxis::whole(first.min(last) - 0.5..last + 0.5, numbers())
         .titled(Label::words("number of slots ").and_symbol("N"));
     let values = || rows.iter().flat_map(|row| [row[1], row[2]]);
-    let (least, most) = (values().fold(-1.0, f64::min), values().fold(1.0, f64::max));
+    let [least, most] = extent(values().chain([-1.0, 1.0]));
     let y = ChartAxis::spanning(least, most, 5.0).titled(Label::words("gap in % of the centre distance"));
     let mut panel = Panel::new(340.0, &x, &y).horizontal(0.0, LineStyle::thin("touching"));
     let names = ["arc of the wheel's radius", "arc through the disc's edges"];

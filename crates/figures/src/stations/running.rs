@@ -2,7 +2,7 @@
 
 use super::pose::{WheelMargins, WheelPose, count_noun};
 use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
-use crate::number::{degrees, significant, with_minus_sign, without_noise};
+use crate::number::{degrees, extent, significant, with_minus_sign, without_noise};
 use crate::parts::{WIDTH, pin_circle};
 use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{Colour, DRIVER, FOLLOWER, INK, RELATIVE};
@@ -114,7 +114,7 @@ fn panels(rows: &[Row], near: f64, motion: &Motion, end: f64) -> Vec<Panel> {
     let parts: Vec<&[Row]> = rows.chunk_by(|(a, _), (b, _)| a < b).collect();
     let panel = |(k, (name, colour, value)): (usize, &Curve)| {
         let values = || rows.iter().map(|(_, motion)| value(motion));
-        let [least, most] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+        let [least, most] = extent(values().chain([0.0]));
         let title = Label::words(name).in_colour(*colour);
         let y = ChartAxis::spanning(least, most, 3.0).titled(title);
         let x = ChartAxis::whole(-end..end, marks());

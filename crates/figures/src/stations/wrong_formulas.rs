@@ -1,7 +1,7 @@
 //! What wrong formulas make of wheels, by the number of slots.
 
 use crate::chart::{Chart, ChartAxis, LineStyle, Panel, kind};
-use crate::number::{format_trimmed, short};
+use crate::number::{extent, format_trimmed, short};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
 use std::f64::consts::FRAC_PI_2;
@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 pub struct WrongFormula {
     /// What it is for, in a few words.
     pub name: String,
-    /// What it gives over what is right, for the numbers of slots: dimensionless, positive.
+    /// What it gives over what is right, for each number of slots: dimensionless, positive.
     pub ratios: Vec<(u32, f64)>,
 }
 
@@ -29,16 +29,20 @@ impl WrongFormula {
     }
 }
 
-/// What wrong formulas give over what is right, for several numbers of slots, on a logarithmic axis: those that are right
-/// for some number of slots above, the others below.
+/// What wrong formulas give over what is right, all for the same numbers of slots in a row, on a logarithmic axis: those that
+/// are right for some number of slots above, the others below.
 ///
 /// Series: the number of slots, then a column for each formula.
+///
+/// # Panics
+///
+/// Without a formula.
 pub fn wrong_formulas(formulas: &[WrongFormula]) -> Figure {
-    let slots = || formulas.iter().flat_map(|formula| &formula.ratios).map(|(slots, _)| f64::from(*slots));
-    let (first, last) = (slots().fold(f64::INFINITY, f64::min).min(3.0), slots().fold(4.0, f64::max));
-    let x = ChartAxis::whole(first - 0.5..last + 0.5, (first as u32..=last as u32).map(f64::from));
-    let ratios = || formulas.iter().flat_map(|formula| &formula.ratios).map(|(_, ratio)| *ratio);
-    let y = ChartAxis::logarithmic_about(ratios().fold(1.0, f64::min)..ratios().fold(1.0, f64::max));
+    let slots = || formulas[0].points().map(|(slots, _)| slots);
+    let [first, last] = extent(slots());
+    let x = ChartAxis::whole(first - 0.5..last + 0.5, slots());
+    let [least, most] = extent(formulas.iter().flat_map(WrongFormula::points).map(|(_, ratio)| ratio).chain([1.0]));
+    let y = ChartAxis::logarithmic_about(least..most);
     let panel = |somewhere: bool| {
         let at = if somewhere { right_at(formulas) } else { "no number of".to_owned() };
         let words = format!("given over right; right at {at} slots");
@@ -68,23 +72,18 @@ fn right_at(formulas: &[WrongFormula]) -> String {
 
 fn series(formulas: &[WrongFormula]) -> Series {
     let columns = formulas.iter().map(|formula| (formula.name.replace(",", ""), "1"));
-    let mut slots: Vec<u32> = formulas.iter().flat_map(|formula| &formula.ratios).map(|(slots, _)| *slots).collect();
-    slots.sort_unstable();
-    slots.dedup();
-    let at = |slots: u32, formula: &WrongFormula| {
-        let found = formula.ratios.iter().find(|(of, _)| *of == slots);
-        found.map_or(f64::NAN, |(_, ratio)| *ratio)
-    };
-    let row = |slots: u32| [f64::from(slots)].into_iter().chain(formulas.iter().map(move |of| at(slots, of))).collect();
-    Series::of_columns([("N".to_owned(), "1")].into_iter().chain(columns), slots.into_iter().map(row).collect())
+    let ratios = |row: usize| formulas.iter().map(move |formula| formula.ratios[row].1);
+    let rows =
+        formulas[0].points().enumerate().map(|(row, (slots, _))| [slots].into_iter().chain(ratios(row)).collect());
+    Series::of_columns([("N".to_owned(), "1")].into_iter().chain(columns), rows.collect())
 }
 
 fn words(formulas: &[WrongFormula], [first, last]: [f64; 2]) -> Words {
     let said = |somewhere: bool| {
         let of_panel = formulas.iter().filter(|formula| formula.is_right_somewhere() == somewhere);
-        let each = of_panel.filter_map(|formula| {
-            let [(from, least), (to, most)] = [formula.ratios.first()?, formula.ratios.last()?];
-            Some(format!("{}: {} at {from} to {} at {to}", formula.name, short(*least, 2), short(*most, 2)))
+        let each = of_panel.map(|formula| {
+            let [(from, least), (to, most)] = [formula.ratios[0], formula.ratios[formula.ratios.len() - 1]];
+            format!("{}: {} at {from} to {} at {to}", formula.name, short(least, 2), short(most, 2))
         });
         each.collect::<Vec<_>>().join("; ")
     };
@@ -139,9 +138,9 @@ mod tests {
     }
 
     #[test]
-    fn no_formula_and_formulas_that_are_far_off_are_drawn() {
-        for some in [vec![], vec![compared("far", |n| 1e6 * n)], vec![compared("near", |_| 1.0)]] {
-            assert_drawn(&wrong_formulas(&some));
+    fn formulas_that_are_far_off_are_drawn() {
+        for formula in [compared("far", |n| 1e6 * n), compared("near", |_| 1.0)] {
+            assert_drawn(&wrong_formulas(&[formula]));
         }
     }
 }

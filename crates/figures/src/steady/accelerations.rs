@@ -1,7 +1,7 @@
 //! Speeds, accelerations and the force on the pin over one engagement of the steady motion.
 
 use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
-use crate::number::{degrees, short, significant, without_noise};
+use crate::number::{degrees, extent, short, significant, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -121,7 +121,8 @@ fn both(
     unit: &str,
 ) -> Panel {
     let values = || instants.iter().flat_map(pair);
-    let y = ChartAxis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
+    let [least, most] = extent(values().chain([0.0]));
+    let y = ChartAxis::from_zero(least, most, 4.0);
     let [theta, phi] =
         [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, colour)| Label::rate(letter, order).in_colour(colour));
     let title = Label::words(what).and_label(&theta).and(" and ").and_label(&phi).and(unit);
@@ -149,7 +150,8 @@ fn jumping(panel: Panel, instants: &[Instant]) -> Panel {
 /// The force between pin and slot.
 fn force(x: &ChartAxis, instants: &[Instant]) -> Panel {
     let values = || instants.iter().map(|at| at.force);
-    let y = ChartAxis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
+    let [least, most] = extent(values().chain([0.0]));
+    let y = ChartAxis::from_zero(least, most, 4.0);
     let symbol = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
     let title = Label::words("force on the pin ").and_label(&symbol);
     Panel::new(190.0, x, &y.titled(title))

@@ -1,7 +1,7 @@
 //! All runs of a mechanism on one curve: peak, minimum and period without the torque and the size of the inertias.
 
 use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, Panel, Spot, of_mechanism};
-use crate::number::significant;
+use crate::number::{extent, significant};
 use crate::runs::{MechanismRuns, PrintedRun};
 use crate::svg::Label;
 use crate::theme::INK;
@@ -122,7 +122,7 @@ pub fn collapse(groups: &[MechanismRuns]) -> Result<Figure, FigureError> {
 /// The axis of the frictions of all runs.
 fn frictions(runs: &[Scaled]) -> Result<ChartAxis, FigureError> {
     let frictions = || runs.iter().map(|run| run.friction);
-    let (least, most) = (frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max));
+    let [least, most] = extent(frictions());
     if runs.is_empty() {
         return Err(FigureError::Nothing);
     }

@@ -2,7 +2,7 @@
 
 use super::{HOURS, Tested, key, of_friction};
 use crate::chart::{Chart, ChartAxis, LineStyle, Panel, Spot, of_mechanism};
-use crate::number::format_trimmed;
+use crate::number::{extent, format_trimmed};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::timer::speed_change;
@@ -41,7 +41,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         curves.push((one, curve, marks));
     }
     let gains = || rows.iter().map(|row| row[2]);
-    let (low, high) = (gains().fold(0.0, f64::min), gains().fold(0.0, f64::max));
+    let [low, high] = extent(gains().chain([0.0]));
     let y = ChartAxis::from_zero(low, high, 5.0).titled(Label::words("gain, hours a day"));
     let mut panel = Panel::new(400.0, &x, &y).horizontal(0.0, LineStyle::thin("set"));
     for (friction, _) in pairs {

@@ -19,6 +19,7 @@ pub use torque::torque;
 
 use crate::FigureError;
 use crate::chart::{ChartAxis, LegendEntry, of_mechanism};
+use crate::number::extent;
 use crate::svg::Label;
 use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::Parameters;
@@ -100,7 +101,7 @@ impl Point {
 /// The least and the greatest friction of all runs.
 fn frictions(all: &[Tested]) -> Result<[f64; 2], FigureError> {
     let frictions = || all.iter().flat_map(|one| one.frictions.iter().copied());
-    let ends = [frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max)];
+    let ends = extent(frictions());
     if ends[0] < ends[1] { Ok(ends) } else { Err(FigureError::Nothing) }
 }
 

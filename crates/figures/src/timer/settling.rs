@@ -1,7 +1,7 @@
 //! How long an escapement takes to settle, over the inertia of its follower.
 
 use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
-use crate::number::{format_trimmed, significant};
+use crate::number::{extent, format_trimmed, significant};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -57,7 +57,7 @@ pub fn settling(own: &Parameters, parts: &[f64], run: &str) -> Result<Figure, Fi
         Panel::new(165.0, &x, &y).curve(points(), LineStyle::new(marker.colour).wide(2.0)).marks(points(), marker)
     });
     let times = || rows.iter().map(|row| row[3]);
-    let (quickest, slowest) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
+    let [quickest, slowest] = extent(times());
     let words = Words::new(
         "timer-settling",
         "How long a small difference from the steady motion lasts with a lighter follower",

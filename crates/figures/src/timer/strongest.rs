@@ -2,7 +2,7 @@
 
 use super::{Curve, Tested, axis, key, of_friction};
 use crate::chart::{Chart, ChartAxis, Panel, Spot, of_mechanism};
-use crate::number::significant;
+use crate::number::{extent, significant};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
@@ -49,8 +49,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
             panel.name(name, Spot::Beside(last.values[k]))
         })
     });
-    let range =
-        |k: usize| [of(k).fold(f64::INFINITY, f64::min), of(k).fold(0.0, f64::max)].map(|value| significant(value, 3));
+    let range = |k: usize| extent(of(k)).map(|value| significant(value, 3));
     let said =
         ["driver's acceleration", "follower's acceleration", "its jump", "force on the pin"].into_iter().enumerate();
     let said = said.map(|(k, name)| {
