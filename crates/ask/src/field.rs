@@ -244,7 +244,7 @@ impl Serialize for MechanismReport {
     }
 }
 
-/// What a field says.
+/// The value of a field of a report.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FieldValue {
     /// Nothing is known, or nothing was asked for: null in JSON, an empty cell.
@@ -265,7 +265,7 @@ pub enum FieldValue {
     Worded(DataRow, String),
 }
 
-/// Keys, which are also the columns, with their values.
+/// A row of data: keys, which are also the columns, with their values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DataRow(pub Vec<(&'static str, FieldValue)>);
 

@@ -4,7 +4,7 @@ use geneva_ask::number_format::no_greater;
 use geneva_ask::{ReportField, Rounding};
 use geneva_figures::{Figure, with_minus_sign};
 
-/// A drawing and its numbers.
+/// What a live figure replies: a drawing and its numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiveReply {
     /// The drawing with its words and its series.
@@ -21,7 +21,7 @@ pub struct LiveReply {
     pub progress: Option<Progress>,
 }
 
-/// A number with its text.
+/// A number that a live figure shows, with its text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiveNumber {
     /// Its name among the figure's quantities.
@@ -32,7 +32,7 @@ pub struct LiveNumber {
     pub text: String,
 }
 
-/// A number that is told.
+/// A quantity that a live figure shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiveQuantity {
     /// Its name in the answer.

@@ -160,7 +160,7 @@ impl Control {
     }
 }
 
-/// How a value is moved.
+/// How the value of a control is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ControlKind {
     /// By a slider and a box for the number.

@@ -35,7 +35,7 @@ const PIECE: f64 = 44.0;
 const MARK: f64 = 15.0;
 const GAP: f64 = 9.0;
 
-/// One entry of a key: a piece of a curve, marks, and what they stand for.
+/// An entry of a chart's key: a piece of a curve, marks, and what they stand for.
 #[derive(Clone, Debug)]
 pub struct LegendEntry {
     stroke: Option<LineStyle>,

@@ -9,7 +9,7 @@ pub const STEPS: u32 = 180;
 /// Relative error of the motion: far below what a series is written to.
 const TOLERANCE: f64 = 1e-13;
 
-/// What acts at one instant, over the driving torque K.
+/// What acts at one instant of an engagement, over the driving torque K.
 #[derive(Clone, Copy, Debug)]
 pub struct EngagementState {
     /// θ, in radians.

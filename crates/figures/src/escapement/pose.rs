@@ -27,7 +27,7 @@ pub struct EscapementMargins {
     pub below: f64,
 }
 
-/// The two bodies, and where they lie.
+/// Driver and follower in one position, and where they lie on the page.
 #[derive(Clone, Debug)]
 pub struct EscapementPose {
     /// The follower; lengths in crank radii.

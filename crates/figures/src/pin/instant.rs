@@ -9,7 +9,7 @@ use geneva_kinematics::pin_slot::{self, PinSlot};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use nalgebra::Vector2;
 
-/// One instant of the motion. Lengths are in the mechanism's unit, speeds in that unit times the driver's.
+/// Position and motion of a pin in its slot at one instant. Lengths are in the mechanism's unit, speeds in that unit times the driver's.
 #[derive(Clone, Debug)]
 pub struct PinState {
     /// φ in radians, in [0, 2π).

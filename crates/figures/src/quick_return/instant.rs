@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 /// What is so small beside the greatest of its kind is written as zero.
 const NOTHING: f64 = 1e-7;
 
-/// Position and motion at one instant. Angles in radians, the rest in the units of the arguments.
+/// Position and motion of a linkage at one instant. Angles in radians, the rest in the units of the arguments.
 #[derive(Clone, Debug)]
 pub struct LeverState {
     /// From the direction O4 → O2, in [0, 2π).

@@ -27,7 +27,7 @@ pub const LEVER: f64 = 13.0;
 const SLOT: f64 = 7.0;
 const CRANK: f64 = 8.0;
 
-/// Where the parts lie on the page.
+/// Where the parts of a linkage lie on the page.
 #[derive(Clone, Debug)]
 pub struct LinkagePose {
     /// The mechanism's plane about O4.

@@ -6,7 +6,7 @@ use crate::svg::Label;
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER};
 use crate::{Figure, Series, Words};
 
-/// What one lag gives.
+/// How likely one lag makes the printed tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LagLikelihood {
     /// The lag, in milliseconds.

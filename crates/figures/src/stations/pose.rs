@@ -21,7 +21,7 @@ pub struct WheelMargins {
     pub below: f64,
 }
 
-/// The two bodies, and where they lie: the wheel's axis at the left, the driver's at the right.
+/// Wheel and driver in one position, and where they lie on the page: the wheel's axis at the left, the driver's at the right.
 #[derive(Clone, Copy, Debug)]
 pub struct WheelPose {
     pub star: Star,

@@ -6,7 +6,7 @@ use super::shape::Shape;
 use super::view::Pixels;
 use crate::number::format_trimmed;
 
-/// What a drawing is: its class, for the page's style sheet.
+/// The kind of a drawing: its class, for the page's style sheet.
 #[derive(Clone, Copy, Debug)]
 pub enum DrawingKind {
     /// Bodies and joints, to scale.
