@@ -10,7 +10,7 @@ mod times;
 mod workshop;
 
 use crate::{assert_is_drawn, assert_is_plain, number, object, on_sheet, pin, refused, right, stdout};
-use geneva_ask::Need;
+use geneva_ask::Needs;
 use geneva_figures::stations::{internal_mechanism, mechanism, spherical_mechanism};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_wheel::InternalWheel;
@@ -88,37 +88,35 @@ fn the_sheet_says_what_the_object_says() {
 
 #[test]
 fn keys_are_always_there_and_null_without_what_they_need() {
-    use Need::{Density, FrictionTorque, Inertia, Materials, SecondPin, Size, Speed, TableInertia, Thickness};
     let report = geneva_ask::answer("wheel --stations 6").expect("an answer");
-    let mut needs: BTreeMap<&str, &[Need]> = report.fields().map(|field| (field.key, field.needs)).collect();
-    needs.insert("at", &[]);
-    let load = ["--rpm", "360", "--inertia", "0.1"];
-    let plate = ["--crank-radius", "50", "--thickness", "8", "--density", "7850"];
-    let materials = ["--thickness", "8", "--pin-material", "steel", "--wheel-material", "acetal"];
+    let mut needs: BTreeMap<&str, Needs> = report.fields().map(|field| (field.key, field.needs)).collect();
+    needs.insert("at", Needs::NONE);
+    let (speed, size, pins) = (["--rpm", "360"], ["--crank-radius", "50"], ["--pins", "2"]);
+    let (table, friction) = (["--inertia", "0.1"], ["--friction-torque", "2"]);
+    let (plate, density) = (["--thickness", "8"], ["--density", "7850"]);
+    let materials = ["--pin-material", "steel", "--wheel-material", "acetal"];
+    let load = Needs::SPEED.and(Needs::INERTIA).and(Needs::TABLE_INERTIA);
+    let own = Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::INERTIA);
     for (options, given) in [
-        (&[][..], &[][..]),
-        (&["--rpm", "360"], &[Speed]),
-        (&["--crank-radius", "50"], &[Size]),
-        (&["--rpm", "360", "--crank-radius", "50"], &[Speed, Size]),
-        (&["--pins", "2"], &[SecondPin]),
-        (&["--pins", "2", "--crank-radius", "50"], &[SecondPin, Size]),
-        (&load, &[Speed, Inertia, TableInertia]),
+        (vec![], Needs::NONE),
+        (speed.to_vec(), Needs::SPEED),
+        (size.to_vec(), Needs::SIZE),
+        ([speed, size].concat(), Needs::SPEED.and(Needs::SIZE)),
+        (pins.to_vec(), Needs::SECOND_PIN),
+        ([pins, size].concat(), Needs::SECOND_PIN.and(Needs::SIZE)),
+        ([speed, table].concat(), load),
+        ([speed, table, friction, size].concat(), load.and(Needs::FRICTION_TORQUE).and(Needs::SIZE)),
+        ([size, plate, density].concat(), own),
+        ([size, plate, density, speed, table].concat(), own.and(load)),
         (
-            &[&load[..], &["--friction-torque", "2", "--crank-radius", "50"]].concat(),
-            &[Speed, Inertia, TableInertia, FrictionTorque, Size],
-        ),
-        (&plate, &[Size, Thickness, Density, Inertia]),
-        (&[&plate[..], &load].concat(), &[Size, Thickness, Density, Inertia, Speed, TableInertia]),
-        (
-            &[&load[..], &["--crank-radius", "50"], &materials].concat(),
-            &[Speed, Inertia, TableInertia, Size, Thickness, Materials],
+            [&[speed, table, size, plate].concat()[..], &materials].concat(),
+            load.and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS),
         ),
     ] {
-        let found = object(&[&["wheel", "--stations", "6"], options].concat());
+        let found = object(&[&["wheel", "--stations", "6"], &options[..]].concat());
         assert!(found.keys().eq(needs.keys()), "{options:?}");
         for (key, value) in found {
-            let is_given = needs[&*key].iter().all(|need| given.contains(need));
-            assert_eq!(value.is_null(), !is_given, "{key} with {options:?}");
+            assert_eq!(value.is_null(), !needs[&*key].are_met_by(given), "{key} with {options:?}");
             let kind = ["type", "at", "warnings"].contains(&&*key);
             assert!(kind || value.is_null() || value.is_number(), "{key} with {options:?}: {value}");
         }

@@ -18,36 +18,56 @@ pub struct ReportField {
     /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
     pub line: Option<SheetLine>,
     /// What the question must give for it to have a value. Only the fields of a wheel say so.
-    pub needs: &'static [Need],
+    pub needs: Needs,
     /// Whether a figure that a reader moves lists it although the figure has no place of its own for it.
     pub is_visible_in_live_figure: bool,
 }
 
-/// What a question about a wheel may leave out, and what a value may need.
+/// What a value needs of those things that a question about a wheel may leave out: a set, in two bytes, because the module that
+/// a page loads holds one for each field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Need {
+pub struct Needs(u16);
+
+impl Needs {
+    /// Nothing but what every question gives.
+    pub const NONE: Self = Self(0);
     /// The speed of the driver.
-    Speed,
+    pub const SPEED: Self = Self(1 << 0);
     /// A length that gives the size of the wheel; for the parts of a wheel, of an external one.
-    Size,
+    pub const SIZE: Self = Self(1 << 1);
     /// A moment of inertia: that of the table, or the wheel's own.
-    Inertia,
+    pub const INERTIA: Self = Self(1 << 2);
     /// The moment of inertia of the table and all else that turns with the wheel.
-    TableInertia,
+    pub const TABLE_INERTIA: Self = Self(1 << 3);
     /// The torque of the friction that brakes the wheel.
-    FrictionTorque,
+    pub const FRICTION_TORQUE: Self = Self(1 << 4);
     /// The thickness of the wheel.
-    Thickness,
+    pub const THICKNESS: Self = Self(1 << 5);
     /// The density of the wheel.
-    Density,
+    pub const DENSITY: Self = Self(1 << 6);
     /// The materials of pins and wheel.
-    Materials,
+    pub const MATERIALS: Self = Self(1 << 7);
     /// A driver with more than one pin.
-    SecondPin,
+    pub const SECOND_PIN: Self = Self(1 << 8);
     /// The coefficient of friction of a pin in its slot.
-    PinFriction,
+    pub const PIN_FRICTION: Self = Self(1 << 9);
     /// A crank angle before a pin enters.
-    BeforeEntry,
+    pub const BEFORE_ENTRY: Self = Self(1 << 10);
+
+    /// All of both.
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether these are all given.
+    pub const fn are_met_by(self, given: Self) -> bool {
+        self.0 & !given.0 == 0
+    }
+
+    /// These, but for others that are not given.
+    pub const fn without(self, others: Self) -> Self {
+        Self(self.0 & !others.0)
+    }
 }
 
 /// The line of a field on a sheet: its name, and what its number means.
@@ -94,7 +114,15 @@ impl ReportField {
     /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
     pub fn in_unit(key: &'static str, value: impl Into<FieldValue>, unit: &'static str) -> Self {
         let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
-        Self { key, value: value.into(), unit, rounding, line: None, needs: &[], is_visible_in_live_figure: false }
+        Self {
+            key,
+            value: value.into(),
+            unit,
+            rounding,
+            line: None,
+            needs: Needs::NONE,
+            is_visible_in_live_figure: false,
+        }
     }
 
     /// The field with its line: a name, and what the number means. What is missing has none.
@@ -144,13 +172,8 @@ impl ReportField {
     }
 
     /// The field with what the question must give for it to have a value.
-    pub fn needing(self, needs: &'static [Need]) -> Self {
+    pub fn needing(self, needs: Needs) -> Self {
         Self { needs, ..self }
-    }
-
-    /// The field with these needs, unless it has its own.
-    pub(crate) fn needing_unless_set(self, needs: &'static [Need]) -> Self {
-        if self.needs.is_empty() { self.needing(needs) } else { self }
     }
 
     /// The field with its own rounding.

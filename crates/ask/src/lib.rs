@@ -27,7 +27,7 @@ pub mod quick_return;
 mod timekeepers;
 pub mod wheel;
 
-pub use field::{DataRow, FieldValue, Item, MechanismReport, Need, ReportField, Rounding, SheetLine, SheetNumber};
+pub use field::{DataRow, FieldValue, Item, MechanismReport, Needs, ReportField, Rounding, SheetLine, SheetNumber};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;

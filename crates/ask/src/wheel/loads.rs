@@ -2,12 +2,12 @@
 
 use super::design::WheelDesign;
 use crate::number_format::degrees;
-use crate::{Error, Need, ReportField, Rounding};
+use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
 use geneva_kinematics::indexing::Indexing;
 
 /// What a force on the pin needs.
-const FORCE: &[Need] = &[Need::Speed, Need::Inertia, Need::Size];
+const FORCE: Needs = Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE);
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
 pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
@@ -36,19 +36,19 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
     let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
     let from = ReportField::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
-    let fields = vec![
+    let mut fields = vec![
         ReportField::in_unit("inertia_kgm2", design.inertia, "kg m²")
             .line("moment of inertia", "of the wheel and everything that turns with it")
-            .needing(&[Need::Inertia]),
+            .needing(Needs::INERTIA),
         ReportField::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
             .line("", "part of the wheel itself, from its outline, thickness and density")
-            .needing(&[Need::Size, Need::Thickness, Need::Density]),
+            .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY)),
         ReportField::in_unit("table_inertia_kgm2", design.table_inertia(), "kg m²")
             .line("", "part of the table and all else that turns with the wheel, as given")
-            .needing(&[Need::Size, Need::Thickness, Need::Density, Need::TableInertia]),
+            .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::TABLE_INERTIA)),
         ReportField::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included")
-            .needing(&[Need::FrictionTorque]),
+            .needing(Needs::FRICTION_TORQUE),
         ReportField::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
             .line("entry wheel torque", "as a pin enters: it comes all at once")
             .visible_in_live_figure(),
@@ -66,7 +66,7 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
         .needing(FORCE),
         ReportField::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
             .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
-            .needing(&[Need::Speed, Need::Inertia, Need::Size, Need::Thickness, Need::Materials])
+            .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS))
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
@@ -89,5 +89,8 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
         from,
         ReportField::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
-    Ok(fields.into_iter().map(|field| field.needing_unless_set(&[Need::Speed, Need::Inertia])).collect())
+    for field in fields.iter_mut().filter(|field| field.needs == Needs::NONE) {
+        field.needs = Needs::SPEED.and(Needs::INERTIA);
+    }
+    Ok(fields)
 }

@@ -3,7 +3,7 @@
 //! Neither the command's sheet nor its data have these fields. Chapters show them.
 
 use super::design::WheelDesign;
-use crate::{Error, Need, ReportField, Rounding};
+use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_at_yield};
 use geneva_kinematics::cam::modified_sine_peak;
 use geneva_kinematics::indexing::Indexing;
@@ -38,22 +38,22 @@ impl WheelDesign {
         vec![
             ReportField::in_unit("driver_speed_rad_s", self.speed(), "rad/s")
                 .line("driver", "speed")
-                .needing(&[Need::Speed]),
+                .needing(Needs::SPEED),
             ReportField::in_unit("turn_s", self.question.rpm.map(|rpm| 60.0 / rpm), "s")
                 .line("", "time of a turn")
-                .needing(&[Need::Speed]),
+                .needing(Needs::SPEED),
             ReportField::in_unit("pin_speed_mm_s", self.pin_speed(), "mm/s")
                 .line("pin", "speed on the crank circle")
-                .needing(&[Need::Size, Need::Speed]),
+                .needing(Needs::SIZE.and(Needs::SPEED)),
             ReportField::in_unit("thickness_mm", self.question.thickness, "mm")
                 .line("thickness", "of the wheel")
-                .needing(&[Need::Thickness]),
+                .needing(Needs::THICKNESS),
             ReportField::in_unit("wheel_inertia_factor_kg_m2", own, "kg/m²")
                 .line("wheel's inertia", "over the fourth power of the crank radius")
-                .needing(&[Need::Size, Need::Thickness, Need::Density]),
+                .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY)),
             ReportField::new("wheel_inertia_share", share)
                 .line("", "over the table's inertia")
-                .needing(&[Need::Size, Need::Thickness, Need::Density, Need::TableInertia])
+                .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::TABLE_INERTIA))
                 .rounded(Rounding::Percent(0)),
         ]
     }
@@ -72,21 +72,21 @@ impl WheelDesign {
         Ok(vec![
             ReportField::in_unit("contact_modulus_gpa", modulus.map(|modulus| modulus / GIGAPASCAL), "GPa")
                 .line("modulus of the contact", "E* of pin and wall")
-                .needing(&[Need::Materials]),
+                .needing(Needs::MATERIALS),
             ReportField::in_unit("contact_width_um", width.map(|width| width * MICROMETRES), "µm")
                 .line("width of the contact", "at the peak pin force")
-                .needing(&[Need::Speed, Need::Inertia, Need::Size, Need::Thickness, Need::Materials]),
+                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS)),
             ReportField::in_unit("pressure_at_yield", pressure_at_yield(POISSON), "× yield stress")
                 .line("pressure at yield", "greatest pressure at which a wall begins to yield below its surface"),
             ReportField::new("pin_friction", question.pin_friction)
                 .line("pin friction", "coefficient in the slot")
-                .needing(&[Need::PinFriction]),
+                .needing(Needs::PIN_FRICTION),
             ReportField::in_unit("rubbing_peak_crank_torque_nm", peak, "N m")
                 .line("peak crank torque", "with the pin's friction in the slot")
-                .needing(&[Need::Speed, Need::Inertia, Need::PinFriction]),
+                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::PIN_FRICTION)),
             ReportField::in_unit("rubbing_mean_crank_torque_nm", mean, "N m")
                 .line("mean crank torque", "with the pin's friction in the slot")
-                .needing(&[Need::Speed, Need::Inertia, Need::PinFriction]),
+                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::PIN_FRICTION)),
         ])
     }
 
@@ -100,7 +100,7 @@ impl WheelDesign {
         Ok(vec![
             ReportField::in_unit("rms_crank_torque_share", share, "× peak crank torque")
                 .line("RMS crank torque", "over a turn of the driver")
-                .needing(&[Need::Speed, Need::Inertia]),
+                .needing(Needs::SPEED.and(Needs::INERTIA)),
             ReportField::in_unit("cam_acceleration_share", cam, "× peak acceleration")
                 .line("cam", "greatest acceleration by the modified-sine law, for the same index in the same time"),
         ])
@@ -118,7 +118,7 @@ impl WheelDesign {
         let late = entry.map(|entry| entry.crank_angle + sizes.wheel.engagement_half_angle());
         let direction = sizes.slot_direction_tolerance().map(|angle| angle * sizes.wheel_radius);
         let tolerance = self.clearance()?.map(|(_, tolerance)| tolerance);
-        let fields = vec![
+        let mut fields = vec![
             mm("slot_gap_mm", Some(sizes.slot_gap())).line("slot gap", "to either side of the pin"),
             mm("clearance_tolerance_mm", tolerance).line("least clearance", "known to this tolerance"),
             mm("deepest_pin_mm", Some(sizes.deepest())).line("deepest pin", "from the wheel's axis, at mid-index"),
@@ -129,7 +129,7 @@ impl WheelDesign {
             degrees("dwell_backlash_held_deg", held).line("", "of crank angle, in which that of mid-dwell holds"),
             degrees("backlash_before_entry_deg", before.map(|[forwards, _]| forwards))
                 .line("", "forwards, so far before a pin enters")
-                .needing(&[Need::Size, Need::BeforeEntry]),
+                .needing(Needs::SIZE.and(Needs::BEFORE_ENTRY)),
             mm("greatest_dwell_backlash_at_rim_mm", play.map(|play| play.greatest * sizes.wheel_radius))
                 .line("greatest backlash", "at the wheel radius"),
             ReportField::in_unit(
@@ -144,7 +144,10 @@ impl WheelDesign {
             degrees("late_entry_deg", late).line("entry", "of the pin, late by"),
             self.blow(sizes),
         ];
-        Ok(fields.into_iter().map(|field| field.needing_unless_set(&[Need::Size])).collect())
+        for field in fields.iter_mut().filter(|field| field.needs == Needs::NONE) {
+            field.needs = Needs::SIZE;
+        }
+        Ok(fields)
     }
 
     /// The knock of a pin as it enters, with the axes as far apart as the question says. Missing where it meets no slot.
@@ -152,7 +155,7 @@ impl WheelDesign {
         let entry = sizes.entry(self.question.centre_error).zip(self.pin_speed());
         ReportField::in_unit("entry_knock_mm_s", entry.map(|(entry, speed)| entry.closing_speed * speed), "mm/s")
             .line("knock at entry", "if the wheel is in the middle of its backlash")
-            .needing(&[Need::Size, Need::Speed])
+            .needing(Needs::SIZE.and(Needs::SPEED))
             .rounded(Rounding::Significant(3))
     }
 }

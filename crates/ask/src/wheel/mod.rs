@@ -382,56 +382,44 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
 #[cfg(test)]
 mod tests {
     use super::{ARGUMENTS, ArgumentSlot, WheelQuestion};
-    use crate::{FieldValue, Need, ReportField, answer, further};
+    use crate::{FieldValue, Needs, ReportField, answer, further};
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Need); 11] = [
-        ("--rpm 60", Need::Speed),
-        ("--crank-radius 25", Need::Size),
-        ("--inertia 0.002", Need::TableInertia),
-        ("--friction-torque 0.0001", Need::FrictionTorque),
-        ("--thickness 10", Need::Thickness),
-        ("--density 7800", Need::Density),
-        ("--pin-material steel", Need::Materials),
-        ("--wheel-material steel", Need::Materials),
-        ("--pins 2", Need::SecondPin),
-        ("--pin-friction 0.15", Need::PinFriction),
-        ("--before-entry 20", Need::BeforeEntry),
+    const GIVEN: [(&str, Needs); 11] = [
+        ("--rpm 60", Needs::SPEED),
+        ("--crank-radius 25", Needs::SIZE),
+        ("--inertia 0.002", Needs::TABLE_INERTIA),
+        ("--friction-torque 0.0001", Needs::FRICTION_TORQUE),
+        ("--thickness 10", Needs::THICKNESS),
+        ("--density 7800", Needs::DENSITY),
+        ("--pin-material steel", Needs::MATERIALS),
+        ("--wheel-material steel", Needs::MATERIALS),
+        ("--pins 2", Needs::SECOND_PIN),
+        ("--pin-friction 0.15", Needs::PIN_FRICTION),
+        ("--before-entry 20", Needs::BEFORE_ENTRY),
     ];
 
-    /// The fields of the answer and the further ones, by their keys, without what gives these needs.
-    fn fields_without(left_out: &[Need]) -> BTreeMap<&'static str, ReportField> {
-        let arguments = GIVEN.iter().filter(|(_, need)| !left_out.contains(need));
-        let question =
-            arguments.fold("wheel --stations 6".to_owned(), |question, (argument, _)| format!("{question} {argument}"));
+    /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
+    fn fields(arguments: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, ReportField> {
+        let question = arguments.fold("wheel --stations 6".to_owned(), |question, argument| question + " " + argument);
         let (report, further) = (answer(&question).expect(&question), further(&question).expect(&question));
         report.fields().cloned().chain(further).map(|field| (field.key, field)).collect()
     }
 
     #[test]
     fn a_value_is_missing_just_where_something_that_it_needs_is_not_given() {
-        let all = fields_without(&[]);
+        let all = fields(GIVEN.iter().map(|(argument, _)| *argument));
+        let each = GIVEN.map(|(_, left_out)| left_out);
+        // Without both there is no inertia at all.
+        let none = Needs::TABLE_INERTIA.and(Needs::DENSITY).and(Needs::INERTIA);
         let mut lost = 0;
-        for left_out in [
-            &[][..],
-            &[Need::Speed],
-            &[Need::Size],
-            &[Need::TableInertia],
-            // Without both there is no inertia at all.
-            &[Need::TableInertia, Need::Density, Need::Inertia],
-            &[Need::FrictionTorque],
-            &[Need::Thickness],
-            &[Need::Density],
-            &[Need::Materials],
-            &[Need::SecondPin],
-            &[Need::PinFriction],
-            &[Need::BeforeEntry],
-        ] {
-            let fields = fields_without(left_out);
+        for left_out in each.into_iter().chain([Needs::NONE, none]) {
+            let given = GIVEN.iter().filter(|(_, gives)| !gives.are_met_by(left_out));
+            let some = fields(given.map(|(argument, _)| *argument));
             for (key, field) in &all {
-                let value = fields.get(key).map_or(&FieldValue::Missing, |field| &field.value);
-                let is_given = !field.needs.iter().any(|need| left_out.contains(need));
+                let value = some.get(key).map_or(&FieldValue::Missing, |field| &field.value);
+                let is_given = field.needs.without(left_out) == field.needs;
                 assert_eq!(*value != FieldValue::Missing, is_given, "{key} without {left_out:?}: {value:?}");
                 lost += usize::from(!is_given);
             }

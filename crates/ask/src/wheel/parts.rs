@@ -2,7 +2,7 @@
 
 use super::design::WheelDesign;
 use crate::number_format::degrees as degrees_told;
-use crate::{Error, FieldValue, Need, ReportField, Rounding};
+use crate::{Error, FieldValue, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::{Contact, Knock, Nearest, SharedTolerance, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
@@ -22,7 +22,7 @@ const LIMIT: Rounding = Rounding::Limit(4);
 const SOUGHT: Rounding = Rounding::Limit(2);
 
 fn mm(key: &'static str, length: Option<f64>) -> ReportField {
-    ReportField::in_unit(key, length, "mm").needing(&[Need::Size])
+    ReportField::in_unit(key, length, "mm").needing(Needs::SIZE)
 }
 
 /// The fields of the parts; without numbers where no size was given, or of another kind of wheel.
@@ -92,7 +92,7 @@ pub fn parts(design: &WheelDesign) -> Vec<ReportField> {
             .line("web of the disc", "least thickness between crescent and bore"),
         mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
             .line("web between crescents", "least thickness of the disc between two of them")
-            .needing(&[Need::Size, Need::SecondPin]),
+            .needing(Needs::SIZE.and(Needs::SECOND_PIN)),
         mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
     ]
 }
@@ -125,7 +125,7 @@ pub fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
         .rounded(SOUGHT);
     let play = sizes.and_then(Sizes::dwell_play);
     let degrees =
-        |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°").needing(&[Need::Size]);
+        |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°").needing(Needs::SIZE);
     let at_greatest = play.map_or_else(String::new, |play| {
         let until = degrees_told(play.until_entry);
         format!(
@@ -135,7 +135,9 @@ pub fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let knock = sizes.and_then(Sizes::knock).zip(design.pin_speed());
     let speed = |key, of: fn(&Knock) -> f64| {
         let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
-        ReportField::in_unit(key, speed, "mm/s").needing(&[Need::Size, Need::Speed]).rounded(Rounding::Significant(3))
+        ReportField::in_unit(key, speed, "mm/s")
+            .needing(Needs::SIZE.and(Needs::SPEED))
+            .rounded(Rounding::Significant(3))
     };
     Ok(vec![
         not_found(nearest, "least clearance", least.is_some()),
@@ -164,7 +166,7 @@ pub fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
             .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
         ReportField::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
             .line("", "part of the dwell, about its middle, in which it is no greater")
-            .needing(&[Need::Size])
+            .needing(Needs::SIZE)
             .rounded(Rounding::Percent(0)),
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))

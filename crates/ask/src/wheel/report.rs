@@ -8,7 +8,7 @@ use super::instant::item;
 use super::kind::WheelKind;
 use super::{loads, parts};
 use crate::number_format::{as_typed, count, degrees, number};
-use crate::{Error, MechanismReport, Need, ReportField};
+use crate::{Error, MechanismReport, Needs, ReportField};
 use geneva_kinematics::indexing::Indexing;
 
 impl WheelDesign {
@@ -59,8 +59,8 @@ fn given(design: &WheelDesign) -> Vec<ReportField> {
         ReportField::new("type", design.wheel.kind().name()),
         ReportField::new("stations", wheel.stations()),
         ReportField::new("pins", wheel.pins()),
-        ReportField::new("rpm", design.question.rpm).needing(&[Need::Speed]),
-        ReportField::in_unit("crank_radius_mm", design.crank_radius, "mm").needing(&[Need::Size]),
+        ReportField::new("rpm", design.question.rpm).needing(Needs::SPEED),
+        ReportField::in_unit("crank_radius_mm", design.crank_radius, "mm").needing(Needs::SIZE),
     ]
 }
 
@@ -81,15 +81,15 @@ fn geometry(design: &WheelDesign, indexing: &(impl Indexing + ?Sized)) -> Vec<Re
             .line("engagement half-angle", "crank angle where a pin enters and leaves"),
         ReportField::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
             .line("centre distance", "wheel's axis to driver's axis"),
-        ReportField::in_unit("centre_distance_mm", centres, "mm").in_other_unit().needing(&[Need::Size]),
+        ReportField::in_unit("centre_distance_mm", centres, "mm").in_other_unit().needing(Needs::SIZE),
         ReportField::in_unit("wheel_radius_ratio", wheel.wheel_radius_ratio(), "× crank radius")
             .line("wheel radius", "wheel's axis to a pin's centre as it enters"),
-        ReportField::in_unit("wheel_radius_mm", radius, "mm").in_other_unit().needing(&[Need::Size]),
+        ReportField::in_unit("wheel_radius_mm", radius, "mm").in_other_unit().needing(Needs::SIZE),
         ReportField::in_unit("slot_length_ratio", wheel.slot_length_ratio(), "× crank radius")
             .line("least slot length", slot),
         ReportField::in_unit("slot_length_mm", lengths(wheel.slot_length_ratio()), "mm")
             .in_other_unit()
-            .needing(&[Need::Size]),
+            .needing(Needs::SIZE),
     ]
 }
 
@@ -102,10 +102,10 @@ fn cycle(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<R
             .line("dwell fraction", "while the wheel is locked"),
         ReportField::in_unit("indexing_time_s", times.map(|[index, _]| index), "s")
             .line("indexing time", "from when a pin enters to when it leaves")
-            .needing(&[Need::Speed]),
+            .needing(Needs::SPEED),
         ReportField::in_unit("dwell_time_s", times.map(|[_, dwell]| dwell), "s")
             .line("dwell time", "from when it leaves to when the next pin enters")
-            .needing(&[Need::Speed]),
+            .needing(Needs::SPEED),
     ])
 }
 
@@ -128,11 +128,11 @@ fn motion(design: &WheelDesign) -> Vec<ReportField> {
         ReportField::in_unit("peak_velocity_ratio", velocity, "× driver speed").line("peak velocity", place(0.0)),
         ReportField::in_unit("peak_speed_rad_s", speed.map(|speed| speed * velocity), "rad/s")
             .in_other_unit()
-            .needing(&[Need::Speed]),
+            .needing(Needs::SPEED),
         ReportField::in_unit("entry_acceleration_ratio", entry, "× driver speed²").line("entry acceleration", at_entry),
         ReportField::in_unit("entry_acceleration_rad_s2", speed.map(|speed| speed * speed * entry), "rad/s²")
             .in_other_unit()
-            .needing(&[Need::Speed]),
+            .needing(Needs::SPEED),
         ReportField::in_unit("peak_acceleration_ratio", acceleration.ratio, "× driver speed²")
             .line("peak acceleration", place(acceleration.angle)),
         ReportField::in_unit(
@@ -141,14 +141,14 @@ fn motion(design: &WheelDesign) -> Vec<ReportField> {
             "rad/s²",
         )
         .in_other_unit()
-        .needing(&[Need::Speed]),
+        .needing(Needs::SPEED),
         // Of the peak of deceleration; that of acceleration is as far before the middle.
         ReportField::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
         ReportField::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
             .line("peak jerk", format!("{jerk_at}; not counting the jumps at the ends")),
         ReportField::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³")
             .in_other_unit()
-            .needing(&[Need::Speed]),
+            .needing(Needs::SPEED),
     ]
 }
 
