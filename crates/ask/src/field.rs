@@ -23,8 +23,7 @@ pub struct ReportField {
     pub is_visible_in_live_figure: bool,
 }
 
-/// What a value needs of those things that a question about a wheel may leave out: a set, in two bytes, because the module that
-/// a page loads holds one for each field.
+/// What a value needs of those things that a question about a wheel may leave out: a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Needs(u16);
 
@@ -171,9 +170,16 @@ impl ReportField {
         Self { is_visible_in_live_figure: true, ..self }
     }
 
-    /// The field with what the question must give for it to have a value.
+    /// The field with what the question must give for it to have a value. In the module that a page loads it has no needs: no
+    /// page asks for them, and they would be a two-hundredth of the module.
     pub fn needing(self, needs: Needs) -> Self {
-        Self { needs, ..self }
+        if cfg!(target_family = "wasm") { self } else { Self { needs, ..self } }
+    }
+
+    /// The fields with these needs, those that have needs of their own left as they are.
+    pub(crate) fn all_needing(fields: Vec<Self>, needs: Needs) -> Vec<Self> {
+        let needing = |field: Self| if field.needs == Needs::NONE { field.needing(needs) } else { field };
+        if cfg!(target_family = "wasm") { fields } else { fields.into_iter().map(needing).collect() }
     }
 
     /// The field with its own rounding.

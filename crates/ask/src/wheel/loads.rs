@@ -36,7 +36,7 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
     let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
     let from = ReportField::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
-    let mut fields = vec![
+    let fields = vec![
         ReportField::in_unit("inertia_kgm2", design.inertia, "kg m²")
             .line("moment of inertia", "of the wheel and everything that turns with it")
             .needing(Needs::INERTIA),
@@ -89,8 +89,5 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
         from,
         ReportField::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
-    for field in fields.iter_mut().filter(|field| field.needs == Needs::NONE) {
-        field.needs = Needs::SPEED.and(Needs::INERTIA);
-    }
-    Ok(fields)
+    Ok(ReportField::all_needing(fields, Needs::SPEED.and(Needs::INERTIA)))
 }

@@ -118,7 +118,7 @@ impl WheelDesign {
         let late = entry.map(|entry| entry.crank_angle + sizes.wheel.engagement_half_angle());
         let direction = sizes.slot_direction_tolerance().map(|angle| angle * sizes.wheel_radius);
         let tolerance = self.clearance()?.map(|(_, tolerance)| tolerance);
-        let mut fields = vec![
+        let fields = vec![
             mm("slot_gap_mm", Some(sizes.slot_gap())).line("slot gap", "to either side of the pin"),
             mm("clearance_tolerance_mm", tolerance).line("least clearance", "known to this tolerance"),
             mm("deepest_pin_mm", Some(sizes.deepest())).line("deepest pin", "from the wheel's axis, at mid-index"),
@@ -144,10 +144,7 @@ impl WheelDesign {
             degrees("late_entry_deg", late).line("entry", "of the pin, late by"),
             self.blow(sizes),
         ];
-        for field in fields.iter_mut().filter(|field| field.needs == Needs::NONE) {
-            field.needs = Needs::SIZE;
-        }
-        Ok(fields)
+        Ok(ReportField::all_needing(fields, Needs::SIZE))
     }
 
     /// The knock of a pin as it enters, with the axes as far apart as the question says. Missing where it meets no slot.
